@@ -1,0 +1,20 @@
+"""The paper as data: equations, tables, plots, claims and constants, exactly as printed.
+
+Hulin, Albu-Schaeffer and Hirzinger, *Passivity and Stability Boundaries for Haptic Systems
+with Time Delay*, IEEE Transactions on Control Systems Technology, 2014.  Misprints are kept;
+nothing is computed here and nothing is corrected.
+"""
+
+from __future__ import annotations
+
+from symhaptic.paper.claims import CLAIMS
+from symhaptic.paper.equations import EQUATIONS
+from symhaptic.paper.figures import FIGURES
+from symhaptic.paper.statement import Statement
+from symhaptic.paper.tables import TABLES
+
+STATEMENTS: dict[str, Statement] = {
+    s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS)
+}
+
+__all__ = ["STATEMENTS", "Statement"]

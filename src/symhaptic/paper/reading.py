@@ -1,0 +1,216 @@
+r"""Reads a formula as printed, in LaTeX, into SymPy: the transcription is typed only once.
+
+The conventions are those of the paper (and of IEEE print): juxtaposition binds more tightly
+than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
+:math:`b^2/(4m)`; ``j`` is the imaginary unit and ``e`` the base of the exponential.
+"""
+
+from __future__ import annotations
+
+import re
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.notation import FUNCTIONS, SYMBOLS
+
+Printed = tuple[Expr, ...]
+
+_TOKEN = re.compile(
+    r"\\hat\s*\{=\}|\\hat\s*\{\\omega\}|\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\text\s*\{[^{}]*\}|"
+    r"\\[A-Za-z]+|\\\\|\\[,;!{}]|\d+(?:\.\d+)?(?:\\,\d{3})*|:=|[A-Za-z]|[-+/^_(){}\[\]=<>|&,]"
+)
+_IGNORED = {r"\left", r"\right", r"\quad", r"\,", r"\;", r"\!", "&"}
+_RELATIONS: dict[str, type] = {
+    "=": sp.Eq,
+    ":=": sp.Eq,
+    r"\hat{=}": sp.Eq,
+    r"\approx": sp.Eq,
+    "<": sp.StrictLessThan,
+    ">": sp.StrictGreaterThan,
+    r"\leq": sp.LessThan,
+    r"\geq": sp.GreaterThan,
+}
+_FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
+_CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
+_UNITS = {"s": "second", "N/m": "newton_per_metre"}
+_SYMBOLS = {entry.latex: name for name, entry in SYMBOLS.items()}
+
+
+class Unreadable(ValueError):
+    """LaTeX that is not a formula in the paper's notation."""
+
+
+def read(latex: str) -> Printed:
+    r"""The relations (or the one expression) that a line of LaTeX says.
+
+    A chain of relations gives one relation per link, an equation between vectors one per
+    component.
+
+    >>> read(r"\omega = \pi/T(d+1)")
+    (Eq(omega, pi/(T*(d + 1))),)
+    >>> read(r"b > \frac{KT}{2} + |B|")
+    (b > K*T/2 + Abs(B),)
+    """
+    return _Reader(latex).line()
+
+
+class _Reader:
+    def __init__(self, latex: str) -> None:
+        self.latex = latex
+        squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
+        rest = _TOKEN.sub("", squeezed).strip(" ~\n.;")
+        if rest:
+            raise Unreadable(f"cannot read {rest!r} in {latex!r}")
+        self.tokens = [t for t in _TOKEN.findall(squeezed) if t not in _IGNORED]
+        self.at = 0
+
+    # -- tokens ---------------------------------------------------------------------
+
+    def peek(self) -> str:
+        return self.tokens[self.at] if self.at < len(self.tokens) else ""
+
+    def take(self, expected: str | None = None) -> str:
+        token = self.peek()
+        if not token or (expected is not None and token != expected):
+            raise Unreadable(f"expected {expected or 'more'}, found {token!r} in {self.latex!r}")
+        self.at += 1
+        return token
+
+    # -- grammar --------------------------------------------------------------------
+
+    def line(self) -> Printed:
+        sides, relations = [self.sum()], []
+        while self.peek() in _RELATIONS:
+            relations.append(_RELATIONS[self.take()])
+            sides.append(self.sum())
+        if self.peek():
+            raise Unreadable(f"{self.peek()!r} left over in {self.latex!r}")
+        if not relations:
+            return (sides[0],)
+        links: list[Expr] = []
+        for kind, left, right in zip(relations, sides, sides[1:], strict=False):
+            pairs = (
+                zip(left, right, strict=True)
+                if isinstance(left, sp.MatrixBase)
+                else [(left, right)]
+            )
+            links += [kind(one, other, evaluate=False) for one, other in pairs]
+        return tuple(links)
+
+    def sum(self) -> Expr:
+        sign = -1 if self.peek() == "-" else 1
+        if self.peek() in ("+", "-"):
+            self.take()
+        total = sign * self.term()
+        while self.peek() in ("+", "-"):
+            minus = self.take() == "-"
+            term = self.term()
+            total = total - term if minus else total + term
+        return total
+
+    def term(self) -> Expr:
+        value = self.chain()
+        while self.peek() in (r"\cdot", r"\times", "/"):
+            divides = self.take() == "/"
+            factor = self.chain()
+            value = value / factor if divides else value * factor
+        return value
+
+    def chain(self) -> Expr:
+        value = self.power()
+        while self.starts_factor():
+            value = value * self.power()
+        return value
+
+    def starts_factor(self) -> bool:
+        token = self.peek()
+        if not token or token in _RELATIONS or token in (r"\cdot", r"\times", r"\\", r"\}"):
+            return False
+        return token[0] == "\\" and not token.startswith(r"\end") or token[0] in "([{" or (
+            token[0].isalnum()
+        )
+
+    def power(self) -> Expr:
+        base = self.atom()
+        if self.peek() == "^":
+            self.take()
+            exponent = self.group() if self.peek() == "{" else self.atom()
+            return sp.exp(exponent) if base is _E else base**exponent
+        if base is _E:
+            raise Unreadable(f"e without exponent in {self.latex!r}")
+        return base
+
+    def group(self) -> Expr:
+        opening = self.take()
+        value = self.sum()
+        self.take(_CLOSING[opening])
+        return value
+
+    def atom(self) -> Expr:
+        token = self.peek()
+        if token in _CLOSING:
+            return self.group()
+        if token == "|":
+            self.take()
+            inside = self.sum()
+            self.take("|")
+            return sp.Abs(inside)
+        self.take()
+        if token[0].isdigit():
+            return sp.Rational(token.replace(r"\,", ""))
+        if token == r"\frac":
+            return self.group() / self.group()
+        if token == r"\sqrt":
+            return sp.sqrt(self.group())
+        if token == r"\Re":
+            return sp.re(self.group(), evaluate=False)
+        if token == r"\begin{pmatrix}":
+            return self.vector()
+        if token in _FUNCTIONS:
+            return _FUNCTIONS[token](self.group() if self.peek() in "({" else self.chain())
+        if token.startswith(r"\text"):
+            unit = token[token.index("{") + 1 : -1].strip()
+            if unit in _UNITS:
+                return sp.Symbol(_UNITS[unit])
+            raise Unreadable(f"words {unit!r} in {self.latex!r}")
+        if token == r"\pi":
+            return sp.pi
+        return self.name(token)
+
+    def vector(self) -> Expr:
+        rows = [self.sum()]
+        while self.peek() == r"\\":
+            self.take()
+            rows.append(self.sum())
+        self.take(r"\end{pmatrix}")
+        self.subscript()
+        return sp.Matrix(rows)
+
+    def subscript(self) -> str:
+        if self.peek() != "_":
+            return ""
+        self.take()
+        if self.peek() != "{":
+            return "_" + self.take()
+        depth, start = 0, self.at
+        while True:
+            token = self.take()
+            depth += (token == "{") - (token == "}")
+            if depth == 0:
+                return "_" + "".join(self.tokens[start : self.at])
+
+    def name(self, token: str) -> Expr:
+        spelled = token + self.subscript()
+        if spelled == "j":
+            return sp.I
+        if spelled == "e":
+            return _E
+        if spelled in FUNCTIONS and self.peek() == "(":
+            return sp.Function(spelled)(self.group())
+        if spelled in _SYMBOLS:
+            return sp.Symbol(_SYMBOLS[spelled])
+        raise Unreadable(f"{spelled!r} is not in the notation, in {self.latex!r}")
+
+
+_E = sp.Symbol("_base_of_the_exponential")

@@ -1,0 +1,39 @@
+"""What one statement of the paper is: an id, where it stands, and what is printed there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from symhaptic.paper.reading import Printed, read
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement of the paper, as printed.
+
+    ``latex`` holds the printed formula line by line, or nothing where the statement is in
+    words; ``says`` is what it says, in our words (LaTeX between dollar signs); ``reading`` is
+    LaTeX for the formula where the print has words instead of symbols.
+    """
+
+    id: str
+    location: str
+    says: str
+    latex: tuple[str, ...] = ()
+    domain: str = ""
+    reading: tuple[str, ...] | None = None
+
+    @cached_property
+    def printed(self) -> Printed:
+        """The printed formula as SymPy relations or expressions; empty for one in words."""
+        lines = self.latex if self.reading is None else self.reading
+        return tuple(part for line in lines for part in read(line))
+
+    @property
+    def text(self) -> str:
+        """LaTeX of the statement: the printed formula, or what it says."""
+        if not self.latex:
+            return rf"\text{{{self.says}}}"
+        joined = r",\quad ".join(self.latex)
+        return rf"{joined},\quad {self.domain}" if self.domain else joined

@@ -1,0 +1,1 @@
+"""Deciding statements: exact zero tests, exact series, sign certificates, enclosures, units."""

@@ -1,0 +1,152 @@
+"""Balls that contain the value of an expression, from python-flint's complex arithmetic.
+
+A ball can show that two numbers differ, or in which order they lie; it never shows that they
+are equal.  That is left to :mod:`symhaptic.proof.normal`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import sympy as sp
+from flint import acb, arb, ctx, fmpq
+from sympy import Expr
+
+from symhaptic.proof.normal import Field, Undefined, Unsupported
+
+PRECISIONS = (64, 256, 1024)
+"""Bits tried one after the other until a question is decided."""
+
+_FUNCTIONS: dict[type, Callable[[acb], acb]] = {
+    sp.exp: lambda x: x.exp(),
+    sp.sin: lambda x: x.sin(),
+    sp.cos: lambda x: x.cos(),
+    sp.tan: lambda x: x.tan(),
+    sp.cot: lambda x: x.cot(),
+    sp.sinh: lambda x: x.sinh(),
+    sp.cosh: lambda x: x.cosh(),
+    sp.tanh: lambda x: x.tanh(),
+    sp.Abs: lambda x: acb(abs(x)),
+    sp.re: lambda x: acb(x.real),
+    sp.im: lambda x: acb(x.imag),
+    sp.conjugate: lambda x: acb(x.real, -x.imag),
+}
+
+
+def ball(expr: Expr, at: Mapping[Expr, Expr] | None = None, bits: int = 64) -> acb:
+    """A ball that contains the value of ``expr`` where its symbols have the values ``at``.
+
+    Raises :class:`Unsupported` for a function that it does not know.  A ball that is not
+    finite says that the expression is undefined or that the precision is too low.
+
+    >>> print(ball(sp.sqrt(2) - 1).real.str(15))
+    [0.414213562373095 +/- 4.89e-17]
+    """
+    before = ctx.prec
+    ctx.prec = bits
+    try:
+        return _ball(sp.sympify(expr), dict(at or {}))
+    finally:
+        ctx.prec = before
+
+
+def _ball(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
+    if expr in at:
+        return _ball(sp.sympify(at[expr]), {})
+    if expr.is_Rational:
+        return acb(fmpq(int(expr.p), int(expr.q)))
+    if expr is sp.I:
+        return acb(0, 1)
+    if expr is sp.pi:
+        return acb(arb.pi())
+    if expr is sp.E:
+        return acb(1).exp()
+    args = [_ball(a, at) for a in expr.args]
+    if expr.is_Add:
+        return sum(args[1:], args[0])
+    if expr.is_Mul:
+        product = args[0]
+        for factor in args[1:]:
+            product *= factor
+        return product
+    if expr.is_Pow:
+        power = expr.args[1]
+        if power.is_Integer:
+            return args[0] ** int(power)
+        if power == sp.Rational(1, 2):
+            return args[0].sqrt()
+        return args[0].pow(args[1])
+    if expr.func in _FUNCTIONS:
+        return _FUNCTIONS[expr.func](args[0])
+    raise Unsupported(f"no ball for {type(expr).__name__}: {expr}")
+
+
+def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool | None:
+    """True where a ball excludes zero; None where no precision decides it."""
+    for bits in PRECISIONS:
+        value = ball(expr, at, bits)
+        if value.is_finite() and not value.contains(acb(0)):
+            return True
+    return None
+
+
+def sign(expr: Expr) -> int | None:
+    """The sign of a real number given by an expression without symbols, or None if undecided.
+
+    Zero is recognised by the normal form, a sign by a ball.
+
+    >>> sign(sp.cos(sp.pi/8)**2 - sp.Rational(1, 2) - sp.sqrt(2)/4), sign(sp.pi - 3)
+    (0, 1)
+    """
+    expr = sp.sympify(expr)
+    for bits in PRECISIONS:
+        value = ball(expr, None, bits)
+        if value.is_finite() and value.imag.contains(0):
+            if value.real > 0:
+                return 1
+            if value.real < 0:
+                return -1
+    field = Field([expr])
+    return 0 if field.is_zero(expr) else None
+
+
+Value = bool | Expr | None
+"""What an expression or relation is at a point; None stands for undefined."""
+
+
+def value_at(expr: Expr, at: Mapping[Expr, Expr]) -> Value:
+    """Exact value at a point: a number, the truth of a relation, None where undefined.
+
+    A division by zero at the point is found exactly, by the normal form of the denominator.
+    Raises :class:`Unsupported` where a relation cannot be decided.
+
+    >>> x = sp.Symbol("x")
+    >>> value_at(x/(x - 1), {x: 1}) is None, value_at(x > 0, {x: 2})
+    (True, True)
+    """
+    if isinstance(expr, sp.core.relational.Relational):
+        left, right = value_at(expr.lhs, at), value_at(expr.rhs, at)
+        if left is None or right is None:
+            return None
+        if isinstance(expr, sp.Eq):
+            return Field([left - right]).is_zero(left - right)
+        order = sign(left - right)
+        if order is None:
+            raise Unsupported(f"undecided at {at}: {expr}")
+        return bool(expr.func(order, 0))
+    try:
+        return _placed(expr, at)
+    except Undefined:
+        return None
+
+
+def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
+    """Symbols replaced, every divisor tested, so that SymPy cannot cancel a zero with a pole."""
+    if expr in at:
+        return sp.sympify(at[expr])
+    if not expr.args:
+        return expr
+    args = [_placed(a, at) for a in expr.args]
+    if expr.is_Pow and args[1].could_extract_minus_sign() and Field([args[0]]).is_zero(args[0]):
+        raise Undefined(f"division by {expr.args[0]}, which is zero")
+    return expr.func(*args)

@@ -1,0 +1,222 @@
+"""Two forms compared: proved equal, told apart by a counterexample, or left undecided."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy import Expr
+from sympy.core.relational import Relational
+
+from symhaptic.latex import latex
+from symhaptic.notation import SYMBOLS
+from symhaptic.proof.ball import Value, differs_from_zero, value_at
+from symhaptic.proof.normal import Field, Undefined, Unsupported
+from symhaptic.proof.verdict import Kind, Verdict
+
+Form = Expr | Sequence[Expr]
+Point = dict[Expr, Expr]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """``equal`` is None where neither a proof nor a counterexample was found."""
+
+    equal: bool | None
+    method: str
+    point: Point | None = None
+    values: tuple[Value, Value] | None = None
+
+
+def parts(form: Form) -> tuple[Expr, ...]:
+    """A form as a tuple of expressions or relations: vectors and lists of equations unfold.
+
+    >>> parts(sp.Matrix([1, 2]))
+    (1, 2)
+    """
+    if isinstance(form, sp.MatrixBase):
+        return tuple(form)
+    if isinstance(form, (Sequence, sp.Tuple)):
+        return tuple(p for part in form for p in parts(part))
+    return (sp.sympify(form),)
+
+
+def compare(left: Form, right: Form) -> Comparison:
+    """Whether two forms say the same, component by component.
+
+    Two relations say the same if they are of one kind and their two sides differ by the same
+    amount, up to a positive rational factor.  Where they are not the same, a point is looked
+    for at which one holds and the other does not.
+
+    >>> x = sp.Symbol("x")
+    >>> compare(sp.cos(2*x), 1 - 2*sp.sin(x)**2).equal
+    True
+    >>> compare(x < 1, x <= 1).equal, compare(x < 1, 2*x < 2).equal
+    (False, True)
+    """
+    ours, theirs = parts(left), parts(right)
+    if len(ours) != len(theirs):
+        return Comparison(False, f"{len(ours)} components against {len(theirs)}", {})
+    method = ""
+    for one, other in zip(ours, theirs, strict=True):
+        result = _compare(one, other)
+        if not result.equal:
+            return result
+        method = result.method or method
+    return Comparison(True, method)
+
+
+def _compare(left: Expr, right: Expr) -> Comparison:
+    try:
+        if isinstance(left, Relational) or isinstance(right, Relational):
+            return _relations(left, right)
+        if left in (sp.true, sp.false) or right in (sp.true, sp.false):
+            return Comparison(left == right, "a truth value", {})
+        if _same(left, right):
+            return Comparison(True, f"zero in {field_name([left, right])}")
+    except Unsupported as missing:
+        return Comparison(None, str(missing))
+    except Undefined as pole:
+        return Comparison(False, str(pole), {})
+    return _told_apart(left, right)
+
+
+def _same(left: Expr, right: Expr) -> bool:
+    difference = left - right
+    Field([left, right]).image(left)  # a form that divides by zero equals nothing
+    return Field([difference]).is_zero(difference)
+
+
+def _relations(left: Expr, right: Expr) -> Comparison:
+    if not (isinstance(left, Relational) and isinstance(right, Relational)):
+        return Comparison(False, "a relation against an expression", {})
+    one, other = _turned(left), _turned(right)
+    ours, theirs = one.lhs - one.rhs, other.lhs - other.rhs
+    if one.func == other.func:
+        if isinstance(one, (sp.Eq, sp.Ne)) and one.lhs == other.lhs:
+            same = compare(one.rhs, other.rhs)
+            if same.equal is not None:
+                return same
+        if _proportional(ours, theirs, signed=isinstance(one, (sp.Eq, sp.Ne))):
+            return Comparison(True, f"zero in {field_name([ours, theirs])}")
+    return _told_apart(one, other)
+
+
+def _turned(relation: Expr) -> Expr:
+    """The relation with its smaller side on the right."""
+    if isinstance(relation, (sp.StrictLessThan, sp.LessThan)):
+        return relation.reversed
+    return relation
+
+
+def _proportional(ours: Expr, theirs: Expr, signed: bool) -> bool:
+    field = Field([ours, theirs])
+    if field.is_zero(ours) or field.is_zero(theirs):
+        return field.is_zero(ours) and field.is_zero(theirs)
+    if _same(ours, theirs):
+        return True
+    for point in itertools.islice(points(ours, theirs), 3):
+        top, bottom = value_at(ours, point), value_at(theirs, point)
+        if isinstance(top, Expr) and isinstance(bottom, Expr) and bottom != 0:
+            ratio = top / bottom
+            if not ratio.is_Rational or (ratio < 0 and not signed):
+                return False
+            return _same(ours, ratio * theirs)
+    return False
+
+
+def field_name(exprs: Sequence[Expr]) -> str:
+    """The field that the forms live in, as LaTeX."""
+    generators = [g for g in Field(exprs).generators() if not g.has(sp.Dummy)]
+    inner = ",".join(latex(g) for g in generators)
+    return rf"$\mathbb{{Q}}({inner})$" if inner else r"$\mathbb{Q}$"
+
+
+# -- counterexamples -------------------------------------------------------------------
+
+_CHOICES: dict[str, tuple[str, ...]] = {
+    "positive": ("1", "2", "1/2", "3", "1/10"),
+    "nonnegative": ("1", "2", "1/2", "0", "3", "1/10"),
+    "real": ("1", "-1", "2", "1/2", "-3", "0"),
+    "complex": ("2", "1/3", "-2", "3"),
+    "(0, pi)": ("1", "2", "1/2", "3", "1/10"),
+    "[0, 1]": ("1/2", "1", "1/3", "0"),
+}
+_LIMIT = 400
+
+
+def points(*exprs: Expr) -> Iterator[Point]:
+    """Rational points of the domain, simple ones first, always in the same order."""
+    symbols = sorted({s for e in exprs for s in e.free_symbols}, key=str)
+    choices = []
+    for symbol in symbols:
+        entry = SYMBOLS.get(symbol.name)
+        choices.append(_CHOICES[entry.domain if entry else "real"])
+    # first a generic point with different values, then all combinations
+    order = itertools.chain(
+        (
+            tuple(choice[(i + shift) % len(choice)] for i, choice in enumerate(choices))
+            for shift in range(5)
+        ),
+        itertools.product(*choices),
+    )
+    for values in itertools.islice(order, _LIMIT):
+        yield {s: sp.Rational(v) for s, v in zip(symbols, values, strict=True)}
+
+
+def _told_apart(left: Expr, right: Expr) -> Comparison:
+    opaque = {
+        f: sp.Symbol(f"_value{i}")
+        for i, f in enumerate(
+            sorted(left.atoms(sp.core.function.AppliedUndef, sp.conjugate)
+                   | right.atoms(sp.core.function.AppliedUndef, sp.conjugate), key=str)
+        )
+    }
+    left, right = left.xreplace(opaque), right.xreplace(opaque)
+    for point in points(left, right):
+        values = differ(left, right, point)
+        if values is not None:
+            return Comparison(False, "the two sides differ", point, values)
+    return Comparison(None, "neither proved nor told apart")
+
+
+def differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> tuple[Value, Value] | None:
+    """The two values at a point if they are certainly different, else None."""
+    try:
+        ours, theirs = value_at(left, at), value_at(right, at)
+        if ours is None or theirs is None or isinstance(ours, bool) or isinstance(theirs, bool):
+            return (ours, theirs) if ours is not theirs else None
+        return (ours, theirs) if differs_from_zero(ours - theirs) else None
+    except Unsupported:
+        return None
+
+
+def prove(lhs: Form, rhs: Form) -> Verdict:
+    """Decide whether two formulas, vectors or relations are the same.
+
+    Returns a :class:`Verdict` that is true only if they are: *proved*, with the field in which
+    their difference is zero.  A formula that is not the same is *refuted*, with a point where
+    the two differ; *undecided* is neither, and not true.  Equality holds wherever both sides
+    are defined, for real values of the symbols and any real exponent.
+
+    >>> from sympy.abc import x
+    >>> bool(prove(sp.tan(x/2), sp.sin(x)/(1 + sp.cos(x))))
+    True
+    >>> print(prove(sp.sin(2*x), 2*sp.sin(x)).counterexample)
+    {'x': '1'}
+    """
+    result = compare(lhs, rhs)
+    if result.equal:
+        return Verdict(Kind.PROVED, result.method)
+    if result.equal is None:
+        return Verdict(Kind.UNDECIDED, result.method)
+    return Verdict(Kind.REFUTED, result.method, counterexample=named(result.point))
+
+
+def named(point: Mapping[Expr, Expr] | None) -> dict[str, str] | None:
+    """A point with plain names and exact numbers as text."""
+    if point is None:
+        return None
+    return {str(s).lstrip("_"): str(v) for s, v in point.items()}

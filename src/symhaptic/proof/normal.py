@@ -1,0 +1,430 @@
+r"""Is an expression zero?  Decided by a normal form, never by simplification.
+
+Exponentials, sines and cosines, powers with symbolic exponents and roots are replaced by
+generators, after which every expression of the paper is a quotient of two polynomials over
+the rationals.  Exponents are written over a basis of the space that they span over the
+rationals, modulo :math:`j\pi`, so that :math:`e^{jd\theta}` and :math:`e^{j(d+2)\theta}`
+share generators; sines of different multiples of one angle need no table of identities.
+Roots, :math:`j` and roots of unity obey a polynomial relation each.
+
+A normal form of zero proves the identity wherever both sides are defined.  A normal form
+that is not zero proves nothing by itself: :mod:`symhaptic.proof.decide` then looks for a
+point where the two sides differ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from math import lcm
+
+import sympy as sp
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from sympy import Expr
+
+Exponents = dict[tuple[int, ...], Fraction]
+
+
+class Undefined(ArithmeticError):
+    """The expression divides by something that is identically zero."""
+
+
+class Unsupported(ValueError):
+    """The expression holds something that the normal form does not know."""
+
+
+def conjugated(expr: Expr) -> Expr:
+    """The complex conjugate, all symbols taken as real and unknown functions kept opaque."""
+    if expr.has(sp.Symbol("z"), sp.Symbol("s")):
+        raise Unsupported("the conjugate of an expression in z or s needs a point on a contour")
+    swap = {f: sp.conjugate(f) for f in expr.atoms(sp.core.function.AppliedUndef)}
+    keep = {f: sp.Dummy() for f in swap}
+    held = expr.xreplace(keep).xreplace({sp.I: -sp.I})
+    return held.xreplace({keep[f]: swap[f] for f in swap})
+
+
+def as_exponentials(expr: Expr) -> Expr:
+    """Sines, cosines, tangents and real parts rewritten with exponentials, nothing else touched."""
+    j = sp.I
+    args = [as_exponentials(a) for a in expr.args]
+
+    def pair(u: Expr) -> tuple[Expr, Expr]:
+        return sp.exp(u, evaluate=False), sp.exp(-u, evaluate=False)
+
+    if isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot)):
+        up, down = pair(j * args[0])
+        sine, cosine = (up - down) / (2 * j), (up + down) / 2
+        return {sp.sin: sine, sp.cos: cosine, sp.tan: sine / cosine, sp.cot: cosine / sine}[
+            expr.func
+        ]
+    if isinstance(expr, (sp.sinh, sp.cosh, sp.tanh)):
+        up, down = pair(args[0])
+        sine, cosine = (up - down) / 2, (up + down) / 2
+        return {sp.sinh: sine, sp.cosh: cosine, sp.tanh: sine / cosine}[expr.func]
+    if isinstance(expr, sp.re):
+        return (args[0] + as_exponentials(conjugated(expr.args[0]))) / 2
+    if isinstance(expr, sp.exp):
+        return sp.exp(args[0], evaluate=False)
+    if not expr.args or isinstance(expr, (sp.core.function.AppliedUndef, sp.conjugate)):
+        return expr
+    return expr.func(*args, evaluate=False) if expr.is_Add or expr.is_Mul else expr.func(*args)
+
+
+@dataclass(frozen=True)
+class Fractional:
+    """A quotient of two polynomials in the generators of a :class:`Field`."""
+
+    num: fmpq_mpoly
+    den: fmpq_mpoly
+
+    def __add__(self, other: Fractional) -> Fractional:
+        if self.den == other.den:
+            return Fractional(self.num + other.num, self.den)
+        common = self.den.gcd(other.den)
+        left, right = other.den / common, self.den / common
+        return Fractional(self.num * left + other.num * right, self.den * left)
+
+    def __mul__(self, other: Fractional) -> Fractional:
+        return Fractional(self.num * other.num, self.den * other.den)
+
+    def __pow__(self, n: int) -> Fractional:
+        if n < 0:
+            return Fractional(self.den ** (-n), self.num ** (-n))
+        return Fractional(self.num**n, self.den**n)
+
+
+class _Ring:
+    """Polynomials over the rationals in named generators, with one relation for some of them."""
+
+    def __init__(self, names: list[Expr]) -> None:
+        self.names = names
+        # flint wants at least one generator
+        labels = [f"g{i}" for i in range(max(1, len(names)))]
+        self.ctx = fmpq_mpoly_ctx.get(labels, "degrevlex")
+        self.gen = dict(zip(names, self.ctx.gens(), strict=False))
+        self.one = self.ctx.constant(1)
+        self.relations: list[tuple[int, dict[int, fmpq_mpoly]]] = []
+
+    def constant(self, value: sp.Rational) -> Fractional:
+        return Fractional(self.ctx.constant(fmpq(int(value.p), int(value.q))), self.one)
+
+    def relate(self, name: Expr, coefficients: dict[int, fmpq_mpoly]) -> None:
+        """Impose sum of coefficient times name**power = 0."""
+        self.relations.append((self.names.index(name), coefficients))
+
+    def reduce(self, poly: fmpq_mpoly) -> fmpq_mpoly:
+        """The polynomial modulo all relations, up to a factor that is not zero."""
+        for index, relation in reversed(self.relations):
+            degree = max(relation)
+            main = self.gen[self.names[index]]
+            while True:
+                parts = self._by_power(poly, index)
+                top = max(parts, default=0)
+                if top < degree:
+                    break
+                rest = sum(
+                    (c * main ** (p + top - degree) for p, c in relation.items() if p < degree),
+                    self.ctx.constant(0),
+                )
+                lower = poly - parts[top] * main**top
+                poly = relation[degree] * lower - parts[top] * rest
+        return poly
+
+    def _by_power(self, poly: fmpq_mpoly, index: int) -> dict[int, fmpq_mpoly]:
+        split: dict[int, dict[tuple[int, ...], fmpq]] = {}
+        for monomial, value in poly.to_dict().items():
+            rest = (*monomial[:index], 0, *monomial[index + 1 :])
+            split.setdefault(int(monomial[index]), {})[rest] = value
+        return {power: self.ctx.from_dict(part) for power, part in split.items()}
+
+
+class Field:
+    """The field that a set of expressions lives in, and their images there.
+
+    >>> from sympy.abc import d, x
+    >>> from sympy import sin, cos
+    >>> Field([f := sin((d + 2)*x) + sin(d*x) - 2*sin((d + 1)*x)*cos(x)]).is_zero(f)
+    True
+    """
+
+    def __init__(self, exprs: Iterable[Expr]) -> None:
+        self._exprs = {e: as_exponentials(sp.sympify(e)) for e in exprs}
+        self._radicals: dict[tuple[Expr, int], Expr] = {}
+        self._logs: dict[Expr, Expr] = {}
+        self._opaque: dict[Expr, Expr] = {}
+        self._exponents: list[Expr] = []
+        symbols: set[Expr] = set()
+        for e in self._exprs.values():
+            self._collect(e, symbols)
+        self._symbols = sorted(symbols, key=str)
+        self._basis: list[tuple[Expr, Exponents]] = []
+        self._coordinates: dict[Expr, dict[int, Fraction]] = {}
+        self._span()
+        self._build()
+
+    # -- what occurs -----------------------------------------------------------------
+
+    def _collect(self, expr: Expr, symbols: set[Expr]) -> None:
+        if expr.is_Rational or expr in (sp.I, sp.pi):
+            return
+        if expr.is_Symbol:
+            symbols.add(expr)
+        elif expr.is_Add or expr.is_Mul:
+            for arg in expr.args:
+                self._collect(arg, symbols)
+        elif isinstance(expr, sp.exp) or expr is sp.E:
+            exponent = expr.args[0] if expr.args else sp.S.One
+            self._exponents.append(exponent)
+            self._collect(exponent, symbols)
+        elif expr.is_Pow:
+            base, power = expr.args
+            self._collect(base, symbols)
+            if power.is_Integer:
+                return
+            if power.is_Rational:
+                self._radicals.setdefault((base, int(power.q)), sp.Dummy("r"))
+                return
+            self._collect(power, symbols)
+            log = self._logs.setdefault(base, sp.Dummy("log"))
+            self._exponents.append(power * log)
+        elif expr.is_Function or isinstance(expr, (sp.Abs, sp.conjugate)):
+            self._opaque.setdefault(expr, sp.Dummy("f"))
+        else:
+            raise Unsupported(f"no normal form for {type(expr).__name__}: {expr}")
+
+    # -- a basis of the exponents over the rationals, modulo j pi ---------------------
+
+    def _span(self) -> None:
+        names = [
+            sp.I,
+            sp.pi,
+            *self._symbols,
+            *self._radicals.values(),
+            *self._logs.values(),
+            *self._opaque.values(),
+        ]
+        ring = _Ring(names)
+        ring.relate(sp.I, {0: ring.one, 2: ring.one})
+        images: dict[Expr, Fractional] = {}
+        seeds = [sp.I * sp.pi, *self._logs.values()]
+        common = ring.one
+        for exponent in [*seeds, *self._exponents]:
+            image = self._image(exponent, ring, None)
+            if self._depends(image.den, ring, sp.I):
+                raise Unsupported(f"the exponent {exponent} has a complex denominator")
+            shared = common.gcd(image.den)
+            common = common * (image.den / shared)
+            images[exponent] = image
+        echelon: list[tuple[tuple[int, ...], Exponents, dict[int, Fraction]]] = []
+        for exponent in images:
+            image = images[exponent]
+            poly = ring.reduce(image.num * (common / image.den))
+            vector = {m: Fraction(int(c.p), int(c.q)) for m, c in poly.to_dict().items()}
+            coordinates: dict[int, Fraction] = {}
+            for pivot, row, combination in echelon:
+                factor = vector.get(pivot, Fraction(0)) / row[pivot]
+                if factor:
+                    for m, c in row.items():
+                        vector[m] = vector.get(m, Fraction(0)) - factor * c
+                    for i, c in combination.items():
+                        coordinates[i] = coordinates.get(i, Fraction(0)) + factor * c
+            vector = {m: c for m, c in vector.items() if c}
+            if vector:
+                index = len(self._basis)
+                self._basis.append((exponent, vector))
+                combination = {i: -c for i, c in coordinates.items()}
+                combination[index] = Fraction(1)
+                echelon.append((next(iter(vector)), vector, combination))
+                coordinates = {index: Fraction(1)}
+            self._coordinates[exponent] = coordinates
+
+    @staticmethod
+    def _depends(poly: fmpq_mpoly, ring: _Ring, name: Expr) -> bool:
+        index = ring.names.index(name)
+        return any(monomial[index] for monomial in poly.to_dict())
+
+    # -- generators and relations -----------------------------------------------------
+
+    def _build(self) -> None:
+        used = [self._coordinates[e] for e in self._exponents]
+        denominators = [
+            lcm(1, *(c[i].denominator for c in used if i in c)) for i in range(len(self._basis))
+        ]
+        # the roots of unity: exp(j pi p/q) and j itself
+        self._order = lcm(4, 2 * denominators[0])
+        self._zeta = sp.Symbol("_zeta")
+        self._generator: dict[int, Expr] = {}
+        self._denominators = denominators
+        names: list[Expr] = [*self._symbols, sp.pi, *self._opaque.values()]
+        names += list(self._radicals.values())
+        log_of = {log: base for base, log in self._logs.items()}
+        for i, (exponent, _) in enumerate(self._basis):
+            if i == 0:
+                continue
+            if exponent in log_of and denominators[i] == 1:
+                continue
+            self._generator[i] = sp.Symbol(f"_g{i}")
+            names.append(self._generator[i])
+        names.append(self._zeta)
+        self._ring = ring = _Ring(names)
+        cyclotomic = sp.Poly(sp.cyclotomic_poly(self._order, sp.Symbol("X")), sp.Symbol("X"))
+        ring.relate(
+            self._zeta,
+            {m[0]: ring.ctx.constant(fmpq(int(c))) for m, c in cyclotomic.terms()},
+        )
+        self._bases: dict[int, Expr] = {}
+        for i, (exponent, _) in enumerate(self._basis):
+            if exponent in log_of:
+                self._bases[i] = log_of[exponent]
+        for (base, q), radical in self._radicals.items():
+            self._relate_root(radical, self._image(base, ring, self._exponential), q)
+        for i, base in self._bases.items():
+            if i in self._generator:
+                image = self._image(base, ring, self._exponential)
+                self._relate_root(self._generator[i], image, denominators[i])
+
+    def _relate_root(self, root: Expr, image: Fractional, degree: int) -> None:
+        self._ring.relate(root, {0: -image.num, degree: image.den})
+
+    def _exponential(self, exponent: Expr) -> Fractional:
+        ring = self._ring
+        result = Fractional(ring.one, ring.one)
+        for i, coordinate in self._coordinates[exponent].items():
+            power = coordinate * self._denominators[i]
+            if i == 0:
+                step = Fraction(self._order, 2) * coordinate
+                result *= Fractional(ring.gen[self._zeta] ** int(step % self._order), ring.one)
+            elif i in self._generator:
+                result *= Fractional(ring.gen[self._generator[i]], ring.one) ** int(power)
+            else:
+                image = self._image(self._bases[i], ring, self._exponential)
+                result *= image ** int(power)
+        return result
+
+    # -- the image of an expression ----------------------------------------------------
+
+    def _image(
+        self, expr: Expr, ring: _Ring, exponential: Callable[[Expr], Fractional] | None
+    ) -> Fractional:
+        if expr.is_Rational:
+            return ring.constant(expr)
+        if expr is sp.I and exponential is not None:
+            return Fractional(ring.gen[self._zeta] ** (self._order // 4), ring.one)
+        if expr in ring.gen:
+            return Fractional(ring.gen[expr], ring.one)
+        if expr in self._opaque:
+            return Fractional(ring.gen[self._opaque[expr]], ring.one)
+        if expr.is_Add:
+            total = self._image(expr.args[0], ring, exponential)
+            for arg in expr.args[1:]:
+                total = total + self._image(arg, ring, exponential)
+            return total
+        if expr.is_Mul:
+            product = self._image(expr.args[0], ring, exponential)
+            for arg in expr.args[1:]:
+                product = product * self._image(arg, ring, exponential)
+            return product
+        if isinstance(expr, sp.exp) or expr is sp.E:
+            if exponential is None:
+                raise Unsupported(f"an exponential inside an exponent: {expr}")
+            return exponential(expr.args[0] if expr.args else sp.S.One)
+        if expr.is_Pow:
+            base, power = expr.args
+            if power.is_Integer:
+                return self._power(self._image(base, ring, exponential), int(power), ring)
+            if power.is_Rational:
+                root = self._radicals[(base, int(power.q))]
+                return self._power(Fractional(ring.gen[root], ring.one), int(power.p), ring)
+            if exponential is None:
+                raise Unsupported(f"a symbolic power inside an exponent: {expr}")
+            return exponential(power * self._logs[base])
+        raise Unsupported(f"no normal form for {type(expr).__name__}: {expr}")
+
+    def _power(self, image: Fractional, n: int, ring: _Ring) -> Fractional:
+        if n < 0 and ring.reduce(image.num).is_zero():
+            raise Undefined("division by an expression that is identically zero")
+        return image**n
+
+    def image(self, expr: Expr) -> Fractional:
+        """The quotient of polynomials that stands for one of the field's expressions."""
+        return self._image(self._exprs[expr], self._ring, self._exponential)
+
+    def reduced(self, poly: fmpq_mpoly) -> fmpq_mpoly:
+        """A polynomial modulo the field's relations, up to a factor that is not zero."""
+        return self._ring.reduce(poly)
+
+    def is_zero(self, expr: Expr) -> bool:
+        """Whether the expression vanishes identically (where it is defined)."""
+        return bool(self.reduced(self.image(expr).num).is_zero())
+
+    def lowest(self, expr: Expr, variable: sp.Symbol, upto: int) -> tuple[int, Expr] | None:
+        """Order and coefficient of the lowest power of ``variable``, or None if beyond ``upto``.
+
+        The expression must be rational in ``variable`` (see :mod:`symhaptic.proof.series`).
+        """
+        image = self.image(expr)
+        found: list[tuple[int, fmpq_mpoly]] = []
+        for poly in (image.num, image.den):
+            parts = self._ring._by_power(poly, self._ring.names.index(variable))
+            for power in sorted(parts):
+                if power < upto and not (part := self.reduced(parts[power])).is_zero():
+                    found.append((power, parts[power] if self._radicals else part))
+                    break
+            else:
+                return None
+        (top, num), (bottom, den) = found
+        return top - bottom, self.expression(num) / self.expression(den)
+
+    def expression(self, poly: fmpq_mpoly) -> Expr:
+        """A polynomial in the generators, written as a SymPy expression again."""
+        back: dict[Expr, Expr] = {v: k for k, v in self._opaque.items()}
+        back |= {r: base ** sp.Rational(1, q) for (base, q), r in self._radicals.items()}
+        back[self._zeta] = sp.exp(2 * sp.pi * sp.I / self._order)
+        for i, g in self._generator.items():
+            exponent = self._basis[i][0] / self._denominators[i]
+            base = self._bases.get(i)
+            back[g] = sp.exp(exponent) if base is None else base ** sp.Rational(
+                1, self._denominators[i]
+            )
+            for b, log in self._logs.items():
+                if exponent.has(log):
+                    back[g] = b ** (exponent / log)
+        terms = []
+        for monomial, value in poly.to_dict().items():
+            factors = [
+                back.get(name, name) ** int(n)
+                for name, n in zip(self._ring.names, monomial, strict=False)
+                if n
+            ]
+            terms.append(sp.Rational(int(value.p), int(value.q)) * sp.Mul(*factors))
+        return sp.Add(*terms)
+
+    def generators(self) -> list[Expr]:
+        """The field's generators as expressions: symbols, exponentials, roots."""
+        powers = [
+            b for i in self._generator for b in [self._basis[i][0]]
+        ]
+        logs = {log: base for base, log in self._logs.items()}
+        shown: list[Expr] = list(self._symbols)
+        for exponent in powers:
+            for log, base in logs.items():
+                if exponent.has(log):
+                    shown.append(base ** (exponent / log))
+                    break
+            else:
+                shown.append(sp.exp(exponent))
+        shown += [base ** sp.Rational(1, q) for base, q in self._radicals]
+        return shown
+
+
+def is_zero(expr: Expr) -> bool:
+    """Whether an expression vanishes identically, wherever it is defined.
+
+    >>> from sympy.abc import x
+    >>> from sympy import sin, cos
+    >>> is_zero(sin(x)**2 + cos(x)**2 - 1), is_zero(sin(2*x) - 2*sin(x))
+    (True, False)
+    """
+    expr = sp.sympify(expr)
+    return Field([expr]).is_zero(expr)

@@ -1,0 +1,147 @@
+r"""Signs on a whole domain, by certificates that are checked exactly.
+
+A fact says that an expression is positive (or not negative) wherever the assumptions hold.
+New facts follow in four ways, each checked by the normal form:
+
+* a sum of products of facts, with positive rational coefficients;
+* the sine of an angle that lies between 0 and pi;
+* integration: zero at the lower end of an interval, with a positive derivative on it;
+* division by a fact.
+
+Nothing here samples.  A certificate that does not add up raises :class:`NotShown`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.series import limit
+
+
+class NotShown(ValueError):
+    """A certificate that does not show what it claims."""
+
+
+@dataclass(frozen=True)
+class Fact:
+    """``expr > 0`` (or ``>= 0``) wherever the assumptions that it ``rests`` on hold."""
+
+    expr: Expr
+    strict: bool = True
+    reason: str = "assumed"
+    rests: frozenset[Expr] = frozenset()
+
+    @property
+    def relation(self) -> Expr:
+        """The fact as a SymPy relation."""
+        kind = sp.StrictGreaterThan if self.strict else sp.GreaterThan
+        return kind(self.expr, 0, evaluate=False)
+
+
+def assume(expr: Expr, strict: bool = True) -> Fact:
+    """An assumption: part of the domain, not a claim."""
+    return Fact(sp.sympify(expr), strict, "assumed", frozenset([sp.sympify(expr)]))
+
+
+class Interval:
+    """All values of ``variable`` from ``lower`` up to where an assumption stops holding.
+
+    ``held`` pairs each assumption in which the variable occurs with the fact that it does not
+    grow with the variable, so that it holds for every smaller value too.
+    """
+
+    def __init__(self, variable: sp.Symbol, lower: Expr, *held: tuple[Fact, Fact]) -> None:
+        for assumption, slope in held:
+            if slope.expr.has(variable) or not is_zero(
+                sp.diff(assumption.expr, variable) + slope.expr
+            ):
+                raise NotShown(f"{assumption.expr} > 0 is not known for smaller {variable}")
+        self.variable, self.lower = variable, lower
+        self.above = assume(variable - lower)
+        """The assumption that the variable lies above the lower end."""
+        self.holds = frozenset([self.above.expr, *(a.expr for a, _ in held)])
+
+
+Product = Sequence[Fact | int | sp.Rational]
+
+
+def combined(expr: Expr, *products: Product) -> Fact:
+    """``expr`` is the given sum of products of facts and positive rationals.
+
+    >>> x, y = sp.symbols("x y")
+    >>> a, b = assume(x), assume(y - x)
+    >>> combined(y, [a], [b]).relation
+    y > 0
+    """
+    total, strict, rests = sp.S.Zero, False, frozenset[Expr]()
+    for product in products:
+        value, positive = sp.S.One, True
+        for factor in product:
+            if isinstance(factor, Fact):
+                value *= factor.expr
+                positive = positive and factor.strict
+                rests |= factor.rests
+            else:
+                number = sp.sympify(factor)
+                if not (number.is_Rational and number > 0):
+                    raise NotShown(f"{factor} is not a positive rational")
+                value *= number
+        total += value
+        strict = strict or positive
+    if not is_zero(sp.sympify(expr) - total):
+        raise NotShown(f"{expr} is not {total}")
+    return Fact(sp.sympify(expr), strict, "a sum of products of positive terms", rests)
+
+
+def quotient(expr: Expr, numerator: Fact, denominator: Fact) -> Fact:
+    """``expr`` is a fact divided by a strictly positive fact."""
+    if not denominator.strict:
+        raise NotShown(f"{denominator.expr} may vanish")
+    if not is_zero(expr - numerator.expr / denominator.expr):
+        raise NotShown(f"{expr} is not ({numerator.expr})/({denominator.expr})")
+    rests = numerator.rests | denominator.rests
+    return Fact(expr, numerator.strict, "a quotient of positive terms", rests)
+
+
+def sine(angle: Fact, complement: Fact) -> Fact:
+    """sin x > 0, because x > 0 and pi - x > 0."""
+    if not is_zero(angle.expr + complement.expr - sp.pi):
+        raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi")
+    strict, rests = angle.strict and complement.strict, angle.rests | complement.rests
+    return Fact(sp.sin(angle.expr), strict, "the sine of (0, pi)", rests)
+
+
+def cosine(angle: Fact, complement: Fact) -> Fact:
+    """cos x > 0, because x >= 0 and pi/2 - x > 0."""
+    if not is_zero(angle.expr + complement.expr - sp.pi / 2):
+        raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi/2")
+    rests = angle.rests | complement.rests
+    return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests)
+
+
+def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
+    """``expr > 0``: it tends to 0 at the interval's lower end, and its derivative is positive.
+
+    ``slope.expr`` must be the derivative, and whatever it rests on must hold on the whole
+    interval from the lower end to the point in question.
+
+    >>> x = sp.Symbol("x")
+    >>> up = Interval(x, sp.S.Zero)
+    >>> slope = integrated(sp.sinh(x), up, Fact(sp.cosh(x)))
+    >>> integrated(sp.cosh(x) - 1, up, slope).relation
+    cosh(x) - 1 > 0
+    """
+    for assumption in slope.rests:
+        if assumption.has(over.variable) and assumption not in over.holds:
+            raise NotShown(f"{assumption} > 0 is not known for smaller {over.variable}")
+    if not is_zero(limit(expr, over.variable, over.lower)):
+        raise NotShown(f"{expr} does not vanish at {over.variable} = {over.lower}")
+    if not is_zero(sp.diff(expr, over.variable) - slope.expr):
+        raise NotShown(f"the derivative of {expr} is not {slope.expr}")
+    rests = slope.rests | {over.above.expr}
+    return Fact(expr, slope.strict, "zero at the lower end, with a positive slope", rests)

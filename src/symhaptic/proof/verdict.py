@@ -1,0 +1,62 @@
+"""What can be said of a statement, and on what grounds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from sympy import Expr
+
+
+class Kind(StrEnum):
+    """The verdicts, from the best to the worst."""
+
+    DEFINITION = "definition"
+    PROVED = "proved"
+    ENCLOSED = "enclosed"
+    QUALIFIED = "qualified"
+    MISPRINT = "misprint"
+    REFUTED = "refuted"
+    EXTERNAL = "external"
+    UNDECIDED = "undecided"
+
+
+PASSES = frozenset({Kind.DEFINITION, Kind.PROVED, Kind.ENCLOSED})
+"""Verdicts of what is right as it stands."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A verdict with its grounds.  True in a condition only when the statement is right.
+
+    ``condition`` is LaTeX; ``corrected`` is a SymPy form; ``counterexample`` gives a value to
+    each symbol and may be empty where nothing has to be chosen.
+    """
+
+    kind: Kind
+    method: str
+    condition: str | None = None
+    corrected: tuple[Expr, ...] | None = None
+    corrected_latex: str | None = None
+    counterexample: Mapping[str, str] | None = None
+    shows: str | None = None
+    """What happens at the counterexample, in words or LaTeX."""
+    value: str | None = None
+    radius: str | None = None
+    note: str | None = field(default=None)
+
+    def __bool__(self) -> bool:
+        return self.kind in PASSES
+
+    def __str__(self) -> str:
+        parts = [f"{self.kind}: {self.method}"]
+        if self.condition:
+            parts.append(f"if {self.condition}")
+        if self.counterexample:
+            at = ", ".join(f"{k} = {v}" for k, v in self.counterexample.items())
+            parts.append(f"counterexample {at}")
+        return "; ".join(parts)
+
+
+UNSETTLED = Verdict(Kind.UNDECIDED, "no derivation settles it yet")
