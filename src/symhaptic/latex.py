@@ -18,6 +18,7 @@ _ORDER = {
         "omega omega_hat t T t_d theta phi z s".split()
     )
 }
+_RANK_IN_SUMS = _ORDER | {"b": -3, "k": -2, "m": -4}
 _ANGLES = {"omega", "omega_hat", "t", "T", "theta", "phi", "s"}
 _TRIG = {
     sp.sin: r"\sin",
@@ -69,6 +70,8 @@ class _Writer:
             return self.sum(expr)
         if isinstance(expr, sp.exp):
             return f"e^{{{_Writer(True).write(_joined(expr.args[0]))}}}"
+        if expr.is_Pow and not (expr.args[1].is_Rational and expr.args[1] < 0):
+            return self.power(expr)
         if expr.is_Mul or expr.is_Pow:
             return self.product(expr)
         if expr.func in _TRIG:
@@ -92,7 +95,6 @@ class _Writer:
 
     def product(self, expr: Expr) -> str:
         negative, top, bottom = factors(expr)
-        number = [f for f in top if f.is_Integer]
         if bottom:
             lone_sum = len(top) == 1 and top[0].is_Add and all(f.is_Integer for f in bottom)
             if lone_sum and not self.inline:
@@ -100,9 +102,9 @@ class _Writer:
                 text = scale + self.bracketed(top[0])
             else:
                 lead = _Writer(self.inline)
-                text = self.fraction(lead.factors_of(top, alone=True), lead.factors_of(bottom, True))
+                below = lead.factors_of(bottom, alone=True)
+                text = self.fraction(lead.factors_of(top, alone=True), below)
         else:
-            del number
             text = self.factors_of(top)
         return f"-{text}" if negative else text
 
@@ -213,8 +215,15 @@ def factors(expr: Expr) -> tuple[bool, list[Expr], list[Expr]]:
     if len(top) == 1 and top[0].is_Add and top[0].could_extract_minus_sign() and not negative:
         if all(t.could_extract_minus_sign() for t in top[0].args):
             negative, top = True, [-top[0]]
-    top.sort(key=_factor_key)
-    bottom.sort(key=_factor_key)
+    for side, power in ((top, 1), (bottom, -1)):
+        for i, factor in enumerate(side):
+            if factor.is_Add:
+                content, primitive = factor.primitive()
+                side[i] = primitive
+                coefficient *= content**power
+    period = 4 if {sp.Symbol("omega"), sp.Symbol("s")} & set(top) else 2
+    top.sort(key=lambda f: _factor_key(f, period))
+    bottom.sort(key=lambda f: _factor_key(f, period))
     if coefficient.p != 1 or not top:
         top.insert(0, sp.Integer(coefficient.p))
     if coefficient.q != 1:
@@ -249,8 +258,11 @@ def _one_command(text: str) -> bool:
     )
 
 
-def _factor_key(expr: Expr) -> tuple[int, float, str]:
+def _factor_key(expr: Expr, period: int) -> tuple[int, float, str]:
+    """Numbers, symbols, sums, angles, functions; the period T is an angle's only beside omega."""
     base = _base(expr)
+    if base.is_Symbol and base.name == "T":
+        return (period, _ORDER["T"], "T")
     if base.is_number:
         rank = 0
     elif base.is_Symbol:
@@ -272,7 +284,7 @@ def _factor_key(expr: Expr) -> tuple[int, float, str]:
     return (rank, float(len(str(base))), str(base))
 
 
-def _term_key(expr: Expr) -> tuple[float, int, float, str]:
+def _term_key(expr: Expr) -> tuple[float, int, float, tuple[int, ...]]:
     z = sp.Symbol("z")
     degree = 0.0
     if expr.has(z):
@@ -284,12 +296,11 @@ def _term_key(expr: Expr) -> tuple[float, int, float, str]:
                 degree = 2.5
     functions = expr.atoms(*_TRIG, sp.exp)
     weight = min((_weight(f.args[0]) for f in functions), default=0.0)
-    names = sorted(_ORDER.get(s.name, 90) for s in expr.free_symbols)
-    powers = -float(sp.Add(*(f.as_base_exp()[1] for f in sp.Mul.make_args(expr)
-                             if f.as_base_exp()[0].is_Symbol
-                             and f.as_base_exp()[1].is_Integer)))
+    names = tuple(sorted(_RANK_IN_SUMS.get(s.name, 90) for s in expr.free_symbols))
+    pairs = [factor.as_base_exp() for factor in sp.Mul.make_args(expr)]
+    powers = -float(sum(n for base, n in pairs if base.is_Symbol and n.is_Integer))
     constant = 1 if not expr.free_symbols else 0
-    return (-degree, constant, weight if functions else powers - 10, str(names))
+    return (-degree, constant, weight if functions else powers - 10, names)
 
 
 def _weight(expr: Expr) -> float:
