@@ -111,6 +111,11 @@ _TABLE = [
     ("newton_per_metre", r"\mathrm{N/m}", "N/m", "positive", "the unit newton per metre"),
     # of our own
     ("p_k", "p_k", "m", "real", "displacement during period k"),
+    ("d_1", "d_1", "1", "nonnegative", "delay between wall and device"),
+    ("d_2", "d_2", "1", "nonnegative", "delay between device and wall"),
+    ("N", "N", "1", "positive", "2(d+1)"),
+    ("psi", r"\psi", "1", "(0, pi/2)", "half of the angle theta"),
+    ("w", "w", "1", "real", "B + KT/2 over b"),
     ("u", "u", "1", "nonnegative", "KT/2 over b"),
     ("a", "a", "1", "real", "trace of the sampled plant"),
     ("e", "e", "1", "positive", "determinant of the sampled plant"),
@@ -139,6 +144,7 @@ def function(name: str) -> UndefinedFunction:
 FUNCTIONS: dict[str, tuple[str, str]] = {
     # name: unit of its value, meaning
     "H": ("N/m", "transfer function of the virtual environment"),
+    "P": ("m/N", "transfer function of the device, sampled"),
     "G_x": ("m/N", "closed loop, from external force to position"),
     "n": ("1", "numerator of G_x"),
     "p": ("1", "characteristic polynomial"),

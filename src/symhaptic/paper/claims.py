@@ -62,11 +62,13 @@ CLAIMS = (
         "s3c-kmax-41",
         _III_C,
         r"at $d=1$ the largest passive stiffness is about 41\% of that at $d=0$",
+        quoted=("about", "0.41"),
     ),
     Statement(
         "s3c-kmax-27",
         _III_C,
         r"at $d=2$ the largest passive stiffness is below 27\% of that at $d=0$",
+        quoted=("below", "0.27"),
     ),
     Statement(
         "s4a-delay-equivalent",

@@ -46,7 +46,7 @@ EQUATIONS = (
         "Sec. III-A",
         "passivity condition for a delayed virtual wall",
         (
-            r"b > \left( (\cos(d \cdot \omega T) - \cos((d+1)\omega T))KT "
+            r"b > \left( (\cos(d \cdot \omega T) - \cos((d+1)\omega T))KT \br "
             r"+ (\cos(d \cdot \omega T) - 2\cos((d+1)\omega T) + \cos((d+2)\omega T))B \right) "
             r"/ (2 - 2\cos(\omega T))",
         ),
@@ -111,7 +111,7 @@ EQUATIONS = (
         "discrete equivalent of the mass-spring-damper",
         (
             r"\frac{1}{ms^2 + bs + k} \hat{=} "
-            r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) "
+            r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
             r"+ bc_1(c_3 - c_2)(z - 1)}"
             r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}",
         ),
@@ -132,7 +132,7 @@ EQUATIONS = (
         "discrete equivalent in dimensionless parameters",
         (
             r"\frac{1}{ms^2 + bs + k} \hat{=} \frac{T^2}{2m} "
-            r"\frac{((2 - c_2 - c_3)c_1 + (c_2 - c_3)\delta)z "
+            r"\frac{((2 - c_2 - c_3)c_1 + (c_2 - c_3)\delta)z \br "
             r"+ (2e^{-\delta} - c_3 - c_2)c_1 + (c_3 - c_2)\delta}"
             r"{c_1\gamma(z^2 - (c_2 + c_3)z + e^{-\delta})}",
         ),
@@ -158,7 +158,7 @@ EQUATIONS = (
         "Sec. IV-B",
         "numerator of the closed loop",
         (
-            r"n(z) = ((c_2 + c_3 - 2)c_1 - (c_2 - c_3)\delta)z "
+            r"n(z) = ((c_2 + c_3 - 2)c_1 - (c_2 - c_3)\delta)z \br "
             r"+ (c_2 + c_3 - 2e^{-\delta})c_1 + (c_2 - c_3)\delta",
         ),
     ),
@@ -168,10 +168,10 @@ EQUATIONS = (
         "characteristic polynomial",
         (
             r"p(z) = ((c_3 + c_2 - 2)c_1 + (c_3 - c_2)\delta)(\alpha + \beta) z^2 "
-            r"+ \left( ((c_3 + c_2 - 2e^{-\delta})c_1 + (c_2 - c_3)\delta)\alpha "
-            r"+ \left( 2((1 - e^{-\delta})c_1 + (c_2 - c_3)\delta)\beta \right) \right) z "
-            r"- 2(z^2 - z(c_3 + c_2) + e^{-\delta})c_1\gamma z^{1+d} "
-            r"+ ((2e^{-\delta} - c_3 - c_2)c_1 + (c_3 - c_2)\delta)\beta",
+            r"\br + \left( ((c_3 + c_2 - 2e^{-\delta})c_1 + (c_2 - c_3)\delta)\alpha "
+            r"\br + \left( 2((1 - e^{-\delta})c_1 + (c_2 - c_3)\delta)\beta \right) \right) z "
+            r"\br - 2(z^2 - z(c_3 + c_2) + e^{-\delta})c_1\gamma z^{1+d} "
+            r"\br + ((2e^{-\delta} - c_3 - c_2)c_1 + (c_3 - c_2)\delta)\beta",
         ),
     ),
     Statement(

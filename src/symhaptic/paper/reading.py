@@ -20,7 +20,7 @@ _TOKEN = re.compile(
     r"\\hat\s*\{=\}|\\hat\s*\{\\omega\}|\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\text\s*\{[^{}]*\}|"
     r"\\[A-Za-z]+|\\\\|\\[,;!{}]|\d+(?:\.\d+)?(?:\\,\d{3})*|:=|[A-Za-z]|[-+/^_(){}\[\]=<>|&,]"
 )
-_IGNORED = {r"\left", r"\right", r"\quad", r"\,", r"\;", r"\!", "&"}
+_IGNORED = {r"\br", r"\changed", r"\left", r"\right", r"\quad", r"\,", r"\;", r"\!", "&"}
 _RELATIONS: dict[str, type] = {
     "=": sp.Eq,
     ":=": sp.Eq,

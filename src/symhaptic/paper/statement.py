@@ -10,11 +10,12 @@ from symhaptic.paper.reading import Printed, read
 
 @dataclass(frozen=True)
 class Statement:
-    """A statement of the paper, as printed.
+    r"""A statement of the paper, as printed.
 
     ``latex`` holds the printed formula line by line, or nothing where the statement is in
     words; ``says`` is what it says, in our words (LaTeX between dollar signs); ``reading`` is
-    LaTeX for the formula where the print has words instead of symbols.
+    LaTeX for the formula where the print has words instead of symbols.  A marker ``\br`` in
+    the LaTeX is a place to break the line; it is not part of the formula.
     """
 
     id: str
@@ -23,6 +24,8 @@ class Statement:
     latex: tuple[str, ...] = ()
     domain: str = ""
     reading: tuple[str, ...] | None = None
+    quoted: tuple[str, str] | None = None
+    """A number in the text: how it is meant (about, below, above) and its decimals."""
 
     @cached_property
     def printed(self) -> Printed:
@@ -35,5 +38,5 @@ class Statement:
         """LaTeX of the statement: the printed formula, or what it says."""
         if not self.latex:
             return rf"\text{{{self.says}}}"
-        joined = r",\quad ".join(self.latex)
+        joined = r",\quad ".join(self.latex).replace(r"\br ", "")
         return rf"{joined},\quad {self.domain}" if self.domain else joined

@@ -124,12 +124,14 @@ def value_at(expr: Expr, at: Mapping[Expr, Expr]) -> Value:
     >>> value_at(x/(x - 1), {x: 1}) is None, value_at(x > 0, {x: 2})
     (True, True)
     """
+    if expr in (sp.true, sp.false):
+        return bool(expr)
     if isinstance(expr, sp.core.relational.Relational):
         left, right = value_at(expr.lhs, at), value_at(expr.rhs, at)
         if left is None or right is None:
             return None
-        if isinstance(expr, sp.Eq):
-            return Field([left - right]).is_zero(left - right)
+        if isinstance(expr, (sp.Eq, sp.Ne)):
+            return Field([left - right]).is_zero(left - right) is isinstance(expr, sp.Eq)
         order = sign(left - right)
         if order is None:
             raise Unsupported(f"undecided at {at}: {expr}")

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import Boolean
 
 from symhaptic.latex import latex
 from symhaptic.notation import SYMBOLS
@@ -70,10 +71,12 @@ def compare(left: Form, right: Form) -> Comparison:
 
 def _compare(left: Expr, right: Expr) -> Comparison:
     try:
-        if isinstance(left, Relational) or isinstance(right, Relational):
+        if isinstance(left, Relational) and isinstance(right, Relational):
             return _relations(left, right)
-        if left in (sp.true, sp.false) or right in (sp.true, sp.false):
-            return Comparison(left == right, "a truth value", {})
+        if isinstance(left, Boolean) or isinstance(right, Boolean):
+            if left == right:
+                return Comparison(True, "identical")
+            return _told_apart(left, right)
         if _same(left, right):
             return Comparison(True, f"zero in {field_name([left, right])}")
     except Unsupported as missing:
@@ -89,9 +92,7 @@ def _same(left: Expr, right: Expr) -> bool:
     return Field([difference]).is_zero(difference)
 
 
-def _relations(left: Expr, right: Expr) -> Comparison:
-    if not (isinstance(left, Relational) and isinstance(right, Relational)):
-        return Comparison(False, "a relation against an expression", {})
+def _relations(left: Relational, right: Relational) -> Comparison:
     one, other = _turned(left), _turned(right)
     ours, theirs = one.lhs - one.rhs, other.lhs - other.rhs
     if one.func == other.func:
@@ -142,6 +143,7 @@ _CHOICES: dict[str, tuple[str, ...]] = {
     "real": ("1", "-1", "2", "1/2", "-3", "0"),
     "complex": ("2", "1/3", "-2", "3"),
     "(0, pi)": ("1", "2", "1/2", "3", "1/10"),
+    "(0, pi/2)": ("1", "1/2", "1/3", "1/10"),
     "[0, 1]": ("1/2", "1", "1/3", "0"),
 }
 _LIMIT = 400

@@ -35,13 +35,10 @@ class Unsupported(ValueError):
 
 
 def conjugated(expr: Expr) -> Expr:
-    """The complex conjugate, all symbols taken as real and unknown functions kept opaque."""
+    """The complex conjugate; symbols and coefficients of unknown functions are real."""
     if expr.has(sp.Symbol("z"), sp.Symbol("s")):
         raise Unsupported("the conjugate of an expression in z or s needs a point on a contour")
-    swap = {f: sp.conjugate(f) for f in expr.atoms(sp.core.function.AppliedUndef)}
-    keep = {f: sp.Dummy() for f in swap}
-    held = expr.xreplace(keep).xreplace({sp.I: -sp.I})
-    return held.xreplace({keep[f]: swap[f] for f in swap})
+    return expr.xreplace({sp.I: -sp.I})
 
 
 def as_exponentials(expr: Expr) -> Expr:
@@ -154,10 +151,12 @@ class Field:
         self._logs: dict[Expr, Expr] = {}
         self._opaque: dict[Expr, Expr] = {}
         self._exponents: list[Expr] = []
-        symbols: set[Expr] = set()
+        everywhere: set[Expr] = set()
+        outside: set[Expr] = set()
         for e in self._exprs.values():
-            self._collect(e, symbols)
-        self._symbols = sorted(symbols, key=str)
+            self._collect(e, everywhere, outside)
+        self._symbols = sorted(everywhere, key=str)
+        self._outside = sorted(outside, key=str)
         self._basis: list[tuple[Expr, Exponents]] = []
         self._coordinates: dict[Expr, dict[int, Fraction]] = {}
         self._span()
@@ -165,27 +164,29 @@ class Field:
 
     # -- what occurs -----------------------------------------------------------------
 
-    def _collect(self, expr: Expr, symbols: set[Expr]) -> None:
+    def _collect(self, expr: Expr, symbols: set[Expr], outside: set[Expr]) -> None:
+        """Symbols everywhere and those outside exponents; exponents, roots, unknown functions."""
         if expr.is_Rational or expr in (sp.I, sp.pi):
             return
         if expr.is_Symbol:
             symbols.add(expr)
+            outside.add(expr)
         elif expr.is_Add or expr.is_Mul:
             for arg in expr.args:
-                self._collect(arg, symbols)
+                self._collect(arg, symbols, outside)
         elif isinstance(expr, sp.exp) or expr is sp.E:
             exponent = expr.args[0] if expr.args else sp.S.One
             self._exponents.append(exponent)
-            self._collect(exponent, symbols)
+            self._collect(exponent, symbols, set())
         elif expr.is_Pow:
             base, power = expr.args
-            self._collect(base, symbols)
+            self._collect(base, symbols, outside)
             if power.is_Integer:
                 return
             if power.is_Rational:
                 self._radicals.setdefault((base, int(power.q)), sp.Dummy("r"))
                 return
-            self._collect(power, symbols)
+            self._collect(power, symbols, set())
             log = self._logs.setdefault(base, sp.Dummy("log"))
             self._exponents.append(power * log)
         elif expr.is_Function or isinstance(expr, (sp.Abs, sp.conjugate)):
@@ -402,20 +403,16 @@ class Field:
 
     def generators(self) -> list[Expr]:
         """The field's generators as expressions: symbols, exponentials, roots."""
-        powers = [
-            b for i in self._generator for b in [self._basis[i][0]]
-        ]
         logs = {log: base for base, log in self._logs.items()}
-        shown: list[Expr] = list(self._symbols)
-        for exponent in powers:
-            for log, base in logs.items():
-                if exponent.has(log):
-                    shown.append(base ** (exponent / log))
-                    break
-            else:
-                shown.append(sp.exp(exponent))
-        shown += [base ** sp.Rational(1, q) for base, q in self._radicals]
-        return shown
+        shown: list[Expr] = list(self._outside)
+        for i in self._generator:
+            exponent = self._basis[i][0] / self._denominators[i]
+            if sp.expand(exponent).could_extract_minus_sign():
+                exponent = -exponent
+            bases = [base for log, base in logs.items() if exponent.has(log)]
+            log = next((log for log in logs if exponent.has(log)), None)
+            shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
+        return shown + [base ** sp.Rational(1, q) for base, q in self._radicals]
 
 
 def is_zero(expr: Expr) -> bool:

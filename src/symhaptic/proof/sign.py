@@ -1,10 +1,11 @@
 r"""Signs on a whole domain, by certificates that are checked exactly.
 
 A fact says that an expression is positive (or not negative) wherever the assumptions hold.
-New facts follow in four ways, each checked by the normal form:
+New facts follow in five ways, each checked by the normal form:
 
 * a sum of products of facts, with positive rational coefficients;
 * the sine of an angle that lies between 0 and pi;
+* two cases, one where some expression is positive and one where it is not;
 * integration: zero at the lower end of an interval, with a positive derivative on it;
 * division by a fact.
 
@@ -34,7 +35,7 @@ class Fact:
     expr: Expr
     strict: bool = True
     reason: str = "assumed"
-    rests: frozenset[Expr] = frozenset()
+    rests: frozenset[tuple[Expr, bool]] = frozenset()
 
     @property
     def relation(self) -> Expr:
@@ -45,7 +46,7 @@ class Fact:
 
 def assume(expr: Expr, strict: bool = True) -> Fact:
     """An assumption: part of the domain, not a claim."""
-    return Fact(sp.sympify(expr), strict, "assumed", frozenset([sp.sympify(expr)]))
+    return Fact(sp.sympify(expr), strict, "assumed", frozenset([(sp.sympify(expr), strict)]))
 
 
 class Interval:
@@ -64,7 +65,7 @@ class Interval:
         self.variable, self.lower = variable, lower
         self.above = assume(variable - lower)
         """The assumption that the variable lies above the lower end."""
-        self.holds = frozenset([self.above.expr, *(a.expr for a, _ in held)])
+        self.holds = self.above.rests.union(*(a.rests for a, _ in held))
 
 
 Product = Sequence[Fact | int | sp.Rational]
@@ -78,7 +79,7 @@ def combined(expr: Expr, *products: Product) -> Fact:
     >>> combined(y, [a], [b]).relation
     y > 0
     """
-    total, strict, rests = sp.S.Zero, False, frozenset[Expr]()
+    total, strict, rests = sp.S.Zero, False, frozenset[tuple[Expr, bool]]()
     for product in products:
         value, positive = sp.S.One, True
         for factor in product:
@@ -137,11 +138,26 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
     cosh(x) - 1 > 0
     """
     for assumption in slope.rests:
-        if assumption.has(over.variable) and assumption not in over.holds:
-            raise NotShown(f"{assumption} > 0 is not known for smaller {over.variable}")
+        if assumption[0].has(over.variable) and assumption not in over.holds:
+            raise NotShown(f"{assumption[0]} > 0 is not known for smaller {over.variable}")
     if not is_zero(limit(expr, over.variable, over.lower)):
         raise NotShown(f"{expr} does not vanish at {over.variable} = {over.lower}")
     if not is_zero(sp.diff(expr, over.variable) - slope.expr):
         raise NotShown(f"the derivative of {expr} is not {slope.expr}")
-    rests = slope.rests | {over.above.expr}
+    rests = slope.rests | over.above.rests
     return Fact(expr, slope.strict, "zero at the lower end, with a positive slope", rests)
+
+
+def either(first: Fact, second: Fact, split: Expr) -> Fact:
+    """The same fact from two cases: ``first`` where split > 0, ``second`` where split <= 0.
+
+    >>> x, y = sp.symbols("x y")
+    >>> one = combined(x + y, [assume(x)], [assume(y)])
+    >>> two = combined(x + y, [assume(-x, strict=False)], [2, assume(x)], [assume(y)])
+    >>> either(one, two, x).rests == assume(x).rests | assume(y).rests
+    True
+    """
+    if not is_zero(first.expr - second.expr):
+        raise NotShown(f"{first.expr} and {second.expr} are two different things")
+    rests = (first.rests - {(split, True)}) | (second.rests - {(-split, False)})
+    return Fact(first.expr, first.strict and second.strict, "two cases", rests)

@@ -1,0 +1,281 @@
+"""A chapter: steps that are proved as they are written down, and the verdicts they lead to.
+
+A derivation file has a docstring (title, blank line, introduction) and a function
+``derive(page)``.  It talks to the :class:`Page`; every call proves what it shows or raises
+:class:`FalseStep`.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.latex import latex
+from symhaptic.paper import STATEMENTS, Statement
+from symhaptic.paper.reading import read
+from symhaptic.proof.decide import Form, Point, compare, parts
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.series import limit
+from symhaptic.proof.settle import Settlement, Truth
+from symhaptic.proof.sign import Fact
+from symhaptic.proof.units import UnitError, dimension_of, shown
+from symhaptic.proof.verdict import Verdict
+
+
+class FalseStep(ValueError):
+    """A step that is not true, or that could not be proved."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """An exact proof of something said in words."""
+
+    method: str
+
+
+@dataclass(frozen=True)
+class Block:
+    """One element of a page: prose, an equation with its proof, or a figure."""
+
+    kind: str
+    title: str = ""
+    text: str = ""
+    lines: tuple[tuple[str, str, Any], ...] = ()
+    """Left side, relation sign and right side of each line; sides are SymPy or LaTeX."""
+    verdict: str = ""
+    method: str = ""
+    number: int = 0
+    boxed: bool = False
+    draw: Callable[..., None] | None = None
+
+
+@dataclass
+class Settled:
+    """A statement with what settles it and how long that took."""
+
+    statement: Statement
+    settlement: Settlement
+    verdict: Verdict
+    seconds: float
+
+
+@dataclass
+class Page:
+    """What a derivation writes on: each method shows something and proves it."""
+
+    name: str
+    blocks: list[Block] = field(default_factory=list)
+    settled: dict[str, Settled] = field(default_factory=dict)
+    own: dict[str, Statement] = field(default_factory=dict)
+    _count: int = 0
+    _since: float = field(default_factory=time.perf_counter)
+
+    # -- prose and definitions ----------------------------------------------------------
+
+    def say(self, text: str) -> None:
+        """A paragraph; formulas between dollar signs."""
+        self.blocks.append(Block("prose", text=text))
+
+    def define(self, title: str, name: Expr | str, meaning: Expr, because: str = "") -> Expr:
+        """``name`` stands for ``meaning`` from here on; its units must agree."""
+        try:
+            unit = shown(dimension_of(meaning))
+        except UnitError as wrong:
+            raise FalseStep(f"{title}: {wrong}") from None
+        note = "units agree" if unit == "1" else f"units agree: {unit}"
+        self._equation(title, [(name, "=", meaning)], "definition", note, because)
+        return meaning
+
+    # -- steps --------------------------------------------------------------------------
+
+    def step(
+        self,
+        title: str,
+        *chain: Expr,
+        because: str = "",
+        name: Expr | str | None = None,
+        boxed: bool = False,
+    ) -> Expr:
+        """A chain of equal expressions, each proved equal to the one before; the last is returned.
+
+        With a ``name`` the first expression is what the name stands for and is not written.
+        """
+        if len(chain) < 2:
+            raise FalseStep(f"{title}: a step needs two sides")
+        method = ""
+        for left, right in zip(chain, chain[1:], strict=False):
+            method = self._proved(title, left, right)
+        written = chain if name is None else chain[1:]
+        left = written[0] if name is None else name
+        rights = written[1:] if name is None else written
+        lines = [(left if i == 0 else "", "=", right) for i, right in enumerate(rights)]
+        self._equation(title, lines, "proved", method, because, boxed)
+        return chain[-1]
+
+    def limit(
+        self,
+        title: str,
+        expr: Expr,
+        variable: sp.Symbol,
+        at: Expr,
+        value: Expr,
+        because: str = "",
+        name: Expr | str | None = None,
+    ) -> Expr:
+        """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series."""
+        found = limit(expr, variable, sp.sympify(at))
+        self._proved(title, found, value)
+        inner = name if isinstance(name, str) else latex(expr if name is None else name)
+        left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
+        self._equation(title, [(left, "=", value)], "proved", "exact series", because)
+        return value
+
+    def positive(
+        self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
+    ) -> Fact:
+        """A sign on a whole domain, with the certificate that was checked when it was built."""
+        sign = ">" if fact.strict else r"\ge"
+        left = latex(fact.expr) if name is None else name
+        self._equation(title, [(left, sign, sp.S.Zero)], "proved", f"{fact.reason}; on {on}",
+                       because)
+        return fact
+
+    def result(
+        self, text: str, relation: Expr | Sequence[Expr], equal_to: Form, because: str = ""
+    ) -> Form:
+        """The result of the chapter, boxed; proved to say the same as ``equal_to``."""
+        method = self._proved(text, relation, equal_to)
+        lines = [(r.lhs, _sign(r), r.rhs) for r in parts(relation)]
+        self._equation(text, lines, "proved", method, because, boxed=True)
+        return relation
+
+    def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
+        """``expr`` does not change with the symbols: its derivatives are identically zero."""
+        for symbol in symbols:
+            if not is_zero(sp.diff(expr, symbol)):
+                raise FalseStep(f"{what}: it changes with {symbol}")
+        names = ", ".join(f"${latex(s)}$" for s in symbols)
+        return Evidence(f"derivative with respect to {names} is zero")
+
+    def same(self, what: str, *forms: Form) -> Evidence:
+        """All the forms are proved equal, without being written on the page."""
+        method = ""
+        for left, right in zip(forms, forms[1:], strict=False):
+            method = self._proved(what, left, right)
+        return Evidence(method)
+
+    def figure(self, name: str, caption: str, draw: Callable[..., None]) -> None:
+        """A plot: ``draw(axes)`` is called by the report, with Matplotlib's axes."""
+        self.blocks.append(Block("figure", title=name, text=caption, draw=draw))
+
+    # -- statements ---------------------------------------------------------------------
+
+    def state(self, id: str, says: str, *printed: str) -> Statement:
+        """A statement of one's own, to be settled like those of the paper; formulas in LaTeX."""
+        for line in printed:
+            read(line)
+        if id in STATEMENTS:
+            raise FalseStep(f"the id {id!r} is taken by the paper")
+        self.own[id] = Statement(id, self.name, says, printed)
+        return self.own[id]
+
+    def settle(
+        self,
+        id: str,
+        *grounds: Form | Evidence | Fact,
+        definition: bool = False,
+        given: Mapping[Expr, Expr] | None = None,
+        provided: str | None = None,
+        unless: Point | None = None,
+        truth: Truth = None,
+        specialise: Callable[[Expr], Expr] | None = None,
+        corrected: Sequence[str] | None = None,
+        misprint: bool = True,
+        value: Expr | None = None,
+        shows: str | None = None,
+        note: str | None = None,
+    ) -> Verdict:
+        """Settle a statement on these grounds; the verdict is found, not given.
+
+        ``grounds`` are the derived form (compared with the printed one) or proofs of what the
+        statement says in words; ``given`` are definitions in force, put into both.  ``provided`` names a condition that the paper leaves out and
+        ``unless`` a point without it where the statement fails, that is where the printed form
+        (after ``specialise``) and the ``truth`` differ.  ``corrected`` is LaTeX of the right
+        form, proved like any other.  ``value`` is the number that the text quotes.
+        """
+        statement = STATEMENTS.get(id) or self.own.get(id)
+        if statement is None:
+            raise FalseStep(f"no statement {id!r}")
+        forms = [p for g in grounds if not isinstance(g, (Evidence, Fact)) for p in parts(g)]
+        proofs = [g.method if isinstance(g, Evidence) else g.reason for g in grounds
+                  if isinstance(g, (Evidence, Fact))]
+        settlement = Settlement(
+            derived=tuple(forms),
+            proofs=tuple(proofs),
+            given=dict(given or {}),
+            definition=definition,
+            provided=provided,
+            unless=unless,
+            truth=truth,
+            specialise=specialise,
+            corrected=None if corrected is None else tuple(corrected),
+            misprint=misprint,
+            value=value,
+            quoted=statement.quoted,
+            shows=shows,
+            note=note,
+        )
+        verdict = settlement.decide(statement.printed)
+        now = time.perf_counter()
+        self.settled[id] = Settled(statement, settlement, verdict, now - self._since)
+        self._since = now
+        self.blocks.append(Block("settle", title=id))
+        return verdict
+
+    # -- internals ----------------------------------------------------------------------
+
+    def _proved(self, title: str, left: Form, right: Form) -> str:
+        result = compare(left, right)
+        if result.equal:
+            return result.method
+        if result.equal is None:
+            raise FalseStep(f"step {title!r} is undecided: {result.method}")
+        at = ", ".join(f"{s} = {v}" for s, v in (result.point or {}).items())
+        raise FalseStep(f"step {title!r} is false" + (f" at {at}" if at else ""))
+
+    def _equation(
+        self,
+        title: str,
+        lines: Sequence[tuple[Any, str, Any]],
+        verdict: str,
+        method: str,
+        because: str,
+        boxed: bool = False,
+    ) -> None:
+        self._count += 1
+        self.blocks.append(
+            Block(
+                "equation",
+                title,
+                because,
+                tuple(lines),
+                verdict,
+                method,
+                self._count,
+                boxed,
+            )
+        )
+
+
+def _sign(relation: Expr) -> str:
+    return {"==": "=", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge"}[relation.rel_op]
+
+
+def values(point: Mapping[Expr, Any]) -> Point:
+    """A point with plain Python numbers made exact."""
+    return {symbol: sp.Rational(value) for symbol, value in point.items()}

@@ -1,0 +1,35 @@
+r"""The closed loop: held wall force on the sampled plant, and its characteristic polynomial."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.model import plant, wall
+from symhaptic.notation import T, m
+from symhaptic.scene import FULL, Parts
+
+
+def characteristic(parts: Parts = FULL, split: Expr | None = None) -> Expr:
+    """The monic characteristic polynomial A(z) z^(d+1) + (n1 z + n0) ((alpha+beta) z - beta).
+
+    Each scene's polynomial is made of its own sampled plant and its own wall.  ``split`` may
+    name the difference of the plant's poles, sqrt(delta^2 - 4 gamma).
+    """
+    device = plant.sampled(plant.normalised(parts), split=split)
+    top, bottom = wall.normalised(parts)
+    return device.denominator * bottom + device.numerator * top
+
+
+def closed(parts: Parts = FULL, split: Expr | None = None) -> Expr:
+    """Transfer function from the external force to the position: P/(1 + P H z^-d)."""
+    device = plant.sampled(plant.normalised(parts), split=split)
+    top, bottom = wall.normalised(parts)
+    return T**2 / m * device.transfer / (1 + device.transfer * top / bottom)
+
+
+def coefficients(parts: Parts) -> list[Expr]:
+    """Coefficients of the polynomial for an integer delay d = 0, highest power first."""
+    from symhaptic.notation import d, z
+
+    return sp.Poly(sp.expand(characteristic(parts).subs(d, 0)), z).all_coeffs()

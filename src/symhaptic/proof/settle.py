@@ -1,0 +1,219 @@
+"""From grounds to a verdict.  The same grounds can be held against a changed print (a mutant)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import sympy as sp
+from flint import arb
+from sympy import Expr
+
+from symhaptic.paper.reading import Printed, read
+from symhaptic.proof.ball import Value, ball, value_at
+from symhaptic.proof.decide import Form, Point, compare, differ, named, parts
+from symhaptic.proof.sign import Fact
+from symhaptic.proof.units import UnitError, dimension_of
+from symhaptic.proof.verdict import UNSETTLED, Kind, Verdict
+
+Truth = Form | Fact | tuple[Expr, Fact] | None
+"""What holds at a counterexample: a form to evaluate there, a fact (true), or a relation with
+the fact that contradicts it (false)."""
+
+DIGITS = 30
+"""Decimals given of a constant."""
+
+
+class Unfounded(ValueError):
+    """Grounds that do not support what is claimed of a statement."""
+
+
+@dataclass(frozen=True)
+class Settlement:
+    """The grounds on which a statement is judged; see :meth:`symhaptic.chapter.Page.settle`."""
+
+    derived: tuple[Expr, ...] = ()
+    given: Mapping[Expr, Expr] = field(default_factory=dict)
+    proofs: tuple[str, ...] = ()
+    definition: bool = False
+    provided: str | None = None
+    unless: Point | None = None
+    truth: Truth = None
+    specialise: Callable[[Expr], Expr] | None = None
+    corrected: tuple[str, ...] | None = None
+    misprint: bool = True
+    value: Expr | None = None
+    quoted: tuple[str, str] | None = None
+    shows: str | None = None
+    note: str | None = None
+
+    def decide(self, printed: Printed) -> Verdict:
+        """The verdict on a printed form."""
+        if self.value is not None:
+            return self._constant()
+        if not printed or not self.derived:
+            return self._in_words(printed)
+        note = self._noted(printed)
+        result = compare(self._read(printed), self._read(self.derived))
+        if result.equal is None:
+            return Verdict(Kind.UNDECIDED, result.method, note=note)
+        if not result.equal:
+            kind = Kind.MISPRINT if self.misprint else Kind.REFUTED
+            return Verdict(
+                kind,
+                f"correction {self._right_form()}",
+                condition=self.provided,
+                corrected=self.derived,
+                corrected_latex=self._correction(),
+                counterexample=named(result.point),
+                shows=self.shows,
+                note=note,
+            )
+        if self.provided is not None:
+            return self._qualified(printed, result.method, note)
+        kind = Kind.DEFINITION if self.definition else Kind.PROVED
+        return Verdict(kind, result.method, note=note)
+
+    # -- the kinds ----------------------------------------------------------------------
+
+    def _in_words(self, printed: Printed) -> Verdict:
+        if not self.proofs:
+            return UNSETTLED
+        method = "; ".join(dict.fromkeys(self.proofs))
+        if self.corrected is not None:
+            if self.unless is None:
+                raise Unfounded("a false statement needs a counterexample")
+            self._check_counterexample(printed)
+            kind = Kind.MISPRINT if self.misprint else Kind.REFUTED
+            return Verdict(
+                kind,
+                method,
+                condition=self.provided,
+                corrected_latex=r",\quad ".join(self.corrected),
+                counterexample=named(self.unless),
+                shows=self.shows,
+                note=self.note,
+            )
+        if self.provided is not None:
+            return self._qualified(printed, method, self.note)
+        return Verdict(Kind.PROVED, method, note=self.note)
+
+    def _qualified(self, printed: Printed, method: str, note: str | None) -> Verdict:
+        if self.unless is None:
+            raise Unfounded("a condition needs a counterexample without it")
+        self._check_counterexample(printed)
+        return Verdict(
+            Kind.QUALIFIED,
+            method,
+            condition=self.provided,
+            counterexample=named(self.unless),
+            shows=self.shows,
+            note=note,
+        )
+
+    def _constant(self) -> Verdict:
+        if self.value is None or self.quoted is None:
+            raise Unfounded("a constant needs a value and the number that the paper prints")
+        bits = 4 * DIGITS + 32
+        number = ball(self.value, None, bits).real
+        how, digits = self.quoted
+        printed = arb(digits)
+        half = arb("0.5") * arb(10) ** -len(digits.partition(".")[2])
+        holds = {
+            "about": number > printed - half and number < printed + half,
+            "below": number < printed,
+            "above": number > printed,
+        }[how]
+        text = number.str(DIGITS, radius=False)
+        radius = (number - arb(text)).str(3, radius=False).lstrip("-")
+        fails = {
+            "about": number < printed - half or number > printed + half,
+            "below": number > printed,
+            "above": number < printed,
+        }[how]
+        kind = Kind.ENCLOSED if holds else Kind.REFUTED if fails else Kind.UNDECIDED
+        return Verdict(
+            kind,
+            "; ".join([*self.proofs, "ball arithmetic"]),
+            counterexample={} if kind is Kind.REFUTED else None,
+            value=text,
+            radius=radius,
+            note=self.note,
+        )
+
+    # -- checks -------------------------------------------------------------------------
+
+    def _check_counterexample(self, printed: Printed) -> None:
+        point = self.unless or {}
+        if self.truth is None:
+            if self.shows is None:
+                raise Unfounded("the counterexample shows nothing")
+            raise Unfounded("the counterexample needs the truth beside it")
+        special = self.specialise or (lambda form: form)
+        theirs: Value
+        if isinstance(self.truth, Fact):
+            theirs = True
+        elif isinstance(self.truth, tuple) and isinstance(self.truth[-1], Fact):
+            relation, fact = self.truth
+            if not compare(relation, -fact.expr > 0).equal:
+                raise Unfounded("the fact does not contradict the relation")
+            theirs = False
+        else:
+            theirs = _value(parts(self.truth), point)
+        if not printed:
+            if theirs is not False:
+                raise Unfounded("what the statement says holds at its counterexample")
+            return
+        ours = _value(tuple(special(p) for p in printed), point)
+        if isinstance(ours, Expr) and isinstance(theirs, Expr):
+            if differ(ours, theirs, {}) is None:
+                raise Unfounded("nothing differs at the counterexample")
+        elif ours is theirs:
+            raise Unfounded(f"at the counterexample both are {ours}")
+
+    def _read(self, forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        """Forms with the definitions that are in force put in."""
+        return tuple(form.xreplace(dict(self.given)) for form in forms)
+
+    def _noted(self, printed: Printed) -> str | None:
+        for part in printed:
+            try:
+                dimension_of(part)
+            except UnitError as wrong:
+                return "; ".join(filter(None, [f"units disagree: {wrong}", self.note]))
+        return self.note
+
+    def _right_form(self) -> str:
+        if self.corrected is None:
+            return "derived"
+        right = tuple(p for line in self.corrected for p in read(line))
+        result = compare(self._read(right), self._read(self.derived))
+        if not result.equal:
+            raise Unfounded(f"the corrected form is not the derived one: {result.method}")
+        return result.method
+
+    def _correction(self) -> str | None:
+        return None if self.corrected is None else r",\quad ".join(self.corrected)
+
+
+def _value(forms: tuple[Expr, ...], point: Point) -> Value:
+    """Value of one expression, or whether all relations hold; None where undefined.
+
+    Equations whose left side has no value at the point are left aside: they define it.
+    """
+    values: list[Value] = []
+    for form in forms:
+        unknown = isinstance(form, sp.Eq) and (
+            form.lhs.free_symbols - set(point)
+            or isinstance(form.lhs, sp.core.function.AppliedUndef)
+        )
+        if unknown:
+            values.append(value_at(form.rhs, point))
+        else:
+            values.append(value_at(form, point))
+    if any(v is None for v in values):
+        return None
+    truths = [v for v in values if isinstance(v, bool)]
+    if truths:
+        return all(truths)
+    return values[0] if len(values) == 1 else None
