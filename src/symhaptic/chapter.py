@@ -117,6 +117,24 @@ class Page:
         self._equation(title, lines, "proved", method, because, boxed)
         return chain[-1]
 
+    def show(
+        self,
+        title: str,
+        name: Expr | str,
+        expr: Expr,
+        proof: Evidence,
+        because: str = "",
+        boxed: bool = False,
+    ) -> Expr:
+        """``name = expr``, proved by evidence found before, such as :meth:`same`."""
+        self._equation(title, [(name, "=", expr)], "proved", proof.method, because, boxed)
+        return expr
+
+    def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
+        """A limit proved without being written on the page."""
+        self._proved("limit", limit(expr, variable, at), value)
+        return Evidence("exact series")
+
     def limit(
         self,
         title: str,

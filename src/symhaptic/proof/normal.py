@@ -406,13 +406,13 @@ class Field:
         logs = {log: base for base, log in self._logs.items()}
         shown: list[Expr] = list(self._outside)
         for i in self._generator:
-            exponent = self._basis[i][0] / self._denominators[i]
+            exponent = sp.cancel(self._basis[i][0] / self._denominators[i])
             if sp.expand(exponent).could_extract_minus_sign():
                 exponent = -exponent
             bases = [base for log, base in logs.items() if exponent.has(log)]
             log = next((log for log in logs if exponent.has(log)), None)
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
-        return shown + [base ** sp.Rational(1, q) for base, q in self._radicals]
+        return shown + list(self._opaque) + [base ** sp.Rational(1, q) for base, q in self._radicals]
 
 
 def is_zero(expr: Expr) -> bool:

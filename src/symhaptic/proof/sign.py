@@ -20,6 +20,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.series import limit
 
@@ -47,6 +48,13 @@ class Fact:
 def assume(expr: Expr, strict: bool = True) -> Fact:
     """An assumption: part of the domain, not a claim."""
     return Fact(sp.sympify(expr), strict, "assumed", frozenset([(sp.sympify(expr), strict)]))
+
+
+def number(expr: Expr) -> Fact:
+    """A positive number, shown by a ball."""
+    if sign(expr) != 1:
+        raise NotShown(f"{expr} is not positive")
+    return Fact(sp.sympify(expr), True, "a positive number")
 
 
 class Interval:
@@ -133,9 +141,8 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
 
     >>> x = sp.Symbol("x")
     >>> up = Interval(x, sp.S.Zero)
-    >>> slope = integrated(sp.sinh(x), up, Fact(sp.cosh(x)))
-    >>> integrated(sp.cosh(x) - 1, up, slope).relation
-    cosh(x) - 1 > 0
+    >>> integrated(x**2, up, combined(2*x, [2, up.above])).relation
+    x**2 > 0
     """
     for assumption in slope.rests:
         if assumption[0].has(over.variable) and assumption not in over.holds:

@@ -1,0 +1,37 @@
+r"""What moves when a hand holds the device?
+
+The device is a mass $m_D$ with a damper $b_D$; the arm that holds it is a mass $m_H$ with a
+damper $b_H$ and a spring $k_H$ to the resting posture.  Which single mass, damper and spring
+stand for both, and what is left when nothing is assumed of the arm?
+"""
+
+from sympy import Eq, Poly
+
+from symhaptic.model.plant import Plant
+from symhaptic.notation import b, b_D, b_H, k, k_H, m, m_D, m_H, s
+
+
+def derive(page):
+    device = Plant(m_D, b_D, None).characteristic
+    arm = Plant(m_H, b_H, k_H).characteristic
+    page.say(
+        "A firm grip couples both rigidly: they share the position, and the force between them "
+        "acts on one as much as against the other. Adding Newton's law for both, that force "
+        "drops out, so the force needed per position adds up."
+    )
+    both = page.step(
+        "One position, two bodies",
+        device + arm,
+        (m_D + m_H) * s**2 + (b_D + b_H) * s + k_H,
+        because="the forces that the two bodies need for the same motion add up",
+    )
+    page.say(
+        "This is $ms^2+bs+k$ of a single body; its three numbers are the coefficients of $s$. "
+        "Without any model of the arm, its action remains in the external force alone and the "
+        "device keeps its own numbers, with no spring."
+    )
+    mass, damping, stiffness = Poly(both, s).all_coeffs()
+    page.settle("eq2", Eq(m, mass), Eq(b, damping), Eq(k, stiffness), definition=True)
+    mass, damping, stiffness = Poly(device, s).all_coeffs()
+    page.settle("eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False),
+                definition=True)

@@ -1,0 +1,36 @@
+r"""What does the virtual wall push back with?
+
+Once per period $T$ the wall reads the position and answers with the force of a spring $K$ and
+of a damper $B$, whose velocity is the difference of the last two positions.
+"""
+
+from sympy import Eq
+
+from symhaptic.model import wall
+from symhaptic.notation import B, K, T, function, z
+
+
+def derive(page):
+    H = function("H")
+    law = wall.transfer()
+    page.define(
+        "The law, once per period",
+        "H(z)",
+        law,
+        because="a period earlier is a factor $1/z$, so $x_k-x_{k-1}$ becomes $(1-1/z)\\,x$",
+    )
+    form = page.step(
+        "As a quotient",
+        law,
+        K + B * (z - 1) / (T * z),
+        name=H(z),
+        because="both fractions are brought over $z$",
+    )
+    page.step(
+        "For a wall at rest",
+        law.subs(z, 1),
+        K,
+        name="H(1)",
+        because="a constant position meets the spring only; this number decides more than it seems",
+    )
+    page.settle("eq1", Eq(H(z), form), definition=True)

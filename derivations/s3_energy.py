@@ -1,0 +1,84 @@
+r"""When can no motion extract energy from a sampled wall?
+
+A device with damping $b$ is moved at will while a wall $H(z)$, evaluated every $T$, pushes with
+a force that is held in between.  The hand gains energy if the wall gives more than the damper
+burns.  Which inequality forbids this, and is it the whole truth?
+"""
+
+from sympy import I, S, cos, exp, re
+
+from symhaptic.model import passivity, wall
+from symhaptic.notation import K, T, b, function, omega, p_k, theta, v, x, z
+
+
+def derive(page):
+    H = function("H")
+    page.say(
+        "Only the displacement $p_k$ over a period counts for the wall: its force is constant, so "
+        "it works $F_kp_k$. The damper burns the integral of $bv^2$, and for a given "
+        "displacement it burns least at constant speed:"
+    )
+    page.step(
+        "The least a damper burns",
+        v**2,
+        (v - p_k / T) ** 2 + 2 * v * p_k / T - p_k**2 / T**2,
+        because="integrated over a period, the last two terms give $p_k^2/T$, and the square "
+        "gives nothing only if the speed is constant",
+    )
+    page.say(
+        "The kinetic energy of the mass is paid back when the motion ends at rest: the mass does "
+        "not enter. Summed over all periods and written with the spectrum of $p_k$, where the "
+        "position is $x=p/(z-1)$, energy per squared displacement is $b/T+\\Re\\{H/(z-1)\\}$."
+    )
+    page.step(
+        "On the unit circle",
+        passivity.on_circle(1 / (z - 1)),
+        (exp(-I * theta) - 1) / (2 - 2 * cos(theta)),
+        because="with $z=e^{j\\theta}$ and $\\theta=\\omega T$",
+        name=r"\left.\frac{1}{z-1}\right|_{z=e^{j\theta}}",
+    )
+    angle = omega * T
+    needed = passivity.required_damping(H(z), angle)
+    printed = re((1 - exp(-I * angle)) * H(exp(I * angle)), evaluate=False)
+    page.result(
+        "At every angle the damper must burn more than the wall gives",
+        b > T / 2 / (1 - cos(angle)) * printed,
+        equal_to=b > needed,
+        because="a motion whose spectrum is concentrated near an angle where this fails gains "
+        "energy",
+    )
+    page.say(
+        "At $\\theta=0$, outside the open interval, $1/(z-1)$ has a pole, and there the sum has a "
+        "second term. For the spring alone, $F_k=Kx_k$, the work adds up to the energy stored:"
+    )
+    page.step(
+        "What a spring stores",
+        x * p_k,
+        ((x + p_k) ** 2 - x**2 - p_k**2) / 2,
+        because="with $x_{k+1}=x_k+p_k$ the first two terms telescope to $x_N^2/2$",
+    )
+    periods = S(4)
+    ramp = periods * b * p_k**2 / T + K * p_k**2 * periods * (periods - 1) / 2
+    page.step(
+        "Four equal steps against a spring",
+        ramp,
+        (4 * b / T + 6 * K) * p_k**2,
+        name="E",
+        because="$x_k=kp$, so the spring takes $K(0+1+2+3)p^2$",
+    )
+    page.say(
+        "The stored energy $\\tfrac12H(1)x_N^2$ is returned or not as the hand pleases, but where "
+        "$H(1)<0$ it is negative and grows with the square of the distance, while damping grows "
+        "with the distance only. No inequality at $\\theta>0$ sees this: $H(1)\\ge0$ is needed as "
+        "well. Both together suffice. (At equality no energy is gained either: the strict sign "
+        "asks for slightly more than passivity.)"
+    )
+    page.settle(
+        "eq4",
+        b > needed,
+        provided=r"H(1)\ge 0",
+        unless={K: -S.One, b: S.One, T: S.One, omega: S.One},
+        specialise=lambda form: form.replace(H, lambda at: wall.transfer().subs({z: at, "B": 0})),
+        truth=(ramp >= 0).subs(p_k, 1),
+        shows="a spring with $K=-1$ satisfies (4), yet four unit steps extract the energy 2",
+    )

@@ -1,0 +1,91 @@
+r"""What does the device do between two samples?
+
+A force that is held for a period drives a mass with a damper and a spring. We solve the motion
+over one period exactly; sampled once per period it is a transfer function in $z$ that agrees
+with the continuous motion at every sample.
+"""
+
+from sympy import Eq, I, Matrix, S, diff, exp, eye, sqrt, zeros
+
+from symhaptic.model.passivity import on_circle
+from symhaptic.model.plant import Plant, sampled
+from symhaptic.notation import T, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
+
+
+def derive(page):
+    plant = Plant()
+    page.say(
+        "Newton's law $m\\ddot x+b\\dot x+kx=F$ has the state matrix $A$; with poles $s_1,s_2$, "
+        "Putzer's formula gives $e^{At}=e^{s_1t}+(A-s_1)\\,(e^{s_1t}-e^{s_2t})/(s_1-s_2)$. We do "
+        "not take it on trust:"
+    )
+    law = plant.state_matrix
+    phi, held = plant.transition(t), plant.held(t)
+    page.step("It solves the equation of motion",
+              (diff(phi, t) - law * phi)[1, 1], S.Zero,
+              name=r"\bigl(\tfrac{d}{dt}e^{At}-Ae^{At}\bigr)_{22}")
+    page.same("all four entries", Matrix(diff(phi, t) - law * phi), zeros(2))
+    page.same("from rest at t = 0", phi.subs(t, 0), eye(2))
+    page.same("the held force", diff(held, t) - law * held, plant.input_matrix)
+    page.same("from rest", held.subs(t, 0), zeros(2, 1))
+    page.say(
+        "In the same way the other three entries, the initial values, and the response to a held "
+        "unit force are checked against the differential equation."
+    )
+
+    # in units of m and T the poles are (-bT/m +- c_1)/2
+    rate, spring = b * T / m, k * T**2 / m
+    unit = Plant(1, rate, spring)
+    one, two = unit.poles(c_1)
+    page.step("Difference of the poles, times $T$", unit.split,
+              sqrt((b * T / m) ** 2 - 4 * k * T**2 / m), name=c_1)
+    page.say("The poles' images $e^{s_1T}$ and $e^{s_2T}$ are $c_3$ and $c_2$:")
+    page.step("Faster pole", exp(two), exp(-(b * T / m + c_1) / 2), name=c_2)
+    page.step("Slower pole", exp(one), exp(-(b * T / m - c_1) / 2), name=c_3)
+    page.settle("eq13", Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)), definition=True)
+
+    images = {c_2: exp(two), c_3: exp(one)}
+    stiffness = m * ((b * T / m) ** 2 - c_1**2) / (4 * T**2)
+    page.say(
+        "The samples obey $x_{k+1}=\\Phi x_k+\\Gamma F_k$ with $\\Phi=e^{AT}$, so the transfer "
+        "function is $(1,0)(z-\\Phi)^{-1}\\Gamma$. Written with $c_1,c_2,c_3$:"
+    )
+    device = sampled(unit, split=c_1)
+    exact = T**2 / m * device.transfer
+    gap = b**2 - 4 * k * m
+    top = ((c_2 + c_3 - 2) * z + c_2 + c_3 - 2 * exp(-b * T / m)) * gap + (
+        b * m / T * c_1 * (c_3 - c_2) * (z - 1)
+    )
+    bottom = 2 * k * (z**2 - (c_2 + c_3) * z + exp(-b * T / m)) * (-gap)
+    given = images | {k: stiffness}
+    page.show("The discrete equivalent", "P(z)", top / bottom, page.same(
+        "written", exact.xreplace(given), (top / bottom).xreplace(given)))
+    page.say(
+        "The last summand of the numerator needs the factor $m/T$ that the print lacks: without "
+        "it a damping is added to a squared damping, and the result depends on the units. The "
+        "form is $0/0$ for $k=0$ and at critical damping, where the motion is not special at all."
+    )
+    page.settle(
+        "eq12",
+        Eq(1 / (m * s**2 + b * s + k), exact),
+        given=given,
+        corrected=(
+            r"\frac{1}{ms^2 + bs + k} \hat{=} "
+            r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
+            r"+ b\changed{\frac{m}{T}}c_1(c_3 - c_2)(z - 1)}"
+            r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}",
+        ),
+        note="$0/0$ for $k=0$ and for $b^2=4km$",
+    )
+    page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
+    page.step("The delay on the unit circle", on_circle(z ** (-d), omega * T),
+              exp(-I * d * omega * T), name=r"z^{-d}")
+    page.settle(
+        "s4a-delay-equivalent",
+        Eq(exp(-d * T * s), exp(T * s) ** (-d), evaluate=False),
+        given={z: exp(T * s)},
+        corrected=(r"e^{-d\changed{Ts}} \hat{=} z^{-d}",),
+        provided=r"d\in\mathbb{N}_0",
+        note="the print has the Laplace variable as a subscript; exact at the samples for whole "
+        "delays",
+    )

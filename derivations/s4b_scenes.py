@@ -1,0 +1,91 @@
+r"""What remains when a part of the loop is not there?
+
+A loop without spring, damper, virtual damping or delay has a smaller polynomial of its own. It
+is derived without the missing part, and shown to be what the larger one tends to.
+"""
+
+from sympy import I, S, cos, exp
+
+from symhaptic.model import loop, plant
+from symhaptic.notation import Omega, alpha, beta, c, d, delta, gamma, z
+from symhaptic.scene import ALL, Parts
+
+
+def derive(page):
+    page.say(
+        "The free mass moves by half a unit per unit force and period; with a damper its speed "
+        "decays; with a spring it swings, $\\Omega=\\sqrt\\gamma$."
+    )
+    free, damped = (
+        plant.sampled(plant.normalised(parts)) for parts in (Parts(False, False), Parts(False, True))
+    )
+    swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
+    swings = swinging.transfer.subs(gamma, Omega**2)
+    page.step("Free mass", free.transfer, (z + 1) / (2 * (z - 1) ** 2), name="P(z)")
+    fade = exp(-delta)
+    page.step(
+        "Mass and damper",
+        damped.transfer,
+        ((delta - 1 + fade) * z + 1 - (1 + delta) * fade)
+        / (delta**2 * (z - 1) * (z - fade)),
+        name="P(z)",
+    )
+    page.step(
+        "Mass and spring",
+        swings,
+        (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
+        name="P(z)",
+    )
+    page.say("Each is the limit of a larger one, by exact series:")
+    full = plant.sampled(plant.normalised(Parts()), split=c)
+    general = full.transfer
+    page.limit("The spring removed", general, c, delta, damped.transfer, name="P",
+               because="$c\\to\\delta$ is $\\gamma\\to0$, since $c^2=\\delta^2-4\\gamma$")
+    page.limit("The damper removed", general, delta, S.Zero,
+               swings.subs(Omega, c / (2 * I)), name="P",
+               because="along $\\gamma=(\\delta^2-c^2)/4$, with $c=2j\\Omega$ at the end")
+    page.limit("The damper removed from a free mass", damped.transfer, delta, S.Zero,
+               free.transfer, name="P")
+    page.limit("The spring removed from a free mass",
+               swings, Omega, S.Zero, free.transfer, name="P")
+
+    count = 0
+    for parts in ALL:
+        larger = _polynomial(parts)
+        for name in parts.present():
+            smaller = _polynomial(parts.without(name))
+            _limit(page, parts, name, larger, smaller)
+            count += 1
+    page.say(
+        f"The characteristic polynomials of all {len(ALL)} scenes follow from these and from the "
+        f"wall; each of the {count} ways to leave out one part is checked to be a limit. Without "
+        "virtual damping the polynomial loses a root at 0 that means nothing; without delay it "
+        "loses the power of $z$."
+    )
+    least = _polynomial(Parts(False, False, False, False))
+    page.step("The smallest of them", least, (z - 1) ** 2 + alpha * (z + 1) / 2, name="p_1(z)")
+
+
+def _polynomial(parts):
+    """The scene's own polynomial; c and 2j Omega name the difference of its poles."""
+    if not parts.stiffness:
+        return loop.characteristic(parts)
+    split = c if parts.damping else 2 * I * Omega
+    stiffness = (delta**2 - c**2) / 4 if parts.damping else Omega**2
+    return loop.characteristic(parts, split).subs(gamma, stiffness)
+
+
+def _limit(page, parts, name, larger, smaller):
+    """``smaller`` is what ``larger`` tends to; without beta, up to the root at 0."""
+    if name == "virtual_damping":
+        page.same(f"{parts.name} without {name}", larger.subs(beta, 0), z * smaller)
+    elif name == "delay":
+        page.limits(larger, d, S.Zero, smaller)
+    elif name == "stiffness" and parts.damping:
+        page.limits(larger, c, delta, smaller)
+    elif name == "stiffness":
+        page.limits(larger, Omega, S.Zero, smaller)
+    elif parts.stiffness:
+        page.limits(larger, delta, S.Zero, smaller.subs(Omega, c / (2 * I)))
+    else:
+        page.limits(larger, delta, S.Zero, smaller)
