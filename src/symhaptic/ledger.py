@@ -1,0 +1,103 @@
+"""All statements with their verdicts: what `verify` prints and what is committed."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from symhaptic.latex import latex
+from symhaptic.library import Chapter
+from symhaptic.paper import STATEMENTS, Statement
+from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
+
+GENERATED = "written by `symhaptic report`; do not edit"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One statement, its verdict, and the derivation that settles it."""
+
+    statement: Statement
+    verdict: Verdict
+    derivation: str | None
+    seconds: float
+    own: bool = False
+    """Whether it is a user's statement rather than the paper's."""
+
+    def as_json(self) -> dict[str, Any]:
+        """The record of contract `verify --format json`."""
+        v = self.verdict
+        corrected = v.corrected_latex
+        if corrected is None and v.corrected is not None:
+            corrected = latex(v.corrected)
+        return {
+            "id": self.statement.id,
+            "location": self.statement.location,
+            "statement": self.statement.text,
+            "verdict": str(v.kind),
+            "method": v.method,
+            "condition": v.condition,
+            "corrected": None if corrected is None else corrected.replace(r"\br ", ""),
+            "counterexample": None if v.counterexample is None else dict(v.counterexample),
+            "shows": v.shows,
+            "note": v.note,
+            "value": v.value,
+            "radius": v.radius,
+            "derivation": self.derivation,
+            "seconds": round(self.seconds, 3),
+        }
+
+
+def ledger(chapters: Iterable[Chapter]) -> list[Entry]:
+    """Every statement of the paper in its order, then the users' own."""
+    found: dict[str, Entry] = {}
+    for chapter in chapters:
+        for id, settled in chapter.page.settled.items():
+            found[id] = Entry(
+                settled.statement,
+                settled.verdict,
+                chapter.source,
+                settled.seconds,
+                own=id not in STATEMENTS,
+            )
+        for id, statement in chapter.page.own.items():
+            found.setdefault(id, Entry(statement, UNSETTLED, chapter.source, 0.0, own=True))
+    entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
+    return entries + [entry for entry in found.values() if entry.own]
+
+
+def counted(entries: Iterable[Entry]) -> str:
+    """The verdicts counted, the undecided ones aloud."""
+    counts = Counter(entry.verdict.kind for entry in entries)
+    return ", ".join(f"{counts[kind]} {kind}" for kind in Kind if counts[kind])
+
+
+def committed(entries: Iterable[Entry]) -> str:
+    """The ledger as committed text: no times, so that it is the same from run to run."""
+    records = [
+        {k: v for k, v in entry.as_json().items() if k != "seconds"} for entry in entries
+    ]
+    return json.dumps({"generated": GENERATED, "statements": records}, indent=1) + "\n"
+
+
+def expected(path: Path) -> dict[str, str]:
+    """The committed verdict of each statement."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {record["id"]: record["verdict"] for record in data["statements"]}
+
+
+def surprises(entries: Iterable[Entry], known: dict[str, str]) -> list[str]:
+    """Statements whose verdict is not the committed one; a user's own must hold."""
+    lines = []
+    for entry in entries:
+        id, kind = entry.statement.id, entry.verdict.kind
+        if entry.own:
+            if kind not in PASSES | {Kind.QUALIFIED, Kind.EXTERNAL}:
+                lines.append(f"{id}: {entry.verdict}")
+        elif kind != known.get(id):
+            lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")
+    return lines

@@ -1,0 +1,109 @@
+"""Finds the derivations and runs them: each file is one chapter, in the order of their names."""
+
+from __future__ import annotations
+
+import importlib.util
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+
+from symhaptic.chapter import Page
+
+
+class BadChapter(ValueError):
+    """A derivation that cannot be run, or that proves nothing; the message is one line."""
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A derivation that has been run."""
+
+    path: Path
+    title: str
+    introduction: str
+    page: Page
+    seconds: float
+
+    @property
+    def name(self) -> str:
+        """File name without ending."""
+        return self.path.stem
+
+    @property
+    def source(self) -> str:
+        """Where the derivation stands, relative to the project."""
+        return f"derivations/{self.path.name}" if self.path.parent == folder() else self.path.name
+
+
+def _beside(name: str) -> Path:
+    """A file or folder of the project: inside an installed package, or in the repository."""
+    package = Path(__file__).parent
+    inside = package / name
+    return inside if inside.exists() else package.parents[1] / name
+
+
+def folder() -> Path:
+    """The folder of the paper's derivations."""
+    return _beside("derivations")
+
+
+def expected_ledger() -> Path:
+    """The committed ledger that `symhaptic verify` compares with."""
+    inside = Path(__file__).parent / "ledger.json"
+    return inside if inside.exists() else _beside("reports") / "ledger.json"
+
+
+def shipped() -> list[Path]:
+    """The paper's derivations, in the order of the paper."""
+    return sorted(folder().glob("s*.py"))
+
+
+def run(path: Path) -> Chapter:
+    """Run one derivation.
+
+    Raises :class:`BadChapter` with one line that names the file and what is wrong with it.
+    """
+    begin = time.perf_counter()
+    module = _load(path)
+    derive = getattr(module, "derive", None)
+    if not callable(derive):
+        raise BadChapter(f"{path}: has no function derive(page)")
+    title, _, introduction = (module.__doc__ or "").strip().partition("\n")
+    if not title:
+        raise BadChapter(f"{path}: has no docstring; its first line is the chapter's title")
+    page = Page(path.stem)
+    _called(path, lambda: derive(page))
+    if not any(block.verdict == "proved" for block in page.blocks) and not page.settled:
+        raise BadChapter(f"{path}: proves nothing; a chapter has at least one step or verdict")
+    return Chapter(path, title, introduction.strip(), page, time.perf_counter() - begin)
+
+
+def _load(path: Path) -> ModuleType:
+    if not path.is_file():
+        raise BadChapter(f"{path}: no such file; a derivation is a Python file")
+    spec = importlib.util.spec_from_file_location(f"derivation_{path.stem}", path)
+    if spec is None or spec.loader is None:
+        raise BadChapter(f"{path}: not a Python file; a derivation ends in .py")
+    module = importlib.util.module_from_spec(spec)
+    loader = spec.loader
+    _called(path, lambda: loader.exec_module(module))
+    return module
+
+
+def _called(path: Path, action: Callable[[], object]) -> None:
+    """Runs what somebody else wrote; whatever it raises becomes one line."""
+    try:
+        action()
+    except (ArithmeticError, AssertionError, AttributeError, ImportError, LookupError, NameError,
+            OSError, RuntimeError, SyntaxError, TypeError, ValueError) as wrong:
+        line = " ".join(str(wrong).split()) or "no message"
+        kind = "" if type(wrong).__module__.startswith("symhaptic") else f"{type(wrong).__name__}: "
+        raise BadChapter(f"{path}: {kind}{line}") from wrong
+
+
+def run_all(paths: Iterable[Path]) -> Iterator[Chapter]:
+    """Run derivations one after the other."""
+    for path in paths:
+        yield run(path)
