@@ -57,18 +57,21 @@ def derive(page):
         "No delay",
         passivity.dirichlet_form().subs(d, 0),
         K * T / 2 - B * cos(theta),
-        because="$\\sin\\frac{\\theta}{2}$ cancels",
+        name=r"\left.\text{need}\right|_{d=0}",
+        because="the kernel of order 0 is $\\tfrac12$",
     )
     page.step(
         "Distance to the border, $B\\ge0$",
         K * T / 2 + B - undelayed,
         2 * B * cos(theta / 2) ** 2,
+        name=r"\tfrac{KT}{2}+B-\text{need}",
         because="tends to 0 for $\\theta\\to\\pi$ and is positive before",
     )
     page.step(
         "Distance to the border, $B\\le0$",
         K * T / 2 - B - undelayed,
         -2 * B * sin(theta / 2) ** 2,
+        name=r"\tfrac{KT}{2}-B-\text{need}",
         because="tends to 0 for $\\theta\\to0$ and is positive after",
     )
     page.say(

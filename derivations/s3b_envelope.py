@@ -34,7 +34,7 @@ def derive(page):
     on_curve = {K: nice_stiffness, B: nice_damping}
     page.step("The point lies on the line", line.subs(on_curve), S.Zero, name="F")
     page.step(
-        "and on its neighbour",
+        "It lies on the neighbour too",
         diff(line, theta).subs(on_curve),
         S.Zero,
         name=r"\partial F/\partial\theta",

@@ -75,8 +75,8 @@ def derive(page):
                  combined(3 * pi / 2 - (N + 1) * psi, [up], [side]))
     late = combined(expr, [sin_n], [size, sin_y, falls])
     upper = either(early, late, room.expr)
-    page.positive("First chord", lower, r"$0<N\psi<\pi$, $N>2$")
-    page.positive("Second chord", upper, r"$0<N\psi<\pi$, $N>2$")
+    page.positive("First chord", lower, r"0<N\psi<\pi,\ N>2")
+    page.positive("Second chord", upper, r"0<N\psi<\pi,\ N>2")
 
     shape = N * sin(2 * psi) + sin(2 * N * psi) - 4 * sin(N * psi) ** 2 * cot(psi) / N
     slope = quotient(diff(shape, psi), combined(4 * lower.expr * upper.expr, [4, lower, upper]),
@@ -84,7 +84,7 @@ def derive(page):
     page.step("A slope that factors", diff(shape, psi),
               4 * lower.expr * upper.expr / (N * sin(psi) ** 2),
               name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({_latex(shape)}\Bigr)")
-    bent = page.positive("Bending", integrated(shape, angles, slope), r"$0<N\psi<\pi$, $N>2$")
+    bent = page.positive("Bending", integrated(shape, angles, slope), r"0<N\psi<\pi,\ N>2")
 
     curve = page.step(
         "The envelope's stiffness",

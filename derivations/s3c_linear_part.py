@@ -52,6 +52,7 @@ def derive(page):
         "Damping over delay",
         (b + B) / (T * (d + Rational(1, 2))),
         2 * (b + B) / (T * (2 * d + 1)),
+        name=r"\frac{b+B}{(d+\frac12)T}",
     )
     page.step("On the line", line.subs(K, limit_of_k), S.Zero, name="F")
     page.say(

@@ -32,7 +32,7 @@ def derive(page):
     on_curve = [e.subs(theta, angle) for e in passivity.envelope()]
     page.step("It lies on the envelope", on_curve[0], stiffness, name=K)
     damping = page.step(
-        "with the damping", on_curve[1],
+        "Its damping", on_curve[1],
         b * (cos(angle) - d / (d + 1)) / sin(angle), name=B,
         because="and by the chapter before, the stiffness of the envelope rises up to this "
         "frequency and falls after it, for every real $d>0$",

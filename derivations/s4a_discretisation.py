@@ -70,7 +70,7 @@ def derive(page):
         Eq(1 / (m * s**2 + b * s + k), exact),
         given=given,
         corrected=(
-            r"\frac{1}{ms^2 + bs + k} \hat{=} "
+            r"\frac{1}{ms^2 + bs + k} \hat{=} \br "
             r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
             r"+ b\changed{\frac{m}{T}}c_1(c_3 - c_2)(z - 1)}"
             r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}",

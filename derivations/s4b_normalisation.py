@@ -39,6 +39,7 @@ def derive(page):
         "The device",
         Plant().characteristic.subs(s, s / T) * T**2 / m,
         s**2 + b * T / m * s + k * T**2 / m,
+        name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
     force = page.step(
         "The wall",
@@ -78,10 +79,11 @@ def derive(page):
     )
     chain = device.n1.xreplace(given)
     page.limit("Critical damping", chain, c_1, S.Zero,
-               4 * (1 - (1 + delta / 2) * exp(-delta / 2)) / delta**2, name="n_1")
+               (4 - 2 * (delta + 2) * exp(-delta / 2)) / delta**2, name="n_1")
     alone = sampled(plant.normalised(Parts(stiffness=False)))
-    page.limit("No spring", chain, c_1, delta, alone.n1, name="n_1",
+    page.limit("No spring", chain, c_1, delta, (delta - 1 + exp(-delta)) / delta**2, name="n_1",
                because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring")
+    page.same("without a spring", alone.n1, (delta - 1 + exp(-delta)) / delta**2)
     at = {gamma: S.Zero, delta: S.One, c_1: S.One, c_2: exp(-S.One), c_3: S.One,
           z: S(2), T: S.One, m: S.One, b: S.One, k: S.Zero, s: S.One}
     page.settle(

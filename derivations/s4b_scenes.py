@@ -23,27 +23,27 @@ def derive(page):
     swings = swinging.transfer.subs(gamma, Omega**2)
     page.step("Free mass", free.transfer, (z + 1) / (2 * (z - 1) ** 2), name="P(z)")
     fade = exp(-delta)
-    page.step(
+    fading = page.step(
         "Mass and damper",
         damped.transfer,
         ((delta - 1 + fade) * z + 1 - (1 + delta) * fade)
         / (delta**2 * (z - 1) * (z - fade)),
         name="P(z)",
     )
-    page.step(
+    swinging = page.step(
         "Mass and spring",
         swings,
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name="P(z)",
     )
     page.say("Each is the limit of a larger one, by exact series:")
-    full = plant.sampled(plant.normalised(Parts()), split=c)
-    general = full.transfer
-    page.limit("The spring removed", general, c, delta, damped.transfer, name="P",
+    general = plant.sampled(plant.normalised(Parts()), split=c).transfer.subs(
+        gamma, (delta**2 - c**2) / 4
+    )
+    page.limit("The spring removed", general, c, delta, fading, name="P",
                because="$c\\to\\delta$ is $\\gamma\\to0$, since $c^2=\\delta^2-4\\gamma$")
-    page.limit("The damper removed", general, delta, S.Zero,
-               swings.subs(Omega, c / (2 * I)), name="P",
-               because="along $\\gamma=(\\delta^2-c^2)/4$, with $c=2j\\Omega$ at the end")
+    page.limit("The damper removed", general.subs(c, 2 * I * Omega), delta, S.Zero, swinging,
+               name="P", because="along $\\gamma=\\Omega^2+\\delta^2/4$, that is $c=2j\\Omega$")
     page.limit("The damper removed from a free mass", damped.transfer, delta, S.Zero,
                free.transfer, name="P")
     page.limit("The spring removed from a free mass",

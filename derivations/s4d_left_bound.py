@@ -72,10 +72,13 @@ def derive(page):
               page.same("divided", poly, (z - 1) * cubic))
     r1, r2, r3 = symbols("r_1 r_2 r_3")
     q2, q1, q0 = -(r1 + r2 + r3), r1 * r2 + r1 * r3 + r2 * r3, -r1 * r2 * r3
-    page.step(
+    product = (1 - r1 * r2) * (1 - r1 * r3) * (1 - r2 * r3)
+    names = symbols("q_0 q_1 q_2")
+    page.show(
         "A necessary condition for three roots inside",
-        (1 - r1 * r2) * (1 - r1 * r3) * (1 - r2 * r3),
-        1 - q1 + q0 * q2 - q0**2,
+        product,
+        1 - names[1] + names[0] * names[2] - names[0] ** 2,
+        page.same("symmetric functions", product, 1 - q1 + q0 * q2 - q0**2),
         because="positive when all $|r_i|<1$, as non-real roots come in conjugate pairs; on the "
         "right stand the coefficients of $z^3+q_2z^2+q_1z+q_0$",
     )

@@ -156,11 +156,11 @@ class Page:
     def positive(
         self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
     ) -> Fact:
-        """A sign on a whole domain, with the certificate that was checked when it was built."""
+        """A sign on a domain (``on``, LaTeX), with the certificate that was checked when it was built."""
         sign = ">" if fact.strict else r"\ge"
         left = latex(fact.expr) if name is None else name
-        self._equation(title, [(left, sign, sp.S.Zero)], "proved", f"{fact.reason}; on {on}",
-                       because)
+        right = rf"0\qquad ({on})"
+        self._equation(title, [(left, sign, right)], "proved", fact.reason, because)
         return fact
 
     def result(
@@ -169,7 +169,7 @@ class Page:
         """The result of the chapter, boxed; proved to say the same as ``equal_to``."""
         method = self._proved(text, relation, equal_to)
         lines = [(r.lhs, _sign(r), r.rhs) for r in parts(relation)]
-        self._equation(text, lines, "proved", method, because, boxed=True)
+        self._equation(text, lines, "proved", method, because, boxed=True, kind="result")
         return relation
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
@@ -274,11 +274,12 @@ class Page:
         method: str,
         because: str,
         boxed: bool = False,
+        kind: str = "equation",
     ) -> None:
         self._count += 1
         self.blocks.append(
             Block(
-                "equation",
+                kind,
                 title,
                 because,
                 tuple(lines),

@@ -14,12 +14,12 @@ from symhaptic.notation import SYMBOLS
 _ORDER = {
     name: rank
     for rank, name in enumerate(
-        "K B k b m alpha beta gamma delta F F_E x v u Omega a e n_1 n_0 c c_1 c_2 c_3 y d "
-        "omega omega_hat t T t_d theta phi z s".split()
+        "N K B k b m alpha beta gamma delta F F_E x v u Omega a e n_1 n_0 c c_1 c_2 c_3 y d "
+        "omega omega_hat t T t_d theta phi psi z s".split()
     )
 }
 _RANK_IN_SUMS = _ORDER | {"b": -3, "k": -2, "m": -4}
-_ANGLES = {"omega", "omega_hat", "t", "T", "theta", "phi", "s"}
+_ANGLES = {"omega", "omega_hat", "t", "T", "theta", "phi", "psi", "s"}
 _TRIG = {
     sp.sin: r"\sin",
     sp.cos: r"\cos",
@@ -63,7 +63,9 @@ class _Writer:
         if expr.is_Symbol:
             return SYMBOLS[expr.name].latex if expr.name in SYMBOLS else sp.latex(expr)
         if expr.is_Rational:
-            return self.fraction(str(expr.p), str(expr.q)) if expr.q != 1 else str(expr.p)
+            if expr.q == 1:
+                return str(expr.p)
+            return ("-" if expr.p < 0 else "") + self.fraction(str(abs(expr.p)), str(expr.q))
         if expr is sp.I:
             return "j"
         if expr.is_Add:
@@ -284,23 +286,24 @@ def _factor_key(expr: Expr, period: int) -> tuple[int, float, str]:
     return (rank, float(len(str(base))), str(base))
 
 
-def _term_key(expr: Expr) -> tuple[float, int, float, tuple[int, ...]]:
-    z = sp.Symbol("z")
-    degree = 0.0
-    if expr.has(z):
-        for factor in sp.Mul.make_args(expr):
-            base, exponent = factor.as_base_exp()
-            if base == z:
-                degree = float(exponent.subs(sp.Symbol("d"), sp.Rational(27, 10)).evalf())
-            elif factor.has(z):
-                degree = 2.5
-    functions = expr.atoms(*_TRIG, sp.exp)
-    weight = min((_weight(f.args[0]) for f in functions), default=0.0)
-    names = tuple(sorted(_RANK_IN_SUMS.get(s.name, 90) for s in expr.free_symbols))
+def _term_key(expr: Expr) -> tuple[float, bool, bool, float, tuple[int, ...]]:
+    """Falling powers of z (or s), plain terms before quotients, numbers last, then by size."""
     pairs = [factor.as_base_exp() for factor in sp.Mul.make_args(expr)]
-    powers = -float(sum(n for base, n in pairs if base.is_Symbol and n.is_Integer))
-    constant = 1 if not expr.free_symbols else 0
-    return (-degree, constant, weight if functions else powers - 10, names)
+    degree = 0.0
+    for base, exponent in pairs:
+        if base.is_Symbol and base.name in ("z", "s"):
+            sized = {s: sp.Rational(27, 10) for s in exponent.free_symbols}
+            degree += float(exponent.subs(sized))
+        elif base.is_Add and exponent == 1 and base.is_polynomial(sp.Symbol("z")):
+            degree += float(sp.degree(base, sp.Symbol("z")))
+    quotient = any(exponent.could_extract_minus_sign() for _, exponent in pairs)
+    functions = expr.atoms(*_TRIG, sp.exp)
+    if functions:
+        size = min(_weight(f.args[0]) for f in functions)
+    else:
+        size = -10.0 - float(sum(n for base, n in pairs if base.is_Symbol and n.is_Integer))
+    names = tuple(sorted(_RANK_IN_SUMS.get(s.name, 90) for s in expr.free_symbols))
+    return (-degree, quotient, not expr.free_symbols, size, names)
 
 
 def _weight(expr: Expr) -> float:

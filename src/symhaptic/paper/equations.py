@@ -110,7 +110,7 @@ EQUATIONS = (
         "Sec. IV-A",
         "discrete equivalent of the mass-spring-damper",
         (
-            r"\frac{1}{ms^2 + bs + k} \hat{=} "
+            r"\frac{1}{ms^2 + bs + k} \hat{=} \br "
             r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
             r"+ bc_1(c_3 - c_2)(z - 1)}"
             r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}",
@@ -131,7 +131,7 @@ EQUATIONS = (
         "Sec. IV-B",
         "discrete equivalent in dimensionless parameters",
         (
-            r"\frac{1}{ms^2 + bs + k} \hat{=} \frac{T^2}{2m} "
+            r"\frac{1}{ms^2 + bs + k} \hat{=} \br \frac{T^2}{2m} "
             r"\frac{((2 - c_2 - c_3)c_1 + (c_2 - c_3)\delta)z \br "
             r"+ (2e^{-\delta} - c_3 - c_2)c_1 + (c_3 - c_2)\delta}"
             r"{c_1\gamma(z^2 - (c_2 + c_3)z + e^{-\delta})}",

@@ -406,8 +406,8 @@ class Field:
         logs = {log: base for base, log in self._logs.items()}
         shown: list[Expr] = list(self._outside)
         for i in self._generator:
-            exponent = sp.cancel(self._basis[i][0] / self._denominators[i])
-            if sp.expand(exponent).could_extract_minus_sign():
+            exponent = sp.expand(sp.cancel(self._basis[i][0] / self._denominators[i]))
+            if exponent.could_extract_minus_sign():
                 exponent = -exponent
             bases = [base for log, base in logs.items() if exponent.has(log)]
             log = next((log for log in logs if exponent.has(log)), None)

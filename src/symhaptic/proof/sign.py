@@ -152,7 +152,7 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
     if not is_zero(sp.diff(expr, over.variable) - slope.expr):
         raise NotShown(f"the derivative of {expr} is not {slope.expr}")
     rests = slope.rests | over.above.rests
-    return Fact(expr, slope.strict, "zero at the lower end, with a positive slope", rests)
+    return Fact(expr, slope.strict, "rises from zero", rests)
 
 
 def either(first: Fact, second: Fact, split: Expr) -> Fact:

@@ -1,0 +1,1 @@
+"""Chapters, book, figures and their PDF.  Knows layout, no mathematics."""

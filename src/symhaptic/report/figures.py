@@ -1,2 +1,117 @@
-def largest_stiffness(axes): pass
-def passive_regions(axes): pass
+"""The plots of the report, from the derived formulas, as vector graphics."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy as sp
+
+from symhaptic.model import passivity
+from symhaptic.notation import T, b, d, theta
+from symhaptic.paper.figures import DELAYS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.axes import Axes
+
+COLOURS = ("#1B6E4B", "#2E7FA3", "#33558B", "#6A4C93", "#A2416B", "#B3261E", "#A86B00")
+WIDTH = 132 / 25.4
+"""Width of the text in inches."""
+
+STYLE: dict[str, Any] = {
+    "font.family": "STIXGeneral",
+    "mathtext.fontset": "stix",
+    "font.size": 9,
+    "axes.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "lines.linewidth": 1.1,
+    "legend.frameon": False,
+    "svg.hashsalt": "symhaptic",
+    "pdf.fonttype": 42,
+}
+
+
+@cache
+def _envelope() -> Callable[..., Any]:
+    """(KT/b, B/b) of the envelope over theta and d, as a NumPy function."""
+    stiffness, damping = passivity.envelope()
+    unit = {b: 1, T: 1}
+    return sp.lambdify((theta, d), [stiffness.subs(unit), damping.subs(unit)], "numpy")
+
+
+@cache
+def _largest() -> Callable[..., Any]:
+    """(KT/b, B/b) of the largest passive stiffness over d."""
+    angle = sp.pi / (2 * (d + 1))
+    point = [e.subs(theta, angle).subs({b: 1, T: 1}) for e in passivity.envelope()]
+    return sp.lambdify(d, point, "numpy")
+
+
+@cache
+def _corner() -> Callable[..., Any]:
+    """(KT/b, B/b) of the end of the straight part over d."""
+    from symhaptic.proof.series import limit
+
+    point = [limit(e, theta).subs({b: 1, T: 1}) for e in passivity.envelope()]
+    return sp.lambdify(d, point, "numpy")
+
+
+def boundary(delay: float) -> tuple[Any, Any]:
+    """The closed boundary of the passive walls in the plane of KT/b and B/b."""
+    corner = _corner()(delay)
+    if delay == 0:
+        return np.array([0, corner[0], 0]), np.array([-1, corner[1], 1])
+    angles = np.linspace(0, np.pi / (delay + 1), 402)[1:]
+    x, y = _envelope()(angles[10:], delay)
+    return np.concatenate([[0, corner[0]], x]), np.concatenate([[-1, corner[1]], y])
+
+
+def passive_regions(axes: Axes) -> None:
+    """Fig. 4: boundaries for seven delays, largest stiffness, ends of the straight part."""
+    ends = np.linspace(0, 60, 600)
+    for colour, text in zip(COLOURS, DELAYS, strict=True):
+        axes.plot(*boundary(float(text)), color=colour, label=f"$d = {float(text):g}$")
+    axes.plot(*_largest()(ends), color="black", linestyle="dashdot", linewidth=0.8)
+    axes.plot(*_corner()(ends), color="black", linestyle="dashed", linewidth=0.8)
+    axes.axhline(0, color="black", linewidth=0.4)
+    axes.set_xlim(0, 2.1)
+    axes.set_ylim(-1.05, 1.05)
+    axes.set_xlabel("virtual stiffness $KT/b$")
+    axes.set_ylabel("virtual damping $B/b$")
+    axes.legend(loc="upper right", ncols=2)
+
+
+def largest_stiffness(axes: Axes) -> None:
+    """Fig. 5: the largest passive stiffness over the delay factor."""
+    delays = np.linspace(0, 8, 400)
+    axes.plot(delays, _largest()(delays)[0], color=COLOURS[0])
+    for delay in (0, 1, 2):
+        value = float(_largest()(delay)[0])
+        axes.plot([delay], [value], "o", color=COLOURS[0], markersize=3)
+        axes.annotate(f"{100 * value / 2:.1f} %", (delay, value), (4, 4),
+                      textcoords="offset points")
+    axes.set_xlim(0, 8)
+    axes.set_ylim(0, 2.1)
+    axes.set_xlabel("delay factor $d$")
+    axes.set_ylabel(r"largest passive stiffness $K_{\max}T/b$")
+
+
+def save(draw: Callable[[Axes], None], target: Path) -> None:
+    """Draw a figure into a PDF that is the same from run to run."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    with matplotlib.rc_context(STYLE):
+        figure, axes = plt.subplots(figsize=(WIDTH, 0.62 * WIDTH), layout="constrained")
+        draw(axes)
+        figure.savefig(target, metadata={"CreationDate": None, "Creator": None, "Producer": None})
+        plt.close(figure)
+
+

@@ -1,0 +1,161 @@
+"""Writes the report: whole or not at all, the same from run to run, and checked for overfull lines."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from symhaptic.ledger import GENERATED, Entry, committed, counted, ledger
+from symhaptic.library import Chapter
+from symhaptic.paper import STATEMENTS
+from symhaptic.proof.verdict import Kind
+from symhaptic.report.page import chapter_tex
+
+MEANINGS = (
+    (Kind.DEFINITION, "introduces notation, with consistent units"),
+    (Kind.PROVED, "holds for all values of its domain"),
+    (Kind.ENCLOSED, "a number or inequality holds, by ball arithmetic"),
+    (Kind.QUALIFIED, "holds under a condition that the paper does not state"),
+    (Kind.MISPRINT, "false as printed, true as corrected"),
+    (Kind.REFUTED, "false"),
+    (Kind.EXTERNAL, "rests on data outside the paper"),
+    (Kind.UNDECIDED, "none of these yet"),
+)
+TITLE = "Passivity and stability of haptic walls, derived and verified"
+
+
+class ReportError(RuntimeError):
+    """The report cannot be written; the message is one line."""
+
+
+def text_files(chapters: list[Chapter]) -> dict[str, str]:
+    """Name and content of every text file of the report."""
+    try:
+        from jinja2 import Environment, PackageLoader, StrictUndefined
+    except ImportError:
+        raise ReportError(
+            "reports need jinja2 and matplotlib: pip install 'symhaptic[report]'"
+        ) from None
+    environment = Environment(
+        loader=PackageLoader("symhaptic.report"), undefined=StrictUndefined, autoescape=False,
+        keep_trailing_newline=True, variable_start_string="<<", variable_end_string=">>",
+        block_start_string="<%", block_end_string="%>", comment_start_string="<#",
+        comment_end_string="#>",
+    )
+    entries = ledger(chapters)
+    shared = {"generated": GENERATED, "title": TITLE, "counts": counted(entries)}
+    files = {
+        f"{chapter.name}.tex": f"% {GENERATED}\n" + chapter_tex(chapter, number)
+        for number, chapter in enumerate(chapters, 1)
+    }
+    numbers = {chapter.source: number for number, chapter in enumerate(chapters, 1)}
+    rows = [_row(entry, numbers) for entry in entries]
+    for name, extra in (
+        ("preamble", {}),
+        ("book", {
+            "chapters": [c.name for c in chapters],
+            "kinds": [(str(k), m) for k, m in MEANINGS],
+            "count": f"{len(STATEMENTS)} statements",
+        }),
+        ("ledger", {"rows": rows}),
+    ):
+        files[f"{name}.tex"] = environment.get_template(f"{name}.tex").render(**shared, **extra)
+    files["ledger.json"] = committed(entries)
+    return files
+
+
+def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
+    id = entry.statement.id
+    place = numbers.get(entry.derivation or "")
+    return {
+        "id": id.replace("-", "-\\allowbreak "),
+        "says": f"{entry.statement.says} \\textcolor{{black!60}}{{({entry.statement.location})}}",
+        "kind": str(entry.verdict.kind),
+        "chapter": f"chapter {place}" if place else "",
+    }
+
+
+# -- writing --------------------------------------------------------------------------
+
+
+def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str], None]) -> None:
+    """Write text, figures and, if asked and possible, the PDF into ``target``.
+
+    Everything is made in a folder beside it first and moved file by file when all is there, so
+    that a run that is killed leaves the old report whole.
+    """
+    files = text_files(chapters)
+    try:
+        target.mkdir(parents=True, exist_ok=True)
+        draft = Path(tempfile.mkdtemp(prefix=".draft-", dir=target))
+    except OSError as wrong:
+        raise ReportError(f"-o {target}: cannot write there ({wrong.strerror})") from None
+    try:
+        for name, text in files.items():
+            (draft / name).write_text(text, encoding="utf-8")
+        _figures(chapters, draft / "figures", say)
+        if pdf:
+            typeset(draft, say)
+        for made in sorted(draft.rglob("*")):
+            if made.is_file() and made.suffix in (".tex", ".json", ".pdf"):
+                place = target / made.relative_to(draft)
+                place.parent.mkdir(exist_ok=True)
+                os.replace(made, place)
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+
+
+def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:
+    folder.mkdir()
+    for chapter in chapters:
+        for block in chapter.page.blocks:
+            if block.draw is not None:
+                from symhaptic.report.figures import save
+
+                say(f"figure {block.title}")
+                save(block.draw, folder / f"{block.title}.pdf")
+
+
+def differences(chapters: list[Chapter], target: Path) -> str:
+    """A diff from the committed text to what would be written; empty where nothing changed."""
+    out: list[str] = []
+    for name, text in text_files(chapters).items():
+        path = target / name
+        old = path.read_text(encoding="utf-8") if path.is_file() else ""
+        out += difflib.unified_diff(
+            old.splitlines(keepends=True), text.splitlines(keepends=True),
+            f"{path} (committed)", f"{path} (derived)",
+        )
+    return "".join(out)
+
+
+# -- typesetting ----------------------------------------------------------------------
+
+
+def has_tex() -> bool:
+    """Whether latexmk and pdflatex are installed."""
+    return shutil.which("latexmk") is not None and shutil.which("pdflatex") is not None
+
+
+def typeset(folder: Path, say: Callable[[str], None]) -> None:
+    """Run latexmk on the book; overfull lines and undefined references are errors."""
+    say("typesetting book.pdf")
+    run = subprocess.run(
+        ["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "book.tex"],
+        cwd=folder, capture_output=True, text=True, errors="replace", stdin=subprocess.DEVNULL,
+        env=os.environ | {"SOURCE_DATE_EPOCH": "0", "max_print_line": "1000"}, check=False,
+    )
+    log_file = folder / "book.log"
+    log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""
+    if run.returncode != 0:
+        first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
+        raise ReportError(f"latexmk failed: {first}")
+    bad = re.findall(r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*)$", log, re.MULTILINE)
+    if bad:
+        raise ReportError(f"{len(bad)} bad lines in the typeset report, the first: {bad[0]}")
