@@ -39,7 +39,8 @@ PURE = ("d", "z", "alpha", "beta", "gamma", "delta", "c_1", "c_2", "c_3", "y", "
 def test_symbol_is_complete(name):
     entry = SYMBOLS[name]
     assert entry.name == name
-    assert entry.latex.strip() and entry.meaning.strip()
+    assert entry.latex.strip()
+    assert entry.meaning.strip()
     assert entry.unit in UNITS
     assert entry.domain in DOMAINS
 

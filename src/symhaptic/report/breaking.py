@@ -116,6 +116,13 @@ def _product(expr: Expr, limit: float) -> list[str] | None:
     sums = [f for f in top if f.is_Add]
     if not sums:
         return None
+    if bottom and width(latex(sp.Mul(*bottom))) > limit / 3:
+        above = pieces(sp.Mul(*top), limit - 1)
+        stack = r" \\ ".join(above)
+        sign = "-" if negative else ""
+        return [
+            rf"{sign}\frac{{\begin{{gathered}}{stack}\end{{gathered}}}}{{{latex(sp.Mul(*bottom))}}}"
+        ]
     longest = max(sums, key=lambda f: width(latex(f)))
     rest = [f for f in top if f is not longest]
     front = latex(sp.Mul(*rest, *(1 / f for f in bottom), evaluate=False)) if (

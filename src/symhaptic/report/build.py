@@ -27,6 +27,10 @@ MEANINGS = (
     (Kind.EXTERNAL, "rests on data outside the paper"),
     (Kind.UNDECIDED, "none of these yet"),
 )
+NO_TEX = (
+    "no latexmk and pdflatex found; on Debian: "
+    "apt-get install latexmk texlive-latex-recommended lmodern"
+)
 TITLE = "Passivity and stability of haptic walls, derived and verified"
 
 

@@ -167,7 +167,7 @@ def _reference(id: str) -> str:
         return f"({id[2:]})"
     if id.startswith("tab"):
         return f"Table {'I' * int(id[3:])}"
-    return f"\\texttt{{\\small {id.replace('-', '-' + chr(92) + 'allowbreak ')}}}"
+    return f"\\texttt{{\\scriptsize {id.replace('-', '-' + chr(92) + 'allowbreak ')}}}"
 
 
 def _stack(lines: list[str]) -> str:
@@ -214,7 +214,7 @@ def _correction(verdict: Verdict) -> str:
 def _verdict(verdict: Verdict) -> str:
     parts = [f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"]
     if verdict.kind == Kind.ENCLOSED and verdict.value:
-        parts.append(f"\\\\{{\\scriptsize${verdict.value[:22]}\\ldots$}}\\\\")
+        parts.append(f"\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\")
     if verdict.condition:
         parts.append(f"for ${verdict.condition}$")
     if verdict.shows:

@@ -1,0 +1,212 @@
+"""The command line: parses, calls, prints."""
+
+from __future__ import annotations
+
+import sys
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+import typer
+
+if TYPE_CHECKING:
+    from symhaptic.library import Chapter
+
+app = typer.Typer(
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+class ListFormat(StrEnum):
+    """How `verify` prints."""
+
+    text = "text"
+    json = "json"
+    junit = "junit"
+
+
+class ReportFormat(StrEnum):
+    """What `report` writes."""
+
+    tex = "tex"
+    pdf = "pdf"
+
+
+Derivations = Annotated[
+    list[Path] | None,
+    typer.Option("--derivation", metavar="FILE", help="A chapter of your own; may be repeated."),
+]
+
+
+class Unusable(ValueError):
+    """A bad input, with the line that names the argument, its value and what is allowed."""
+
+
+# Typer carries Click inside or beside itself, depending on its age; this is the base of the
+# errors that its parser raises, in either case.
+ParserError = next(
+    c for c in typer.BadParameter.__mro__ if c.__name__ in ("TyperException", "ClickException")
+)
+
+
+def _usage(message: str) -> NoReturn:
+    raise Unusable(message)
+
+
+@app.callback(invoke_without_command=True)
+def _root(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
+    """Derive, verify and typeset the passivity and stability formulas of haptic walls."""
+    if version:
+        from symhaptic import __version__
+
+        typer.echo(f"symhaptic {__version__}")
+    elif context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+
+
+def _chapters(paths: list[Path]) -> list[Chapter]:
+    """Run derivations, with a progress bar where somebody watches."""
+    from symhaptic.library import BadChapter, run_all
+
+    try:
+        if not sys.stderr.isatty():
+            return list(run_all(paths))
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+        with Progress(
+            TextColumn("{task.description:28}"), BarColumn(), TimeElapsedColumn(),
+            console=Console(stderr=True), transient=True,
+        ) as bar:
+            task = bar.add_task("", total=len(paths))
+            done = []
+            for path in paths:
+                bar.update(task, description=path.stem)
+                done += list(run_all([path]))
+                bar.advance(task)
+            return done
+    except BadChapter as wrong:
+        _usage(f"--derivation {wrong}")
+
+
+@app.command()
+def verify(
+    ids: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[ID]...", help="Statements, such as eq11; all if none is given."),
+    ] = None,
+    format: Annotated[ListFormat, typer.Option("--format", help="How to print.")] = (
+        ListFormat.text
+    ),
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+    ] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Fail on undecided too.")] = False,
+    derivation: Derivations = None,
+) -> None:
+    """Decide the paper's statements; fail where a verdict is not the committed one."""
+    from symhaptic import ledger, library, listing
+    from symhaptic.paper import STATEMENTS
+
+    own = derivation or []
+    wanted = ids or []
+    if not own:
+        for id in wanted:
+            if id not in STATEMENTS:
+                _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, STATEMENTS)}")
+    known = ledger.expected(library.expected_ledger())
+    chapters = _chapters(listing.needed(wanted, library.shipped()) + own)
+    entries = ledger.ledger(chapters)
+    if wanted:
+        names = {e.statement.id: e for e in entries}
+        for id in wanted:
+            if id not in names:
+                _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, names)}")
+        entries = [names[id] for id in dict.fromkeys(wanted)]
+    surprises = ledger.surprises(entries, known)
+    undecided = [e for e in entries if e.verdict.kind == "undecided"]
+    text = {
+        ListFormat.text: listing.text,
+        ListFormat.json: listing.json_text,
+        ListFormat.junit: listing.junit,
+    }[format](entries, surprises, strict)
+    if output is None:
+        typer.echo(text, nl=False)
+    else:
+        try:
+            listing.replace(output, text)
+        except OSError as wrong:
+            _usage(f"-o {output}: cannot write there ({wrong.strerror}); a file in a folder that "
+                   "exists is allowed")
+    if surprises or (strict and undecided):
+        raise typer.Exit(1)
+
+
+@app.command()
+def report(
+    format: Annotated[
+        ReportFormat | None,
+        typer.Option("--format", help="tex, or pdf where a TeX is installed (the default)."),
+    ] = None,
+    output: Annotated[
+        Path, typer.Option("-o", metavar="DIR", help="Folder of the report.")
+    ] = Path("reports"),
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; fail where the text there is stale.")
+    ] = False,
+    derivation: Derivations = None,
+) -> None:
+    """Write the derivations as LaTeX chapters and a book, with figures and the ledger."""
+    from symhaptic import library
+    from symhaptic.report import build
+
+    tex = build.has_tex()
+    if format is ReportFormat.pdf and not tex and not check:
+        _usage(f"--format pdf: {build.NO_TEX}")
+    if output.exists() and not output.is_dir():
+        _usage(f"-o {output}: is a file; a folder is allowed")
+    chapters = _chapters(library.shipped() + (derivation or []))
+    try:
+        if check:
+            diff = build.differences(chapters, output)
+            typer.echo(diff, nl=False)
+            if diff:
+                typer.echo(f"symhaptic: {output} is stale; `symhaptic report` writes it", err=True)
+                raise typer.Exit(1)
+            return
+        pdf = tex and format is not ReportFormat.tex
+        build.write(chapters, output, pdf, lambda line: typer.echo(line, err=True))
+    except build.ReportError as wrong:
+        _usage(str(wrong))
+    typer.echo(f"wrote {output / ('book.pdf' if pdf else 'book.tex')}")
+    if not pdf and format is None:
+        typer.echo(f"no PDF: {build.NO_TEX}", err=True)
+
+
+def _close(id: str, known: dict[str, object] | object) -> str:
+    """Ids that look alike, or some to start from."""
+    from difflib import get_close_matches
+
+    names = list(known)  # type: ignore[call-overload]
+    return ", ".join(get_close_matches(id, names, 4, 0.5) or [*names[:3], "...", names[-1]])
+
+
+def main() -> None:
+    """Entry point: one line for a bad input, exit status 2, no traceback."""
+    command = typer.main.get_command(app)
+    try:
+        status = command.main(standalone_mode=False)
+    except (ParserError, Unusable) as wrong:
+        said = wrong.format_message() if isinstance(wrong, ParserError) else str(wrong)
+        typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
+        raise SystemExit(2) from None
+    except (typer.Abort, KeyboardInterrupt):
+        typer.echo("symhaptic: interrupted", err=True)
+        raise SystemExit(130) from None
+    raise SystemExit(status if isinstance(status, int) else 0)

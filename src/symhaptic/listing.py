@@ -1,0 +1,97 @@
+"""The ledger as text for people, as JSON, and as JUnit for a CI."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+from symhaptic import __version__
+from symhaptic.ledger import Entry, counted
+from symhaptic.library import expected_ledger
+from symhaptic.proof.verdict import Kind
+
+
+def needed(ids: list[str], paths: list[Path]) -> list[Path]:
+    """The derivations that settle these statements, as far as the committed ledger tells."""
+    if not ids:
+        return paths
+    records = json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]
+    place = {record["id"]: record["derivation"] for record in records}
+    names = {Path(place[id]).name for id in ids if place.get(id)}
+    return [path for path in paths if path.name in names]
+
+
+def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
+    """One line a statement, then what differs from the committed ledger, then the counts."""
+    width = max((len(e.statement.id) for e in entries), default=0)
+    lines = []
+    for entry in entries:
+        verdict = entry.verdict
+        detail = verdict.value or verdict.condition or ""
+        if verdict.kind in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
+            detail = "at " + ", ".join(f"{k} = {v}" for k, v in verdict.counterexample.items())
+        if entry.derivation:
+            detail = f"{detail}  [{entry.derivation}]".strip()
+        lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
+    lines += [f"DIFFERS  {line}" for line in surprises]
+    lines.append(f"{len(entries)} statements: {counted(entries)}")
+    open_ = [e for e in entries if e.verdict.kind is Kind.UNDECIDED]
+    if open_:
+        failing = " (an error, with --strict)" if strict else ""
+        lines.append(f"{len(open_)} undecided, which is not a pass{failing}")
+    return "\n".join(lines) + "\n"
+
+
+def json_text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
+    """The JSON form of the ledger."""
+    data = {
+        "package": "symhaptic",
+        "version": __version__,
+        "statements": [entry.as_json() for entry in entries],
+    }
+    return json.dumps(data, indent=1) + "\n"
+
+
+def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
+    """Each statement as a test case: a failure where its verdict is not the committed one."""
+    failed = {line.partition(":")[0]: line for line in surprises}
+    suite = ET.Element("testsuite", name="symhaptic verify")
+    failures = skipped = 0
+    for entry in entries:
+        id, verdict = entry.statement.id, entry.verdict
+        case = ET.SubElement(
+            suite, "testcase", name=id, classname=entry.derivation or "undecided",
+            time=f"{entry.seconds:.3f}",
+        )
+        properties = ET.SubElement(case, "properties")
+        ET.SubElement(properties, "property", name="verdict", value=str(verdict.kind))
+        open_ = verdict.kind is Kind.UNDECIDED
+        if id in failed or (strict and open_):
+            failures += 1
+            ET.SubElement(case, "failure", message=failed.get(id, f"{id}: undecided"))
+        elif open_:
+            skipped += 1
+            ET.SubElement(case, "skipped", message="undecided")
+        ET.SubElement(case, "system-out").text = str(verdict)
+    suite.attrib |= {
+        "tests": str(len(entries)), "failures": str(failures), "skipped": str(skipped),
+        "errors": "0", "time": f"{sum(e.seconds for e in entries):.3f}",
+    }
+    ET.indent(suite)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, "unicode") + "\n"
+
+
+def replace(path: Path, text: str) -> None:
+    """Write a file whole or not at all: beside its place first, then moved there."""
+    descriptor, draft = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
+    try:
+        with os.fdopen(descriptor, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        os.chmod(draft, 0o644)
+        os.replace(draft, path)
+    except OSError:
+        os.unlink(draft)
+        raise
