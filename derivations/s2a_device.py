@@ -33,5 +33,6 @@ def derive(page):
     mass, damping, stiffness = Poly(both, s).all_coeffs()
     page.settle("eq2", Eq(m, mass), Eq(b, damping), Eq(k, stiffness), definition=True)
     mass, damping, stiffness = Poly(device, s).all_coeffs()
-    page.settle("eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False),
-                definition=True)
+    page.settle(
+        "eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False), definition=True
+    )

@@ -31,8 +31,9 @@ def derive(page):
     )
     page.settle(
         "s2c-delays-lump",
-        page.same("denominators", 1 + P * z ** (-d_2) * H * z ** (-d_1),
-                  1 + P * H * z ** (-(d_1 + d_2))),
+        page.same(
+            "denominators", 1 + P * z ** (-d_2) * H * z ** (-d_1), 1 + P * H * z ** (-(d_1 + d_2))
+        ),
     )
     page.say(
         "Now the free mass, $\\gamma=\\delta=0$, in units of $m$ and $T$. A unit force is held for "
@@ -47,8 +48,13 @@ def derive(page):
         because="the force has acted for the time $1-d$ only",
     )
     undelayed = sampled(free)
-    page.step("Without delay", late.subs(d, 0), undelayed.n1, name="x_1|_{d=0}",
-              because="a delay of whole periods shifts the samples and changes none of them")
+    page.step(
+        "Without delay",
+        late.subs(d, 0),
+        undelayed.n1,
+        name="x_1|_{d=0}",
+        because="a delay of whole periods shifts the samples and changes none of them",
+    )
     page.say(
         "Writing $z^{-d}$ in front of $P(z)$, and replacing $z$ by a power of a finer variable, "
         "places the whole response between the samples: at the next sample it predicts no motion "
@@ -59,8 +65,7 @@ def derive(page):
     general = normalised(Parts())
     page.settle(
         "s2c-rational-delay",
-        page.same("whole delays are exact",
-                  sampled(general).n1, general.held(S.One)[0]),
+        page.same("whole delays are exact", sampled(general).n1, general.held(S.One)[0]),
         provided=r"d\in\mathbb{N}_0",
         unless={d: Rational(1, 2)},
         truth=Eq(late, 0),

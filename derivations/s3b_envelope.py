@@ -21,7 +21,10 @@ def derive(page):
     nice_stiffness = page.step(
         "Stiffness",
         stiffness,
-        2 * b * (d + 1) * (sin((d + 2) * theta) - 2 * sin((d + 1) * theta) + sin(d * theta))
+        2
+        * b
+        * (d + 1)
+        * (sin((d + 2) * theta) - 2 * sin((d + 1) * theta) + sin(d * theta))
         / (T * shared),
         name=K,
     )

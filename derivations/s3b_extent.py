@@ -33,13 +33,24 @@ def derive(page):
         1 - u * cot(psi) * sin(N * psi) + w * cos(N * psi),
         name=r"F/b",
     )
-    page.step("At $N\\psi=\\pi$", margin.subs(psi, pi / N), 1 - w, name="F/b",
-              because="so $w\\le1$")
-    page.limit("At the lower end", margin, psi, S.Zero, 1 + w - N * u, name="F/b",
-               because="so $w\\ge Nu-1\\ge-1$")
-    page.step("Angles that differ by a full turn of $N\\psi$",
-              cot(psi) - cot(phi), sin(phi - psi) / (sin(psi) * sin(phi)),
-              because="positive for $\\psi<\\varphi<\\pi/2$: the cotangent falls")
+    page.step(
+        "At $N\\psi=\\pi$", margin.subs(psi, pi / N), 1 - w, name="F/b", because="so $w\\le1$"
+    )
+    page.limit(
+        "At the lower end",
+        margin,
+        psi,
+        S.Zero,
+        1 + w - N * u,
+        name="F/b",
+        because="so $w\\ge Nu-1\\ge-1$",
+    )
+    page.step(
+        "Angles that differ by a full turn of $N\\psi$",
+        cot(psi) - cot(phi),
+        sin(phi - psi) / (sin(psi) * sin(phi)),
+        because="positive for $\\psi<\\varphi<\\pi/2$: the cotangent falls",
+    )
     page.say(
         "Beyond $N\\psi=\\pi$: where $\\sin N\\psi\\ge0$, the angle a full turn lower has the same "
         "sine and cosine but a larger cotangent, and is stricter since $u\\ge0$. Where "
@@ -60,30 +71,44 @@ def derive(page):
     below = combined((N - 1) * psi, [more, y], [y])
     sin_below = sine(below, combined(pi - (N - 1) * psi, [up], [y]))
     lower = integrated(
-        sin(N * psi) - N * sin(psi) * cos((N - 1) * psi), angles,
-        combined(diff(sin(N * psi) - N * sin(psi) * cos((N - 1) * psi), psi),
-                 [size, more, sin_y, sin_below]),
+        sin(N * psi) - N * sin(psi) * cos((N - 1) * psi),
+        angles,
+        combined(
+            diff(sin(N * psi) - N * sin(psi) * cos((N - 1) * psi), psi),
+            [size, more, sin_y, sin_below],
+        ),
     )
     room = assume(pi - (N + 1) * psi)
     near = Interval(psi, S.Zero, (room, combined(N + 1, [more], [3])), (up, size))
     sin_above = sine(combined((N + 1) * psi, [size, y], [y]), room)
     expr = sin(N * psi) - N * sin(psi) * cos((N + 1) * psi)
-    early = integrated(expr, near, combined(diff(expr, psi),
-                                            [size, combined(N + 2, [more], [4]), sin_y, sin_above]))
+    early = integrated(
+        expr,
+        near,
+        combined(diff(expr, psi), [size, combined(N + 2, [more], [4]), sin_y, sin_above]),
+    )
     past = assume((N + 1) * psi - pi, strict=False)
-    falls = sine(combined((N + 1) * psi - pi / 2, [past], [half, number(pi)]),
-                 combined(3 * pi / 2 - (N + 1) * psi, [up], [side]))
+    falls = sine(
+        combined((N + 1) * psi - pi / 2, [past], [half, number(pi)]),
+        combined(3 * pi / 2 - (N + 1) * psi, [up], [side]),
+    )
     late = combined(expr, [sin_n], [size, sin_y, falls])
     upper = either(early, late, room.expr)
     page.positive("First chord", lower, r"0<N\psi<\pi,\ N>2")
     page.positive("Second chord", upper, r"0<N\psi<\pi,\ N>2")
 
     shape = N * sin(2 * psi) + sin(2 * N * psi) - 4 * sin(N * psi) ** 2 * cot(psi) / N
-    slope = quotient(diff(shape, psi), combined(4 * lower.expr * upper.expr, [4, lower, upper]),
-                     combined(N * sin(psi) ** 2, [size, sin_y, sin_y]))
-    page.step("A slope that factors", diff(shape, psi),
-              4 * lower.expr * upper.expr / (N * sin(psi) ** 2),
-              name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({_latex(shape)}\Bigr)")
+    slope = quotient(
+        diff(shape, psi),
+        combined(4 * lower.expr * upper.expr, [4, lower, upper]),
+        combined(N * sin(psi) ** 2, [size, sin_y, sin_y]),
+    )
+    page.step(
+        "A slope that factors",
+        diff(shape, psi),
+        4 * lower.expr * upper.expr / (N * sin(psi) ** 2),
+        name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({_latex(shape)}\Bigr)",
+    )
     bent = page.positive("Bending", integrated(shape, angles, slope), r"0<N\psi<\pi,\ N>2")
 
     curve = page.step(
@@ -95,7 +120,11 @@ def derive(page):
     page.step(
         "It rises to $N\\psi=\\pi/2$ and falls after",
         diff(curve, psi),
-        2 * N**2 * sin(psi) ** 2 * cos(N * psi) * bent.expr
+        2
+        * N**2
+        * sin(psi) ** 2
+        * cos(N * psi)
+        * bent.expr
         / (N * sin(2 * psi) - sin(2 * N * psi)) ** 2,
         name=r"\partial U/\partial\psi",
         because="its sign is that of $\\cos N\\psi$",
@@ -104,7 +133,8 @@ def derive(page):
     page.step(
         "For a given stiffness the border moves with",
         diff(limit_of_w, psi),
-        (N * sin(2 * psi) - sin(2 * N * psi)) / (2 * sin(psi) ** 2 * cos(N * psi) ** 2)
+        (N * sin(2 * psi) - sin(2 * N * psi))
+        / (2 * sin(psi) ** 2 * cos(N * psi) ** 2)
         * (u - curve),
         name=r"\partial w/\partial\psi",
         because="its sign is that of $u-U$, so the strictest angle is the one with $U=u$, or "
@@ -119,7 +149,8 @@ def derive(page):
     stiffness, damping = (e.subs(theta, omega * T) for e in passivity.envelope())
     page.settle(
         "eq7",
-        Eq(K, stiffness), Eq(B, damping),
+        Eq(K, stiffness),
+        Eq(B, damping),
         provided=r"d>0,\ K\ge0,\ 0<\omega T\le\pi/(d+1)",
         unless={d: S.Zero, T: S.One, b: S.One, omega: S.One, K: S.One, B: Rational(1, 2)},
         truth=Eq(b, K * T / 2 + B),

@@ -24,11 +24,16 @@ def derive(page):
     page.step("The envelope there, stiffness", stiffness, S.Zero, name=K)
     page.step("The envelope there, damping", damping, b, name=B)
     bottom = page.limit(
-        "The line of low frequencies", passivity.margin(), theta, S.Zero,
-        b - K * T * (d + Rational(1, 2)) + B, name="F",
+        "The line of low frequencies",
+        passivity.margin(),
+        theta,
+        S.Zero,
+        b - K * T * (d + Rational(1, 2)) + B,
+        name="F",
     )
-    page.step("It meets $K=0$ at $B=-b$", bottom.subs({K: 0, B: -b}), S.Zero,
-              name=r"F|_{K=0,\,B=-b}")
+    page.step(
+        "It meets $K=0$ at $B=-b$", bottom.subs({K: 0, B: -b}), S.Zero, name=r"F|_{K=0,\,B=-b}"
+    )
     page.say(
         "For $K\\ge0$ the first line gives $B\\le b-KT/2\\le b$, so the damping is largest at "
         "$(0,b)$; the low frequencies give $B\\ge KT(d+\\tfrac12)-b\\ge-b$. But (5) goes on to "
@@ -37,10 +42,15 @@ def derive(page):
     )
     beyond = {K: -S.One, T: S.One, b: S.One, B: Rational(5, 4), d: S.Zero}
     half = cosine(assume(theta / 2), assume(pi / 2 - theta / 2))
-    holds = combined(passivity.margin().subs(beyond), [Rational(1, 4)], [Rational(5, 2), half, half])
+    holds = combined(
+        passivity.margin().subs(beyond), [Rational(1, 4)], [Rational(5, 2), half, half]
+    )
     page.settle(
         "s3c-limit-points",
-        Eq(K, stiffness), Eq(B, damping), Eq(K, S.Zero, evaluate=False), Eq(B, -b),
+        Eq(K, stiffness),
+        Eq(B, damping),
+        Eq(K, S.Zero, evaluate=False),
+        Eq(B, -b),
         provided=r"K\ge0",
         unless=beyond,
         truth=holds,
@@ -51,11 +61,16 @@ def derive(page):
         "Without delay it is the Nyquist frequency itself, and the value is a limit. (The slash "
         "in $\\pi/T(d+1)$ has to be read as dividing by the whole product.)"
     )
-    page.step("The first angle where the cosine is $-1$", cos((d + 1) * (pi / (d + 1))), -S.One,
-              name=r"\cos(d+1)\theta")
+    page.step(
+        "The first angle where the cosine is $-1$",
+        cos((d + 1) * (pi / (d + 1))),
+        -S.One,
+        name=r"\cos(d+1)\theta",
+    )
     page.settle(
         "s3c-bmax-frequency",
-        Eq(omega, pi / (d + 1) / T), b > top,
+        Eq(omega, pi / (d + 1) / T),
+        b > top,
         provided=r"K\ge0\ \text{and}\ d>0",
         unless={d: S.Zero, T: S.One, omega: pi, b: S(2), K: S.One, B: S.One},
         truth=omega < pi / T,

@@ -13,16 +13,29 @@ from symhaptic.notation import B, K, T, b, d, theta, y
 
 def derive(page):
     line = page.limit(
-        "Low frequencies", passivity.margin(), theta, S.Zero,
-        b + B - K * T * (d + Rational(1, 2)), name="F",
+        "Low frequencies",
+        passivity.margin(),
+        theta,
+        S.Zero,
+        b + B - K * T * (d + Rational(1, 2)),
+        name="F",
     )
     stiffness, damping = passivity.envelope()
     end_stiffness = page.limit(
-        "The envelope ends there, stiffness", stiffness, theta, S.Zero,
-        6 * b * (d + 1) / (T * (2 * d + 1) * (2 * d + 3)), name=K,
+        "The envelope ends there, stiffness",
+        stiffness,
+        theta,
+        S.Zero,
+        6 * b * (d + 1) / (T * (2 * d + 1) * (2 * d + 3)),
+        name=K,
     )
     end_damping = page.limit(
-        "The envelope ends there, damping", damping, theta, S.Zero, b * d / (2 * d + 3), name=B,
+        "The envelope ends there, damping",
+        damping,
+        theta,
+        S.Zero,
+        b * d / (2 * d + 3),
+        name=B,
     )
     page.say(
         "By the previous chapters no other frequency cuts into the line between $(0,-b)$ and this "
@@ -62,7 +75,7 @@ def derive(page):
     low = {d: S.One, T: S.One, b: S.One, B: S.Zero, K: -S(3)}
     page.settle(
         "eq9",
-        K < limit_of_k,
+        limit_of_k > K,
         provided=r"K\ge0",
         unless=low,
         truth=passivity.margin(5 * pi / 6).subs(d, 1) > 0,
@@ -72,7 +85,7 @@ def derive(page):
     steep = {d: S.Zero, T: S.One, b: S.One, B: Rational(1, 2), K: S(2)}
     page.settle(
         "eq10",
-        K < limit_of_k,
+        limit_of_k > K,
         provided=r"K\ge0\ \text{and}\ -b\le B\le\frac{d}{2d+3}b",
         unless=steep,
         truth=passivity.margin(5 * pi / 6).subs(d, 0) > 0,

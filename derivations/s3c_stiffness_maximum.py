@@ -13,41 +13,63 @@ from symhaptic.report.figures import largest_stiffness, passive_regions
 
 def derive(page):
     need = passivity.dirichlet_form()
-    page.step("The coefficient of the damping", diff(need, B), -cos((d + 1) * theta),
-              name=r"\partial\,\text{need}/\partial B")
+    page.step(
+        "The coefficient of the damping",
+        diff(need, B),
+        -cos((d + 1) * theta),
+        name=r"\partial\,\text{need}/\partial B",
+    )
     angle = pi / (2 * (d + 1))
-    page.step("It vanishes first at", cos((d + 1) * angle), S.Zero,
-              name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
-              because="later zeros lie beyond $\\pi/(d+1)$ and cut off nothing")
+    page.step(
+        "It vanishes first at",
+        cos((d + 1) * angle),
+        S.Zero,
+        name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
+        because="later zeros lie beyond $\\pi/(d+1)$ and cut off nothing",
+    )
     page.settle(
-        "s3c-kmax-frequency", Eq(omega, angle / T),
+        "s3c-kmax-frequency",
+        Eq(omega, angle / T),
         note="for $d=0$ every frequency gives this point, which is then a corner; the slash has "
         "to be read as dividing by the whole product",
     )
     largest = solve(b - need.subs(theta, angle), K)[0]
     stiffness = page.step(
-        "The largest stiffness", largest, 2 * b / T * tan(pi / (4 * (d + 1))), name=K,
-        because="the damping has dropped out of the condition", boxed=True,
+        "The largest stiffness",
+        largest,
+        2 * b / T * tan(pi / (4 * (d + 1))),
+        name=K,
+        because="the damping has dropped out of the condition",
+        boxed=True,
     )
     on_curve = [e.subs(theta, angle) for e in passivity.envelope()]
     page.step("It lies on the envelope", on_curve[0], stiffness, name=K)
     damping = page.step(
-        "Its damping", on_curve[1],
-        b * (cos(angle) - d / (d + 1)) / sin(angle), name=B,
+        "Its damping",
+        on_curve[1],
+        b * (cos(angle) - d / (d + 1)) / sin(angle),
+        name=B,
         because="and by the chapter before, the stiffness of the envelope rises up to this "
         "frequency and falls after it, for every real $d>0$",
     )
     page.settle("eq11", Eq(K, stiffness), Eq(B, damping))
     page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
     ratio = stiffness / stiffness.subs(d, 0)
-    one = page.step("One period of delay", ratio.subs(d, 1), sqrt(2) - 1,
-                    name=r"K_{\max}(1)/K_{\max}(0)")
-    two = page.step("Two periods of delay", ratio.subs(d, 2), 2 - sqrt(3),
-                    name=r"K_{\max}(2)/K_{\max}(0)")
+    one = page.step(
+        "One period of delay", ratio.subs(d, 1), sqrt(2) - 1, name=r"K_{\max}(1)/K_{\max}(0)"
+    )
+    two = page.step(
+        "Two periods of delay", ratio.subs(d, 2), 2 - sqrt(3), name=r"K_{\max}(2)/K_{\max}(0)"
+    )
     page.settle("s3c-kmax-41", value=one)
     page.settle("s3c-kmax-27", value=two)
-    page.figure("fig4", "Passive walls (Fig. 4 of the paper): boundary for seven delays, the "
-                "points of largest stiffness (dash-dotted) and the ends of the straight part "
-                "(dashed).", passive_regions)
-    page.figure("fig5", "Largest passive stiffness over the delay (Fig. 5 of the paper).",
-                largest_stiffness)
+    page.figure(
+        "fig4",
+        "Passive walls (Fig. 4 of the paper): boundary for seven delays, the "
+        "points of largest stiffness (dash-dotted) and the ends of the straight part "
+        "(dashed).",
+        passive_regions,
+    )
+    page.figure(
+        "fig5", "Largest passive stiffness over the delay (Fig. 5 of the paper).", largest_stiffness
+    )

@@ -21,9 +21,12 @@ def derive(page):
     )
     law = plant.state_matrix
     phi, held = plant.transition(t), plant.held(t)
-    page.step("It solves the equation of motion",
-              (diff(phi, t) - law * phi)[1, 1], S.Zero,
-              name=r"\bigl(\tfrac{d}{dt}e^{At}-Ae^{At}\bigr)_{22}")
+    page.step(
+        "It solves the equation of motion",
+        (diff(phi, t) - law * phi)[1, 1],
+        S.Zero,
+        name=r"\bigl(\tfrac{d}{dt}e^{At}-Ae^{At}\bigr)_{22}",
+    )
     page.same("all four entries", Matrix(diff(phi, t) - law * phi), zeros(2))
     page.same("from rest at t = 0", phi.subs(t, 0), eye(2))
     page.same("the held force", diff(held, t) - law * held, plant.input_matrix)
@@ -37,8 +40,12 @@ def derive(page):
     rate, spring = b * T / m, k * T**2 / m
     unit = Plant(1, rate, spring)
     one, two = unit.poles(c_1)
-    page.step("Difference of the poles, times $T$", unit.split,
-              sqrt((b * T / m) ** 2 - 4 * k * T**2 / m), name=c_1)
+    page.step(
+        "Difference of the poles, times $T$",
+        unit.split,
+        sqrt((b * T / m) ** 2 - 4 * k * T**2 / m),
+        name=c_1,
+    )
     page.say("The poles' images $e^{s_1T}$ and $e^{s_2T}$ are $c_3$ and $c_2$:")
     page.step("Faster pole", exp(two), exp(-(b * T / m + c_1) / 2), name=c_2)
     page.step("Slower pole", exp(one), exp(-(b * T / m - c_1) / 2), name=c_3)
@@ -58,8 +65,12 @@ def derive(page):
     )
     bottom = 2 * k * (z**2 - (c_2 + c_3) * z + exp(-b * T / m)) * (-gap)
     given = images | {k: stiffness}
-    page.show("The discrete equivalent", "P(z)", top / bottom, page.same(
-        "written", exact.xreplace(given), (top / bottom).xreplace(given)))
+    page.show(
+        "The discrete equivalent",
+        "P(z)",
+        top / bottom,
+        page.same("written", exact.xreplace(given), (top / bottom).xreplace(given)),
+    )
     page.say(
         "The last summand of the numerator needs the factor $m/T$ that the print lacks: without "
         "it a damping is added to a squared damping, and the result depends on the units. The "
@@ -78,8 +89,12 @@ def derive(page):
         note="$0/0$ for $k=0$ and for $b^2=4km$",
     )
     page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
-    page.step("The delay on the unit circle", on_circle(z ** (-d), omega * T),
-              exp(-I * d * omega * T), name=r"z^{-d}")
+    page.step(
+        "The delay on the unit circle",
+        on_circle(z ** (-d), omega * T),
+        exp(-I * d * omega * T),
+        name=r"z^{-d}",
+    )
     page.settle(
         "s4a-delay-equivalent",
         Eq(exp(-d * T * s), exp(T * s) ** (-d), evaluate=False),

@@ -52,8 +52,11 @@ def derive(page):
     virtual_damping = -(force - virtual_stiffness).subs(z, S.Half)
     page.settle(
         "tab1",
-        Eq(d, t_d / T), Eq(alpha, virtual_stiffness), Eq(beta, virtual_damping),
-        Eq(gamma, stiffness), Eq(delta, damping),
+        Eq(d, t_d / T),
+        Eq(alpha, virtual_stiffness),
+        Eq(beta, virtual_damping),
+        Eq(gamma, stiffness),
+        Eq(delta, damping),
         definition=True,
     )
     page.say("In these numbers the plant is $1/(s^2+\\delta s+\\gamma)$, with a period of 1.")
@@ -65,12 +68,24 @@ def derive(page):
     device = sampled(unit, split=c_1)
     first = ((2 - c_2 - c_3) * c_1 + (c_2 - c_3) * delta) / (2 * c_1 * gamma)
     second = ((2 * exp(-delta) - c_2 - c_3) * c_1 + (c_3 - c_2) * delta) / (2 * c_1 * gamma)
-    page.show("First sample of the step response", "n_1", first,
-              page.same("n1", device.n1.xreplace(given), first.xreplace(given)))
-    page.show("Second coefficient", "n_0", second,
-              page.same("n0", device.n0.xreplace(given), second.xreplace(given)))
-    page.show("Sum of the images", "a", c_2 + c_3,
-              page.same("a", device.a.xreplace(given), (c_2 + c_3).xreplace(images)))
+    page.show(
+        "First sample of the step response",
+        "n_1",
+        first,
+        page.same("n1", device.n1.xreplace(given), first.xreplace(given)),
+    )
+    page.show(
+        "Second coefficient",
+        "n_0",
+        second,
+        page.same("n0", device.n0.xreplace(given), second.xreplace(given)),
+    )
+    page.show(
+        "Sum of the images",
+        "a",
+        c_2 + c_3,
+        page.same("a", device.a.xreplace(given), (c_2 + c_3).xreplace(images)),
+    )
     page.step("Their product", exp(one) * exp(two), exp(-delta), name="e")
     page.say(
         "so that the device is $P(z)=\\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The forms of $n_1$ and "
@@ -78,14 +93,38 @@ def derive(page):
         "there are finite:"
     )
     chain = device.n1.xreplace(given)
-    page.limit("Critical damping", chain, c_1, S.Zero,
-               (4 - 2 * (delta + 2) * exp(-delta / 2)) / delta**2, name="n_1")
+    page.limit(
+        "Critical damping",
+        chain,
+        c_1,
+        S.Zero,
+        (4 - 2 * (delta + 2) * exp(-delta / 2)) / delta**2,
+        name="n_1",
+    )
     alone = sampled(plant.normalised(Parts(stiffness=False)))
-    page.limit("No spring", chain, c_1, delta, (delta - 1 + exp(-delta)) / delta**2, name="n_1",
-               because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring")
+    page.limit(
+        "No spring",
+        chain,
+        c_1,
+        delta,
+        (delta - 1 + exp(-delta)) / delta**2,
+        name="n_1",
+        because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring",
+    )
     page.same("without a spring", alone.n1, (delta - 1 + exp(-delta)) / delta**2)
-    at = {gamma: S.Zero, delta: S.One, c_1: S.One, c_2: exp(-S.One), c_3: S.One,
-          z: S(2), T: S.One, m: S.One, b: S.One, k: S.Zero, s: S.One}
+    at = {
+        gamma: S.Zero,
+        delta: S.One,
+        c_1: S.One,
+        c_2: exp(-S.One),
+        c_3: S.One,
+        z: S(2),
+        T: S.One,
+        m: S.One,
+        b: S.One,
+        k: S.Zero,
+        s: S.One,
+    }
     page.settle(
         "eq14",
         Eq(1 / (m * s**2 + b * s + k), T**2 / m * device.transfer),

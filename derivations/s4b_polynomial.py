@@ -37,8 +37,12 @@ def derive(page):
     plain = (n_1 * z + n_0) / (z**2 - a * z + e)
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
     page.say("With the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
-    page.step("The wall", wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
-              (alpha + beta * (1 - 1 / z)) * z ** (-d), name=r"\tfrac{T^2}{m}H(z)z^{-d}")
+    page.step(
+        "The wall",
+        wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
+        (alpha + beta * (1 - 1 / z)) * z ** (-d),
+        name=r"\tfrac{T^2}{m}H(z)z^{-d}",
+    )
     page.step(
         "The closed loop",
         plain / (1 + plain * push),
@@ -47,9 +51,17 @@ def derive(page):
         because="$P/(1+PHz^{-d})$, both sides multiplied by the two denominators",
     )
     page.say("The denominator is monic and never degenerates:")
-    page.show("Characteristic polynomial", "p_1(z)", short, page.same(
-        "the model", loop.characteristic(split=c_1),
-        short.xreplace({a: device.a, e: device.e, n_1: device.n1, n_0: device.n0})), boxed=True)
+    page.show(
+        "Characteristic polynomial",
+        "p_1(z)",
+        short,
+        page.same(
+            "the model",
+            loop.characteristic(split=c_1),
+            short.xreplace({a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}),
+        ),
+        boxed=True,
+    )
     page.say(
         "The paper multiplies numerator and denominator by $-2c_1\\gamma$. That factor vanishes "
         "for a device that nobody holds and at critical damping, and with it all of $n(z)$ and "
@@ -60,23 +72,51 @@ def derive(page):
     given = {c_2: exp(two), c_3: exp(one), gamma: (delta**2 - c_1**2) / 4}
     scale = -2 * c_1 * gamma
     top, bottom = scale * device.numerator, scale * loop.characteristic(split=c_1)
-    free = {gamma: S.Zero, delta: S.One, c_1: S.One, c_2: exp(-S.One), c_3: S.One, d: S.Zero,
-            alpha: S.One, beta: S.One, z: S(2), T: S.One, m: S.One}
+    free = {
+        gamma: S.Zero,
+        delta: S.One,
+        c_1: S.One,
+        c_2: exp(-S.One),
+        c_3: S.One,
+        d: S.Zero,
+        alpha: S.One,
+        beta: S.One,
+        z: S(2),
+        T: S.One,
+        m: S.One,
+    }
     alone = Parts(stiffness=False)
     condition = r"c_1\gamma\ne0"
-    page.settle("eq17", Eq(n, top), given=given, provided=condition, unless=free,
-                truth=plant.sampled(plant.normalised(alone)).numerator,
-                shows=r"$n(z)\equiv0$ for an ungrabbed device")
-    page.settle("eq18", Eq(p, bottom), given=given, provided=condition, unless=free,
-                truth=loop.characteristic(alone),
-                shows=r"$p(z)\equiv0$ for an ungrabbed device: every $z$ would be a pole")
+    page.settle(
+        "eq17",
+        Eq(n, top),
+        given=given,
+        provided=condition,
+        unless=free,
+        truth=plant.sampled(plant.normalised(alone)).numerator,
+        shows=r"$n(z)\equiv0$ for an ungrabbed device",
+    )
+    page.settle(
+        "eq18",
+        Eq(p, bottom),
+        given=given,
+        provided=condition,
+        unless=free,
+        truth=loop.characteristic(alone),
+        shows=r"$p(z)\equiv0$ for an ungrabbed device: every $z$ would be a pole",
+    )
     numerator, denominator = (STATEMENTS[i].printed[0].rhs for i in ("eq17", "eq18"))
-    page.settle("eq16", Eq(function("G_x")(z), loop.closed(split=c_1)),
-                given=given | {n: top.xreplace(given), p: bottom.xreplace(given)},
-                provided=condition, unless=free, truth=loop.closed(alone),
-                specialise=lambda form: form.xreplace({n: numerator, p: denominator}),
-                shows=r"$0/0$ for an ungrabbed device",
-                note=r"a polynomial, and exact, for whole delays only")
+    page.settle(
+        "eq16",
+        Eq(function("G_x")(z), loop.closed(split=c_1)),
+        given=given | {n: top.xreplace(given), p: bottom.xreplace(given)},
+        provided=condition,
+        unless=free,
+        truth=loop.closed(alone),
+        specialise=lambda form: form.xreplace({n: numerator, p: denominator}),
+        shows=r"$0/0$ for an ungrabbed device",
+        note=r"a polynomial, and exact, for whole delays only",
+    )
 
     rest = page.same(
         "what is left is quadratic",
@@ -88,15 +128,19 @@ def derive(page):
         "coefficient $-2c_1\\gamma$, if that is not zero and $d$ is a whole number; the monic form "
         "always has it."
     )
-    page.settle("s4d-degree", rest,
-                provided=r"c_1\gamma\ne0\ \text{and}\ d\in\mathbb{N}_0",
-                unless={gamma: S.Zero, delta: S.One, c_1: S.One},
-                truth=Ne(scale, 0, evaluate=False),
-                shows="the leading coefficient vanishes for an ungrabbed device")
+    page.settle(
+        "s4d-degree",
+        rest,
+        provided=r"c_1\gamma\ne0\ \text{and}\ d\in\mathbb{N}_0",
+        unless={gamma: S.Zero, delta: S.One, c_1: S.One},
+        truth=Ne(scale, 0, evaluate=False),
+        shows="the leading coefficient vanishes for an ungrabbed device",
+    )
     physical = sampled(Plant(), T, split=c_1 / T)
     stiff = {k: m * ((b * T / m) ** 2 - c_1**2) / (4 * T**2)}
-    polynomial = physical.denominator * z ** (d + 1) + physical.numerator * (
-        (K * T + B) * z - B) / T
+    polynomial = (
+        physical.denominator * z ** (d + 1) + physical.numerator * ((K * T + B) * z - B) / T
+    )
     rules = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T}
     page.say(
         "Derived in physical units instead, with the rules of Table I put in afterwards, mass and "
@@ -105,6 +149,9 @@ def derive(page):
     page.settle(
         "s4b-five-parameters",
         page.free_of("the polynomial", polynomial.xreplace(stiff).subs(rules), m, T),
-        page.same("both derivations", polynomial.xreplace(stiff).subs(rules),
-                  loop.characteristic(split=c_1).xreplace({gamma: given[gamma]})),
+        page.same(
+            "both derivations",
+            polynomial.xreplace(stiff).subs(rules),
+            loop.characteristic(split=c_1).xreplace({gamma: given[gamma]}),
+        ),
     )

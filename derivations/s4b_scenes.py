@@ -17,7 +17,8 @@ def derive(page):
         "decays; with a spring it swings, $\\Omega=\\sqrt\\gamma$."
     )
     free, damped = (
-        plant.sampled(plant.normalised(parts)) for parts in (Parts(False, False), Parts(False, True))
+        plant.sampled(plant.normalised(parts))
+        for parts in (Parts(False, False), Parts(False, True))
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     swings = swinging.transfer.subs(gamma, Omega**2)
@@ -26,8 +27,7 @@ def derive(page):
     fading = page.step(
         "Mass and damper",
         damped.transfer,
-        ((delta - 1 + fade) * z + 1 - (1 + delta) * fade)
-        / (delta**2 * (z - 1) * (z - fade)),
+        ((delta - 1 + fade) * z + 1 - (1 + delta) * fade) / (delta**2 * (z - 1) * (z - fade)),
         name="P(z)",
     )
     swinging = page.step(
@@ -40,14 +40,35 @@ def derive(page):
     general = plant.sampled(plant.normalised(Parts()), split=c).transfer.subs(
         gamma, (delta**2 - c**2) / 4
     )
-    page.limit("The spring removed", general, c, delta, fading, name="P",
-               because="$c\\to\\delta$ is $\\gamma\\to0$, since $c^2=\\delta^2-4\\gamma$")
-    page.limit("The damper removed", general.subs(c, 2 * I * Omega), delta, S.Zero, swinging,
-               name="P", because="along $\\gamma=\\Omega^2+\\delta^2/4$, that is $c=2j\\Omega$")
-    page.limit("The damper removed from a free mass", damped.transfer, delta, S.Zero,
-               free.transfer, name="P")
-    page.limit("The spring removed from a free mass",
-               swings, Omega, S.Zero, free.transfer, name="P")
+    page.limit(
+        "The spring removed",
+        general,
+        c,
+        delta,
+        fading,
+        name="P",
+        because="$c\\to\\delta$ is $\\gamma\\to0$, since $c^2=\\delta^2-4\\gamma$",
+    )
+    page.limit(
+        "The damper removed",
+        general.subs(c, 2 * I * Omega),
+        delta,
+        S.Zero,
+        swinging,
+        name="P",
+        because="along $\\gamma=\\Omega^2+\\delta^2/4$, that is $c=2j\\Omega$",
+    )
+    page.limit(
+        "The damper removed from a free mass",
+        damped.transfer,
+        delta,
+        S.Zero,
+        free.transfer,
+        name="P",
+    )
+    page.limit(
+        "The spring removed from a free mass", swings, Omega, S.Zero, free.transfer, name="P"
+    )
 
     count = 0
     for parts in ALL:

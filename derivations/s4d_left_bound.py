@@ -17,9 +17,14 @@ def derive(page):
     device = plant.sampled(plant.normalised(FULL), split=c)
     total = device.n1 + device.n0
     page.show(
-        "The polynomial at $z=1$", "p_1(1)", (n_1 + n_0) * (alpha + gamma),
-        page.same("at z = 1", loop.characteristic(split=c).subs(z, 1).xreplace(given),
-                  (total * (alpha + gamma)).xreplace(given)),
+        "The polynomial at $z=1$",
+        "p_1(1)",
+        (n_1 + n_0) * (alpha + gamma),
+        page.same(
+            "at z = 1",
+            loop.characteristic(split=c).subs(z, 1).xreplace(given),
+            (total * (alpha + gamma)).xreplace(given),
+        ),
         because="a monic real polynomial with all roots inside the unit circle is positive there",
     )
     page.step(
@@ -44,17 +49,20 @@ def derive(page):
     kept = speed[1, 1].subs(t, 1)
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
     page.show(
-        "Its roots, $d=0$", "p_1(z)", z * (z - 1) * (z - x),
-        page.same("roots", at_line.xreplace(given),
-                  (z * (z - 1) * (z - kept)).xreplace(given)),
+        "Its roots, $d=0$",
+        "p_1(z)",
+        z * (z - 1) * (z - x),
+        page.same("roots", at_line.xreplace(given), (z * (z - 1) * (z - kept)).xreplace(given)),
         because="$x$ is the speed that is left after one period of a unit speed, without a wall",
     )
     place, velocity = speed[0, 1].xreplace(given), speed[1, 1].xreplace(given)
     page.show(
-        "The energy of that motion", r"\tfrac{d}{dt}(v^2+\gamma x^2)",
-        -2 * delta * v ** 2,
-        page.same("energy", diff(velocity**2 + given[gamma] * place**2, t),
-                  -2 * delta * velocity**2),
+        "The energy of that motion",
+        r"\tfrac{d}{dt}(v^2+\gamma x^2)",
+        -2 * delta * v**2,
+        page.same(
+            "energy", diff(velocity**2 + given[gamma] * place**2, t), -2 * delta * velocity**2
+        ),
         because="so the speed left is less than 1, but for $\\delta=0$ and whole half swings",
     )
     page.say(
@@ -68,8 +76,9 @@ def derive(page):
     poly = loop.characteristic(Parts(damping=False)).subs(d, 1)
     poly = poly.subs({alpha: -gamma, beta: x / swinging.n1}).subs(gamma, gam)
     cubic = z**3 + 2 * z**2 + (x + Rational(3, 2)) * z + x
-    page.show("The other three roots", r"p_1(z)/(z-1)", cubic,
-              page.same("divided", poly, (z - 1) * cubic))
+    page.show(
+        "The other three roots", r"p_1(z)/(z-1)", cubic, page.same("divided", poly, (z - 1) * cubic)
+    )
     r1, r2, r3 = symbols("r_1 r_2 r_3")
     q2, q1, q0 = -(r1 + r2 + r3), r1 * r2 + r1 * r3 + r2 * r3, -r1 * r2 * r3
     product = (1 - r1 * r2) * (1 - r1 * r3) * (1 - r2 * r3)
@@ -85,15 +94,19 @@ def derive(page):
     square = assume((x - Rational(1, 2)) ** 2, strict=False)
     never = combined(x**2 - x + Rational(1, 2), [square], [Rational(1, 4)])
     margin = 1 - (x + Rational(3, 2)) + 2 * x - x**2
-    page.step("Here it is", margin, -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
-              because="negative for every $x$: no damping makes the line a border of the region")
+    page.step(
+        "Here it is",
+        margin,
+        -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
+        because="negative for every $x$: no damping makes the line a border of the region",
+    )
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
         provided=r"d=0",
         unless={alpha: -gam, gamma: gam, delta: S.Zero, d: S.One},
         truth=(margin > 0, never),
-        shows=r"for $d=1$, $\delta=0$, $\sqrt\gamma=\tfrac23\pi$ no $\beta$ is stable near the line",
+        shows=r"$d=1$, $\delta=0$, $\sqrt\gamma=\tfrac23\pi$: no $\beta$ is stable near the line",
         note=r"$\alpha>-\gamma$ is necessary for every delay; that the region reaches the line is "
-        r"shown for $d=0$, all $\gamma$ and $\delta$ but $\delta=0$ with $\sqrt\gamma\in\pi\mathbb{N}$",
+        r"shown for $d=0$ and all $\gamma$, $\delta$ but $\delta=0$, $\sqrt\gamma\in\pi\mathbb{N}$",
     )

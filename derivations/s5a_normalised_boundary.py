@@ -17,7 +17,10 @@ def derive(page):
         (stiffness * T**2 / m).subs(scaled),
         (damping * T / m).subs(scaled),
     ]
-    both = [page.free_of(name, part, T, m) for name, part in zip(("alpha", "beta"), in_plane, strict=True)]
+    both = [
+        page.free_of(name, part, T, m)
+        for name, part in zip(("alpha", "beta"), in_plane, strict=True)
+    ]
     page.say(
         "The envelope of the passive walls, multiplied by $T^2/m$ and $T/m$: mass and period drop "
         f"out ({both[0].method}), and both coordinates are proportional to $\\delta$."
@@ -36,7 +39,8 @@ def derive(page):
     )
     page.settle(
         "eq27",
-        Eq(alpha, in_plane[0]), Eq(beta, in_plane[1]),
+        Eq(alpha, in_plane[0]),
+        Eq(beta, in_plane[1]),
         provided=r"d>0,\ \alpha\ge0,\ 0<\hat\omega\le\pi/(d+1)",
         unless={d: S.Zero, delta: S.One, omega_hat: S.One, alpha: S.One, beta: Rational(1, 2)},
         truth=Eq(delta, alpha / 2 + beta),

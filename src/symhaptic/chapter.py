@@ -7,6 +7,7 @@ A derivation file has a docstring (title, blank line, introduction) and a functi
 
 from __future__ import annotations
 
+import itertools
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -108,7 +109,7 @@ class Page:
         if len(chain) < 2:
             raise FalseStep(f"{title}: a step needs two sides")
         method = ""
-        for left, right in zip(chain, chain[1:], strict=False):
+        for left, right in itertools.pairwise(chain):
             method = self._proved(title, left, right)
         written = chain if name is None else chain[1:]
         left = written[0] if name is None else name
@@ -156,7 +157,7 @@ class Page:
     def positive(
         self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
     ) -> Fact:
-        """A sign on a domain (``on``, LaTeX), with the certificate that was checked when it was built."""
+        """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
         sign = ">" if fact.strict else r"\ge"
         left = latex(fact.expr) if name is None else name
         right = rf"0\qquad ({on})"
@@ -183,7 +184,7 @@ class Page:
     def same(self, what: str, *forms: Form) -> Evidence:
         """All the forms are proved equal, without being written on the page."""
         method = ""
-        for left, right in zip(forms, forms[1:], strict=False):
+        for left, right in itertools.pairwise(forms):
             method = self._proved(what, left, right)
         return Evidence(method)
 
@@ -221,17 +222,21 @@ class Page:
         """Settle a statement on these grounds; the verdict is found, not given.
 
         ``grounds`` are the derived form (compared with the printed one) or proofs of what the
-        statement says in words; ``given`` are definitions in force, put into both.  ``provided`` names a condition that the paper leaves out and
-        ``unless`` a point without it where the statement fails, that is where the printed form
-        (after ``specialise``) and the ``truth`` differ.  ``corrected`` is LaTeX of the right
-        form, proved like any other.  ``value`` is the number that the text quotes.
+        statement says in words; ``given`` are definitions in force, put into both.
+        ``provided`` names a condition that the paper leaves out and ``unless`` a point without
+        it where the statement fails, that is where the printed form (after ``specialise``) and
+        the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
+        ``value`` is the number that the text quotes.
         """
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
         forms = [p for g in grounds if not isinstance(g, (Evidence, Fact)) for p in parts(g)]
-        proofs = [g.method if isinstance(g, Evidence) else g.reason for g in grounds
-                  if isinstance(g, (Evidence, Fact))]
+        proofs = [
+            g.method if isinstance(g, Evidence) else g.reason
+            for g in grounds
+            if isinstance(g, (Evidence, Fact))
+        ]
         settlement = Settlement(
             derived=tuple(forms),
             proofs=tuple(proofs),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -47,7 +48,7 @@ class Unusable(ValueError):
 
 # Typer carries Click inside or beside itself, depending on its age; this is the base of the
 # errors that its parser raises, in either case.
-ParserError = next(
+ParserError: type[Exception] = next(
     c for c in typer.BadParameter.__mro__ if c.__name__ in ("TyperException", "ClickException")
 )
 
@@ -81,8 +82,11 @@ def _chapters(paths: list[Path]) -> list[Chapter]:
         from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
         with Progress(
-            TextColumn("{task.description:28}"), BarColumn(), TimeElapsedColumn(),
-            console=Console(stderr=True), transient=True,
+            TextColumn("{task.description:28}"),
+            BarColumn(),
+            TimeElapsedColumn(),
+            console=Console(stderr=True),
+            transient=True,
         ) as bar:
             task = bar.add_task("", total=len(paths))
             done = []
@@ -142,8 +146,10 @@ def verify(
         try:
             listing.replace(output, text)
         except OSError as wrong:
-            _usage(f"-o {output}: cannot write there ({wrong.strerror}); a file in a folder that "
-                   "exists is allowed")
+            _usage(
+                f"-o {output}: cannot write there ({wrong.strerror}); a file in a folder that "
+                "exists is allowed"
+            )
     if surprises or (strict and undecided):
         raise typer.Exit(1)
 
@@ -154,9 +160,9 @@ def report(
         ReportFormat | None,
         typer.Option("--format", help="tex, or pdf where a TeX is installed (the default)."),
     ] = None,
-    output: Annotated[
-        Path, typer.Option("-o", metavar="DIR", help="Folder of the report.")
-    ] = Path("reports"),
+    output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the report.")] = Path(
+        "reports"
+    ),
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; fail where the text there is stale.")
     ] = False,
@@ -189,11 +195,11 @@ def report(
         typer.echo(f"no PDF: {build.NO_TEX}", err=True)
 
 
-def _close(id: str, known: dict[str, object] | object) -> str:
+def _close(id: str, known: Iterable[str]) -> str:
     """Ids that look alike, or some to start from."""
     from difflib import get_close_matches
 
-    names = list(known)  # type: ignore[call-overload]
+    names = list(known)
     return ", ".join(get_close_matches(id, names, 4, 0.5) or [*names[:3], "...", names[-1]])
 
 
@@ -203,7 +209,7 @@ def main() -> None:
     try:
         status = command.main(standalone_mode=False)
     except (ParserError, Unusable) as wrong:
-        said = wrong.format_message() if isinstance(wrong, ParserError) else str(wrong)
+        said = getattr(wrong, "format_message", wrong.__str__)()
         typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
         raise SystemExit(2) from None
     except (typer.Abort, KeyboardInterrupt):

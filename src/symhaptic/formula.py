@@ -38,9 +38,7 @@ class Formula:
         found: set[sp.Symbol] = set()
         for part in (*self.printed, *self.derived):
             found |= part.free_symbols
-        return {
-            s: SYMBOLS[s.name] for s in sorted(found, key=str) if s.name in SYMBOLS
-        }
+        return {s: SYMBOLS[s.name] for s in sorted(found, key=str) if s.name in SYMBOLS}
 
     @property
     def units(self) -> tuple[str, ...]:

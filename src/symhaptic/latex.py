@@ -11,13 +11,11 @@ from sympy import Expr
 
 from symhaptic.notation import SYMBOLS
 
-_ORDER = {
-    name: rank
-    for rank, name in enumerate(
-        "N K B k b m alpha beta gamma delta F F_E x v u Omega a e n_1 n_0 c c_1 c_2 c_3 y d "
-        "omega omega_hat t T t_d theta phi psi z s".split()
-    )
-}
+_WRITTEN_FIRST = (
+    "N K B k b m alpha beta gamma delta F F_E x v u Omega a e n_1 n_0 c c_1 c_2 c_3 y d "
+    "omega omega_hat t T t_d theta phi psi z s"
+)
+_ORDER = {name: rank for rank, name in enumerate(_WRITTEN_FIRST.split())}
 _RANK_IN_SUMS = _ORDER | {"b": -3, "k": -2, "m": -4}
 _ANGLES = {"omega", "omega_hat", "t", "T", "theta", "phi", "psi", "s"}
 _TRIG = {
@@ -86,7 +84,7 @@ class _Writer:
             name = expr.func.__name__
             inner = ",".join(self.write(a) for a in expr.args)
             return f"{name}({inner})"
-        return sp.latex(expr)
+        return str(sp.latex(expr))
 
     # -- sums -------------------------------------------------------------------------
 
@@ -166,9 +164,11 @@ class _Writer:
         if base.is_Symbol:
             name, sub = inner.split("_", 1)
             return f"{name}_{sub}^{{{script}}}"
-        if isinstance(base, sp.exp) or base.is_number and not base.is_negative:
-            inner = rf"\left({self.write(base)}\right)" if isinstance(base, sp.exp) else (
-                self.write(base)
+        if isinstance(base, sp.exp) or (base.is_number and not base.is_negative):
+            inner = (
+                rf"\left({self.write(base)}\right)"
+                if isinstance(base, sp.exp)
+                else (self.write(base))
             )
         return f"{inner}^{{{script}}}"
 
@@ -214,9 +214,9 @@ def factors(expr: Expr) -> tuple[bool, list[Expr], list[Expr]]:
             bottom.append(base ** (-exponent))
         elif factor != 1:
             top.append(factor)
-    if len(top) == 1 and top[0].is_Add and top[0].could_extract_minus_sign() and not negative:
-        if all(t.could_extract_minus_sign() for t in top[0].args):
-            negative, top = True, [-top[0]]
+    lone_sum = len(top) == 1 and top[0].is_Add and not negative
+    if lone_sum and all(t.could_extract_minus_sign() for t in top[0].args):
+        negative, top = True, [-top[0]]
     for side, power in ((top, 1), (bottom, -1)):
         for i, factor in enumerate(side):
             if factor.is_Add:
@@ -255,7 +255,7 @@ def _enclosed(text: str) -> bool:
 
 
 def _one_command(text: str) -> bool:
-    return text.startswith("\\") and text[1:].isalpha() or (
+    return (text.startswith("\\") and text[1:].isalpha()) or (
         len(text) <= 5 and text[0].isalpha() and text[1:2] in ("_", "^")
     )
 
@@ -269,10 +269,7 @@ def _factor_key(expr: Expr, period: int) -> tuple[int, float, str]:
         rank = 0
     elif base.is_Symbol:
         place = _ORDER.get(base.name, 90)
-        if base.name == "z":
-            rank = 6
-        else:
-            rank = 4 if base.name in _ANGLES else 2
+        rank = 6 if base.name == "z" else 4 if base.name in _ANGLES else 2
         return (rank, place, base.name)
     elif base.is_Add:
         rank = 3

@@ -78,9 +78,7 @@ def counted(entries: Iterable[Entry]) -> str:
 
 def committed(entries: Iterable[Entry]) -> str:
     """The ledger as committed text: no times, so that it is the same from run to run."""
-    records = [
-        {k: v for k, v in entry.as_json().items() if k != "seconds"} for entry in entries
-    ]
+    records = [{k: v for k, v in entry.as_json().items() if k != "seconds"} for entry in entries]
     return json.dumps({"generated": GENERATED, "statements": records}, indent=1) + "\n"
 
 

@@ -96,8 +96,19 @@ def _called(path: Path, action: Callable[[], object]) -> None:
     """Runs what somebody else wrote; whatever it raises becomes one line."""
     try:
         action()
-    except (ArithmeticError, AssertionError, AttributeError, ImportError, LookupError, NameError,
-            OSError, RuntimeError, SyntaxError, TypeError, ValueError) as wrong:
+    except (
+        ArithmeticError,
+        AssertionError,
+        AttributeError,
+        ImportError,
+        LookupError,
+        NameError,
+        OSError,
+        RuntimeError,
+        SyntaxError,
+        TypeError,
+        ValueError,
+    ) as wrong:
         line = " ".join(str(wrong).split()) or "no message"
         kind = "" if type(wrong).__module__.startswith("symhaptic") else f"{type(wrong).__name__}: "
         raise BadChapter(f"{path}: {kind}{line}") from wrong

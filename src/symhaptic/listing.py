@@ -63,7 +63,10 @@ def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
     for entry in entries:
         id, verdict = entry.statement.id, entry.verdict
         case = ET.SubElement(
-            suite, "testcase", name=id, classname=entry.derivation or "undecided",
+            suite,
+            "testcase",
+            name=id,
+            classname=entry.derivation or "undecided",
             time=f"{entry.seconds:.3f}",
         )
         properties = ET.SubElement(case, "properties")
@@ -77,8 +80,11 @@ def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
             ET.SubElement(case, "skipped", message="undecided")
         ET.SubElement(case, "system-out").text = str(verdict)
     suite.attrib |= {
-        "tests": str(len(entries)), "failures": str(failures), "skipped": str(skipped),
-        "errors": "0", "time": f"{sum(e.seconds for e in entries):.3f}",
+        "tests": str(len(entries)),
+        "failures": str(failures),
+        "skipped": str(skipped),
+        "errors": "0",
+        "time": f"{sum(e.seconds for e in entries):.3f}",
     }
     ET.indent(suite)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, "unicode") + "\n"

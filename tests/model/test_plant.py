@@ -24,7 +24,8 @@ CASES = [
 
 
 def continuous(stiffness, damping):
-    return np.array([[0.0, 1.0], [-(stiffness or 0.0), -(damping or 0.0)]]), np.array([[0.0], [1.0]])
+    law = np.array([[0.0, 1.0], [-(stiffness or 0.0), -(damping or 0.0)]])
+    return law, np.array([[0.0], [1.0]])
 
 
 def at(expr, stiffness, damping):
@@ -94,8 +95,8 @@ def test_scene_decides_the_symbols(parts):
     device = plant.normalised(parts)
     allowed = ({delta} if parts.damping else set()) | ({gamma} if parts.stiffness else set())
     found = plant.sampled(device)
-    symbols = {s for e in (found.a, found.e, found.n1, found.n0) for s in sp.sympify(e).free_symbols}
-    assert symbols == allowed
+    numbers = (found.a, found.e, found.n1, found.n0)
+    assert {s for e in numbers for s in sp.sympify(e).free_symbols} == allowed
 
 
 def test_late_force_moves_less():

@@ -210,7 +210,8 @@ def test_chain_gives_a_relation_per_link():
 
 
 def test_vectors_give_a_relation_per_component():
-    line = r"\begin{pmatrix} K \\ B \end{pmatrix}_{\text{lin}} = \begin{pmatrix} 0 \\ -b \end{pmatrix}"
+    left = r"\begin{pmatrix} K \\ B \end{pmatrix}_{\text{lin}}"
+    line = left + r" = \begin{pmatrix} 0 \\ -b \end{pmatrix}"
     assert read(line) == (Eq(K, 0), Eq(B, -b))
 
 

@@ -36,7 +36,8 @@ def test_contract_names_a_statement(id):
 
 def test_what_is_beyond_the_contract_belongs_to_a_section():
     for id in set(STATEMENTS) - set(CONTRACT):
-        assert id[0] == "s" and id[1] in SECTIONS, id
+        assert id[0] == "s", id
+        assert id[1] in SECTIONS, id
 
 
 @pytest.mark.parametrize("id", STATEMENTS)

@@ -57,11 +57,11 @@ def test_ball_contains_the_value_and_is_narrow(form, at_x, at_y):
             *(mpmath.mpf(v.p) / v.q for v in (at[x], at[y]))
         )
         exact = mpmath.mpc(exact)
-        parts = [(found.real, mpmath.nstr(exact.real, 50)), (found.imag, mpmath.nstr(exact.imag, 50))]
-    for part, decimals in parts:
+        decimals = mpmath.nstr(exact.real, 50), mpmath.nstr(exact.imag, 50)
+    for part, digits in zip((found.real, found.imag), decimals, strict=True):
         with ctx.workprec(256):
             # 50 decimals are given, of values below 2^10
-            assert (part - arb(decimals)).abs_lower() < arb("1e-45")
+            assert (part - arb(digits)).abs_lower() < arb("1e-45")
         # values stay below 2^10 here, each of about ten operations rounds at 2^-128
         assert part.rad() < arb(2) ** -105
 

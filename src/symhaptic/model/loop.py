@@ -32,4 +32,5 @@ def coefficients(parts: Parts) -> list[Expr]:
     """Coefficients of the polynomial for an integer delay d = 0, highest power first."""
     from symhaptic.notation import d, z
 
-    return sp.Poly(sp.expand(characteristic(parts).subs(d, 0)), z).all_coeffs()
+    polynomial = sp.Poly(sp.expand(characteristic(parts).subs(d, 0)), z)
+    return list(polynomial.all_coeffs())

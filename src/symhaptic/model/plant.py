@@ -76,9 +76,7 @@ class Plant:
             position = time**2 / 2
         else:
             position = (_grown(one, time) - _grown(two, time)) / (one - two)
-        velocity = time if one == two else (
-            (sp.exp(one * time) - sp.exp(two * time)) / (one - two)
-        )
+        velocity = time if one == two else ((sp.exp(one * time) - sp.exp(two * time)) / (one - two))
         return Matrix([position, velocity]) / self.mass
 
 

@@ -13,8 +13,6 @@ from symhaptic.paper.figures import FIGURES
 from symhaptic.paper.statement import Statement
 from symhaptic.paper.tables import TABLES
 
-STATEMENTS: dict[str, Statement] = {
-    s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS)
-}
+STATEMENTS: dict[str, Statement] = {s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS)}
 
 __all__ = ["STATEMENTS", "Statement"]

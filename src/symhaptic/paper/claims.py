@@ -120,9 +120,7 @@ CLAIMS = (
     Statement("s4d-delay-shrinks", _IV_D, "a larger delay gives a smaller stable region"),
     Statement("s4e-same-as-passive", _IV_E, "(24) is the linear part (9)"),
     Statement("s4e-stiffness-free", _IV_E, "$k$ does not influence (24)"),
-    Statement(
-        "s4e-unstable-side", _IV_E, "above the crossing the line lies on the unstable side"
-    ),
+    Statement("s4e-unstable-side", _IV_E, "above the crossing the line lies on the unstable side"),
     Statement(
         "s4e-two-percent",
         _IV_E,
@@ -133,9 +131,7 @@ CLAIMS = (
         _IV_E,
         r"for $\beta\in[-1,d/(2d+3)]\delta$ the line gives passive walls",
     ),
-    Statement(
-        "s5a-subset", _V_A, r"the passive region lies inside the stable one for all $d\ge0$"
-    ),
+    Statement("s5a-subset", _V_A, r"the passive region lies inside the stable one for all $d\ge0$"),
     Statement("s5a-proportional", _V_A, r"the passive region is proportional to $\delta$"),
     Statement("s5b-eta-d0", _V_B, r"at $d=0$ more than 17.8 times, $\eta<0.0562$"),
     Statement("s5b-eta-d1", _V_B, r"at $d=1$ more than 9.3 times, $\eta<0.1074$"),
@@ -143,9 +139,7 @@ CLAIMS = (
     Statement(
         "s5c-human-10000", _V_C, "the limit is nearly 10000 times the stiffness of a human arm"
     ),
-    Statement(
-        "s5c-robust-subset", _V_C, "the passive region lies inside the robustly stable one"
-    ),
+    Statement("s5c-robust-subset", _V_C, "the passive region lies inside the robustly stable one"),
     Statement(
         "s5c-robust-vanishes",
         _V_C,

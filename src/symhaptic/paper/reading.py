@@ -127,8 +127,10 @@ class _Reader:
         token = self.peek()
         if not token or token in _RELATIONS or token in (r"\cdot", r"\times", r"\\", r"\}"):
             return False
-        return token[0] == "\\" and not token.startswith(r"\end") or token[0] in "([{" or (
-            token[0].isalnum()
+        return (
+            (token[0] == "\\" and not token.startswith(r"\end"))
+            or token[0] in "([{"
+            or (token[0].isalnum())
         )
 
     def power(self) -> Expr:

@@ -7,6 +7,7 @@ are equal.  That is left to :mod:`symhaptic.proof.normal`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import TypeAlias
 
 import sympy as sp
 from flint import acb, arb, ctx, fmpq
@@ -110,7 +111,7 @@ def sign(expr: Expr) -> int | None:
     return 0 if field.is_zero(expr) else None
 
 
-Value = bool | Expr | None
+Value: TypeAlias = bool | Expr | None
 """What an expression or relation is at a point; None stands for undefined."""
 
 

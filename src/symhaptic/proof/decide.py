@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import sympy as sp
 from sympy import Expr
@@ -17,8 +18,8 @@ from symhaptic.proof.ball import Value, differs_from_zero, value_at
 from symhaptic.proof.normal import Field, Undefined, Unsupported
 from symhaptic.proof.verdict import Kind, Verdict
 
-Form = Expr | Sequence[Expr]
-Point = dict[Expr, Expr]
+Form: TypeAlias = Expr | Sequence[Expr]
+Point: TypeAlias = dict[Expr, Expr]
 
 
 @dataclass(frozen=True)
@@ -172,8 +173,11 @@ def _told_apart(left: Expr, right: Expr) -> Comparison:
     opaque = {
         f: sp.Symbol(f"_value{i}")
         for i, f in enumerate(
-            sorted(left.atoms(sp.core.function.AppliedUndef, sp.conjugate)
-                   | right.atoms(sp.core.function.AppliedUndef, sp.conjugate), key=str)
+            sorted(
+                left.atoms(sp.core.function.AppliedUndef, sp.conjugate)
+                | right.atoms(sp.core.function.AppliedUndef, sp.conjugate),
+                key=str,
+            )
         )
     }
     left, right = left.xreplace(opaque), right.xreplace(opaque)

@@ -24,8 +24,17 @@ _TURNED = {
     sp.GreaterThan: (sp.LessThan, sp.StrictGreaterThan),
 }
 _EXCHANGED = {
-    "K": "B", "B": "K", "c_2": "c_3", "c_3": "c_2", "gamma": "delta", "delta": "gamma",
-    "alpha": "beta", "beta": "alpha", "m": "b", "b": "m", "k": "b",
+    "K": "B",
+    "B": "K",
+    "c_2": "c_3",
+    "c_3": "c_2",
+    "gamma": "delta",
+    "delta": "gamma",
+    "alpha": "beta",
+    "beta": "alpha",
+    "m": "b",
+    "b": "m",
+    "k": "b",
 }
 
 

@@ -385,8 +385,8 @@ class Field:
         for i, g in self._generator.items():
             exponent = self._basis[i][0] / self._denominators[i]
             base = self._bases.get(i)
-            back[g] = sp.exp(exponent) if base is None else base ** sp.Rational(
-                1, self._denominators[i]
+            back[g] = (
+                sp.exp(exponent) if base is None else base ** sp.Rational(1, self._denominators[i])
             )
             for b, log in self._logs.items():
                 if exponent.has(log):
@@ -412,7 +412,8 @@ class Field:
             bases = [base for log, base in logs.items() if exponent.has(log)]
             log = next((log for log in logs if exponent.has(log)), None)
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
-        return shown + list(self._opaque) + [base ** sp.Rational(1, q) for base, q in self._radicals]
+        roots = [base ** sp.Rational(1, q) for base, q in self._radicals]
+        return [*shown, *self._opaque, *roots]
 
 
 def is_zero(expr: Expr) -> bool:

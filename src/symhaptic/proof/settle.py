@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 import sympy as sp
 from flint import arb
@@ -16,7 +17,7 @@ from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import UNSETTLED, Kind, Verdict
 
-Truth = Form | Fact | tuple[Expr, Fact] | None
+Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | None
 """What holds at a counterexample: a form to evaluate there, a fact (true), or a relation with
 the fact that contradicts it (false)."""
 

@@ -89,9 +89,7 @@ def _dimension(expr: Expr, known: Mapping[str, Dimension]) -> Dimension:
     raise UnitError(f"no unit for {type(expr).__name__}")
 
 
-def _agreed(
-    whole: Expr, parts: list[Expr], known: Mapping[str, Dimension], verb: str
-) -> Dimension:
+def _agreed(whole: Expr, parts: list[Expr], known: Mapping[str, Dimension], verb: str) -> Dimension:
     places = [(part, _dimension(part, known)) for part in parts]
     first = places[0]
     for place in places[1:]:

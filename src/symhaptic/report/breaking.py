@@ -15,12 +15,38 @@ from symhaptic.latex import factors, latex, ordered_terms
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[{}^_]|\d|[A-Za-z]|[^\s]")
 _COMMANDS = {
-    r"\quad": 1.0, r"\qquad": 2.0, r"\,": 0.17, r"\;": 0.28, r"\!": -0.17, r"\sin": 1.4,
-    r"\cos": 1.4, r"\tan": 1.5, r"\cot": 1.4, r"\sinh": 2.0, r"\cosh": 2.0, r"\lim": 1.6,
-    r"\left": 0.1, r"\right": 0.1, r"\displaystyle": 0.0, r"\changed": 0.0, r"\br": 0.0,
-    r"\mathrel": 0.0, r"\bigl": 0.08, r"\bigr": 0.08, r"\Bigl": 0.2, r"\Bigr": 0.2, r"\mathrm": 0.0,
-    r"\text": 0.0, r"\hat": 0.0, r"\partial": 0.55, r"\cdot": 0.7, r"\in": 1.2, r"\to": 1.5,
-    r"\infty": 1.0, r"\max": 1.6, r"\mathbb": 0.1,
+    r"\quad": 1.0,
+    r"\qquad": 2.0,
+    r"\,": 0.17,
+    r"\;": 0.28,
+    r"\!": -0.17,
+    r"\sin": 1.4,
+    r"\cos": 1.4,
+    r"\tan": 1.5,
+    r"\cot": 1.4,
+    r"\sinh": 2.0,
+    r"\cosh": 2.0,
+    r"\lim": 1.6,
+    r"\left": 0.1,
+    r"\right": 0.1,
+    r"\displaystyle": 0.0,
+    r"\changed": 0.0,
+    r"\br": 0.0,
+    r"\mathrel": 0.0,
+    r"\bigl": 0.08,
+    r"\bigr": 0.08,
+    r"\Bigl": 0.2,
+    r"\Bigr": 0.2,
+    r"\mathrm": 0.0,
+    r"\text": 0.0,
+    r"\hat": 0.0,
+    r"\partial": 0.55,
+    r"\cdot": 0.7,
+    r"\in": 1.2,
+    r"\to": 1.5,
+    r"\infty": 1.0,
+    r"\max": 1.6,
+    r"\mathbb": 0.1,
 }
 _RELATIONS = {"=", "<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne"}
 
@@ -101,9 +127,7 @@ def _packed(terms: list[list[str]], limit: float) -> list[str]:
     for parts in terms:
         for i, part in enumerate(parts):
             signed = part if part.startswith("-") or i or lines == [""] else f"+{part}"
-            if lines[-1] and width(lines[-1] + signed) > limit:
-                lines.append(signed)
-            elif i:
+            if (lines[-1] and width(lines[-1] + signed) > limit) or i:
                 lines.append(signed)
             else:
                 lines[-1] += signed
@@ -125,9 +149,9 @@ def _product(expr: Expr, limit: float) -> list[str] | None:
         ]
     longest = max(sums, key=lambda f: width(latex(f)))
     rest = [f for f in top if f is not longest]
-    front = latex(sp.Mul(*rest, *(1 / f for f in bottom), evaluate=False)) if (
-        rest or bottom
-    ) else ""
+    front = (
+        latex(sp.Mul(*rest, *(1 / f for f in bottom), evaluate=False)) if (rest or bottom) else ""
+    )
     if bottom and not rest:
         front = latex(1 / sp.Mul(*bottom))
     room = limit - width(front) - 1.5
@@ -175,7 +199,5 @@ def _stacked(text: str) -> str:
                 break
             end += 1
         inner = text[begin + 1 : end].replace(r"\br ", r"\\ ")
-        text = (
-            f"{text[: begin + 1]}\\begin{{gathered}}{inner}\\end{{gathered}}{text[end:]}"
-        )
+        text = f"{text[: begin + 1]}\\begin{{gathered}}{inner}\\end{{gathered}}{text[end:]}"
     return text

@@ -1,4 +1,4 @@
-"""Writes the report: whole or not at all, the same from run to run, and checked for overfull lines."""
+"""Writes the report: whole or not at all, the same from run to run, no line overfull."""
 
 from __future__ import annotations
 
@@ -47,9 +47,15 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
             "reports need jinja2 and matplotlib: pip install 'symhaptic[report]'"
         ) from None
     environment = Environment(
-        loader=PackageLoader("symhaptic.report"), undefined=StrictUndefined, autoescape=False,
-        keep_trailing_newline=True, variable_start_string="<<", variable_end_string=">>",
-        block_start_string="<%", block_end_string="%>", comment_start_string="<#",
+        loader=PackageLoader("symhaptic.report"),
+        undefined=StrictUndefined,
+        autoescape=False,
+        keep_trailing_newline=True,
+        variable_start_string="<<",
+        variable_end_string=">>",
+        block_start_string="<%",
+        block_end_string="%>",
+        comment_start_string="<#",
         comment_end_string="#>",
     )
     entries = ledger(chapters)
@@ -62,11 +68,14 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
     rows = [_row(entry, numbers) for entry in entries]
     for name, extra in (
         ("preamble", {}),
-        ("book", {
-            "chapters": [c.name for c in chapters],
-            "kinds": [(str(k), m) for k, m in MEANINGS],
-            "count": f"{len(STATEMENTS)} statements",
-        }),
+        (
+            "book",
+            {
+                "chapters": [c.name for c in chapters],
+                "kinds": [(str(k), m) for k, m in MEANINGS],
+                "count": f"{len(STATEMENTS)} statements",
+            },
+        ),
         ("ledger", {"rows": rows}),
     ):
         files[f"{name}.tex"] = environment.get_template(f"{name}.tex").render(**shared, **extra)
@@ -133,8 +142,10 @@ def differences(chapters: list[Chapter], target: Path) -> str:
         path = target / name
         old = path.read_text(encoding="utf-8") if path.is_file() else ""
         out += difflib.unified_diff(
-            old.splitlines(keepends=True), text.splitlines(keepends=True),
-            f"{path} (committed)", f"{path} (derived)",
+            old.splitlines(keepends=True),
+            text.splitlines(keepends=True),
+            f"{path} (committed)",
+            f"{path} (derived)",
         )
     return "".join(out)
 
@@ -152,8 +163,13 @@ def typeset(folder: Path, say: Callable[[str], None]) -> None:
     say("typesetting book.pdf")
     run = subprocess.run(
         ["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "book.tex"],
-        cwd=folder, capture_output=True, text=True, errors="replace", stdin=subprocess.DEVNULL,
-        env=os.environ | {"SOURCE_DATE_EPOCH": "0", "max_print_line": "1000"}, check=False,
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        stdin=subprocess.DEVNULL,
+        env=os.environ | {"SOURCE_DATE_EPOCH": "0", "max_print_line": "1000"},
+        check=False,
     )
     log_file = folder / "book.log"
     log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""

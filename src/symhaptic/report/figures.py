@@ -22,7 +22,7 @@ COLOURS = ("#1B6E4B", "#2E7FA3", "#33558B", "#6A4C93", "#A2416B", "#B3261E", "#A
 WIDTH = 132 / 25.4
 """Width of the text in inches."""
 
-STYLE: dict[str, Any] = {
+STYLE: Any = {
     "font.family": "STIXGeneral",
     "mathtext.fontset": "stix",
     "font.size": 9,
@@ -37,7 +37,7 @@ STYLE: dict[str, Any] = {
 
 
 @cache
-def _envelope() -> Callable[..., Any]:
+def _envelope() -> Any:
     """(KT/b, B/b) of the envelope over theta and d, as a NumPy function."""
     stiffness, damping = passivity.envelope()
     unit = {b: 1, T: 1}
@@ -45,7 +45,7 @@ def _envelope() -> Callable[..., Any]:
 
 
 @cache
-def _largest() -> Callable[..., Any]:
+def _largest() -> Any:
     """(KT/b, B/b) of the largest passive stiffness over d."""
     angle = sp.pi / (2 * (d + 1))
     point = [e.subs(theta, angle).subs({b: 1, T: 1}) for e in passivity.envelope()]
@@ -53,7 +53,7 @@ def _largest() -> Callable[..., Any]:
 
 
 @cache
-def _corner() -> Callable[..., Any]:
+def _corner() -> Any:
     """(KT/b, B/b) of the end of the straight part over d."""
     from symhaptic.proof.series import limit
 
@@ -93,8 +93,9 @@ def largest_stiffness(axes: Axes) -> None:
     for delay in (0, 1, 2):
         value = float(_largest()(delay)[0])
         axes.plot([delay], [value], "o", color=COLOURS[0], markersize=3)
-        axes.annotate(f"{100 * value / 2:.1f} %", (delay, value), (4, 4),
-                      textcoords="offset points")
+        axes.annotate(
+            f"{100 * value / 2:.1f} %", (delay, value), (4, 4), textcoords="offset points"
+        )
     axes.set_xlim(0, 8)
     axes.set_ylim(0, 2.1)
     axes.set_xlabel("delay factor $d$")
@@ -113,5 +114,3 @@ def save(draw: Callable[[Axes], None], target: Path) -> None:
         draw(axes)
         figure.savefig(target, metadata={"CreationDate": None, "Creator": None, "Producer": None})
         plt.close(figure)
-
-

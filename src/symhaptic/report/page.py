@@ -60,8 +60,10 @@ def _equation(block: Block, chapter: int, step: int) -> list[str]:
         f"\\verdict{{{block.verdict}}}{{{block.verdict}}}{{{_breakable(block.method)}}}}}"
     )
     if block.boxed:
-        inner = rows[0].replace("&", "") if len(rows) == 1 else (
-            "\\begin{aligned}" + " \\\\ ".join(rows) + "\\end{aligned}"
+        inner = (
+            rows[0].replace("&", "")
+            if len(rows) == 1
+            else ("\\begin{aligned}" + " \\\\ ".join(rows) + "\\end{aligned}")
         )
         body = [f"\\boxed{{\\;{inner}\\;}}{tag}"]
     else:
@@ -154,10 +156,7 @@ def printed_forms(settled: list[Settled]) -> list[str]:
         out.append(f"\\form{{{_reference(statement.id)}}}{{{shown}}}{{{_verdict(verdict)}}}")
         correction = _correction(verdict)
         if correction:
-            out.append(
-                f"\\form{{}}{{{correction}}}"
-                "{\\kind{proved}{proved} as corrected}"
-            )
+            out.append(f"\\form{{}}{{{correction}}}{{\\kind{{proved}}{{proved}} as corrected}}")
     out += ["\\formsend", ""]
     return out
 
