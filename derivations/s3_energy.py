@@ -80,5 +80,7 @@ def derive(page):
         unless={K: -S.One, b: S.One, T: S.One, omega: S.One},
         specialise=lambda form: form.replace(H, lambda at: wall.transfer().subs({z: at, "B": 0})),
         truth=(ramp >= 0).subs(p_k, 1),
+        note="at equality no motion gains energy either, so that (4) is sufficient, and necessary "
+        "but for equality",
         shows="a spring with $K=-1$ satisfies (4), yet four unit steps extract the energy 2",
     )

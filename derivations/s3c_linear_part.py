@@ -76,17 +76,17 @@ def derive(page):
     page.settle(
         "eq9",
         limit_of_k > K,
-        provided=r"K\ge0",
+        provided=r"K\ge0\ \text{and}\ K\ne\frac{b+B}{(d+1/2)T}",
         unless=low,
         truth=passivity.margin(5 * pi / 6).subs(d, 1) > 0,
         shows=r"(9) holds, yet (5) fails at $\omega T=\tfrac56\pi$",
-        note="equality satisfies (5) as well, as $\\omega=0$ is not in the open interval",
+        note="equality satisfies (5) as well, since the open interval leaves out $\\omega=0$",
     )
     steep = {d: S.Zero, T: S.One, b: S.One, B: Rational(1, 2), K: S(2)}
     page.settle(
         "eq10",
         limit_of_k > K,
-        provided=r"K\ge0\ \text{and}\ -b\le B\le\frac{d}{2d+3}b",
+        provided=r"K\ge0,\ -b\le B\le\tfrac{d}{2d+3}b\ \text{and}\ K\ne\frac{b+B}{(d+1/2)T}",
         unless=steep,
         truth=passivity.margin(5 * pi / 6).subs(d, 0) > 0,
         shows=r"$d=0$, $B=\tfrac12b$: (10) allows $K=2$, (5) fails at $\omega T=\tfrac56\pi$",

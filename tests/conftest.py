@@ -1,21 +1,9 @@
-"""What several test files share: the derivations, run once, and the count of mutants."""
+"""Adds up the mutants that were tried, over all processes, and says so at the end."""
 
-from functools import cache
+import os
 
-import pytest
-
-from symhaptic.library import Chapter, run, shipped
-
-
-@cache
-def _run(name: str) -> Chapter:
-    return run(next(path for path in shipped() if path.stem == name))
-
-
-@pytest.fixture(scope="session")
-def chapter():
-    """Runs a derivation by the name of its file, once per process."""
-    return _run
+# matrices are small here: threads of several processes would only get in each other's way
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def pytest_terminal_summary(terminalreporter):

@@ -1,7 +1,10 @@
 """No wrong variant of a printed equation survives the grounds that settle the right one."""
 
+from functools import cache
+
 import pytest
 
+from symhaptic.library import folder, run, shipped
 from symhaptic.proof.mutants import wrong
 from symhaptic.proof.verdict import Kind
 
@@ -39,8 +42,15 @@ SHORT = {
 CASES = [(name, id) for name, ids in SETTLED.items() for id in ids]
 
 
+
+@cache
+def chapter(name):
+    """A derivation by the name of its file, run once per process."""
+    return run(folder() / f"{name}.py")
+
+
 @pytest.mark.parametrize(("name", "id"), CASES, ids=[id for _, id in CASES])
-def test_no_mutant_is_accepted(chapter, record_property, name, id):
+def test_no_mutant_is_accepted(record_property, name, id):
     settled = chapter(name).page.settled[id]
     printed = settled.statement.printed
     count, survivors = 0, []
@@ -55,10 +65,8 @@ def test_no_mutant_is_accepted(chapter, record_property, name, id):
     assert count >= SHORT.get(id, ENOUGH)
 
 
-def test_every_settled_formula_is_put_to_the_test(chapter):
+def test_every_settled_formula_is_put_to_the_test():
     """A printed formula that a derivation settles by comparison is listed above."""
-    from symhaptic.library import shipped
-
     for path in shipped():
         for id, settled in chapter(path.stem).page.settled.items():
             if settled.statement.printed:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -74,7 +74,8 @@ def run(path: Path) -> Chapter:
     if not title:
         raise BadChapter(f"{path}: has no docstring; its first line is the chapter's title")
     page = Page(path.stem)
-    _called(path, lambda: derive(page))
+    with _SomebodyElses(path):
+        derive(page)
     if not any(block.verdict == "proved" for block in page.blocks) and not page.settled:
         raise BadChapter(f"{path}: proves nothing; a chapter has at least one step or verdict")
     return Chapter(path, title, introduction.strip(), page, time.perf_counter() - begin)
@@ -87,31 +88,28 @@ def _load(path: Path) -> ModuleType:
     if spec is None or spec.loader is None:
         raise BadChapter(f"{path}: not a Python file; a derivation ends in .py")
     module = importlib.util.module_from_spec(spec)
-    loader = spec.loader
-    _called(path, lambda: loader.exec_module(module))
+    with _SomebodyElses(path):
+        spec.loader.exec_module(module)
     return module
 
 
-def _called(path: Path, action: Callable[[], object]) -> None:
-    """Runs what somebody else wrote; whatever it raises becomes one line."""
-    try:
-        action()
-    except (
-        ArithmeticError,
-        AssertionError,
-        AttributeError,
-        ImportError,
-        LookupError,
-        NameError,
-        OSError,
-        RuntimeError,
-        SyntaxError,
-        TypeError,
-        ValueError,
-    ) as wrong:
+class _SomebodyElses:
+    """The border to a derivation's own code: whatever it raises becomes one line that names it."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(
+        self, kind: type[BaseException] | None, wrong: BaseException | None, _: object
+    ) -> None:
+        if kind is None or not issubclass(kind, Exception):
+            return
         line = " ".join(str(wrong).split()) or "no message"
-        kind = "" if type(wrong).__module__.startswith("symhaptic") else f"{type(wrong).__name__}: "
-        raise BadChapter(f"{path}: {kind}{line}") from wrong
+        own = kind.__module__.startswith("symhaptic")
+        raise BadChapter(f"{self.path}: {line if own else f'{kind.__name__}: {line}'}") from wrong
 
 
 def run_all(paths: Iterable[Path]) -> Iterator[Chapter]:

@@ -63,7 +63,7 @@ def test_no_duplicates_and_never_the_original():
 
 
 def test_equivalent_mutants_do_not_count():
-    # |B|^2 with the bars dropped is B^2; cos of the negated angle is the same cosine
+    # the cosine of the negated angle is the same cosine
     printed = (x < cos(y),)
     kept = [m.form for m in wrong(printed)]
     assert (x < cos(-y),) not in kept

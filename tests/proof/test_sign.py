@@ -59,10 +59,10 @@ def test_cosine_is_positive_up_to_a_right_angle():
 
 
 def test_two_cases_cover_the_line():
-    # x^2 - x + 1 > 0 for x > 1 and for x <= 1 on either side of zero
+    # x^2 - x + 1 = x (x - 1) + 1 for x > 1, and x^2 + (1 - x) for 0 <= x <= 1
     right = combined(x**2 - x + 1, [POSITIVE_X, assume(x - 1)], [1])
     left = combined(x**2 - x + 1, [assume(x, False), assume(x, False)], [assume(1 - x, False)])
-    both = either(right, Fact(left.expr, left.strict, left.reason, left.rests), x - 1)
+    both = either(right, left, x - 1)
     assert both.rests == {(x, True), (x, False)}
     assert not both.strict
 

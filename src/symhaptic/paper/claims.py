@@ -19,6 +19,9 @@ CLAIMS = (
         _II_C,
         "a rational delay reduces to a whole one by substituting $z$",
     ),
+    Statement(
+        "s3-unilateral", "Sec. III", "condition (4) also holds for walls that only push, not pull"
+    ),
     Statement("s3a-mass-free", _III_A, "condition (5) does not depend on the mass"),
     Statement(
         "s3a-undelayed",

@@ -170,7 +170,12 @@ class _Reader:
         if token == r"\begin{pmatrix}":
             return self.vector()
         if token in _FUNCTIONS:
-            return _FUNCTIONS[token](self.group() if self.peek() in "({" else self.chain())
+            power = sp.S.One
+            if self.peek() == "^":
+                self.take()
+                power = self.group() if self.peek() == "{" else self.atom()
+            argument = self.group() if self.peek() in ("(", "{") else self.chain()
+            return _FUNCTIONS[token](argument) ** power
         if token.startswith(r"\text"):
             unit = token[token.index("{") + 1 : -1].strip()
             if unit in _UNITS:

@@ -1,0 +1,94 @@
+"""The report is complete, the same from run to run, and fits its lines."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from symhaptic.library import run, shipped
+from symhaptic.paper import STATEMENTS
+from symhaptic.report import build
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def chapters():
+    return [run(path) for path in shipped()]
+
+
+@pytest.fixture(scope="module")
+def files(chapters):
+    return build.text_files(chapters)
+
+
+def test_one_tex_file_per_chapter_and_a_book_that_includes_them(chapters, files):
+    for chapter in chapters:
+        assert f"{chapter.name}.tex" in files
+        assert rf"\input{{{chapter.name}}}" in files["book.tex"]
+
+
+def test_every_statement_is_in_the_ledger(files):
+    for id in STATEMENTS:
+        assert id.replace("-", "-\\allowbreak ") in files["ledger.tex"]
+
+
+def test_the_undecided_are_counted_aloud(files):
+    assert re.search(r"\d+ undecided", files["ledger.tex"])
+
+
+def test_nothing_looks_like_a_program(files):
+    for name, text in files.items():
+        if name.endswith(".tex"):
+            assert "operatorname" not in text
+            assert "**" not in text
+            assert "_eps" not in text
+
+
+def test_the_same_from_run_to_run(files):
+    again = build.text_files([run(path) for path in shipped()])
+    assert again == files
+
+
+def test_committed_text_is_what_is_derived(chapters):
+    if not (ROOT / "reports" / "book.tex").is_file():
+        pytest.skip("no committed report beside the package")
+    assert build.differences(chapters, ROOT / "reports") == ""
+
+
+def test_a_stale_report_shows_as_a_diff(chapters, tmp_path):
+    build.write(chapters, tmp_path, pdf=False, say=lambda _: None)
+    assert build.differences(chapters, tmp_path) == ""
+    (tmp_path / "s2b_wall.tex").write_text("stale")
+    assert "-stale" in build.differences(chapters, tmp_path)
+    assert not list(tmp_path.glob(".draft-*"))
+
+
+@pytest.fixture(scope="module")
+def typeset(chapters, tmp_path_factory):
+    if not build.has_tex():
+        pytest.skip("no TeX: latexmk and pdflatex are not installed")
+    target = tmp_path_factory.mktemp("pdf")
+    build.write(chapters, target, pdf=True, say=lambda _: None)
+    return target
+
+
+def test_the_pdf_has_every_chapter(chapters, typeset):
+    if shutil.which("pdftotext") is None:
+        pytest.skip("no pdftotext: poppler-utils is not installed")
+    text = subprocess.run(
+        ["pdftotext", "-layout", typeset / "book.pdf", "-"],
+        capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    for number in range(1, len(chapters) + 1):
+        assert re.search(rf"CHAPTER {number}\b", text)
+
+
+def test_an_overfull_line_is_an_error(typeset, tmp_path):
+    (tmp_path / "book.tex").write_text(
+        r"\documentclass{article}\begin{document}\hbox to 1cm{" + "x" * 400 + r"}\end{document}"
+    )
+    with pytest.raises(build.ReportError, match="Overfull"):
+        build.typeset(tmp_path, say=lambda _: None)

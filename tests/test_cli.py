@@ -1,0 +1,187 @@
+"""The command line keeps the contract: exit status, one line for a bad input, nothing half written."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+
+GOOD = '''r"""A title.
+
+Words.
+"""
+from sympy import Eq, cos, sin
+from symhaptic.notation import theta, x
+
+
+def derive(page):
+    page.step("A step", sin(theta) ** 2, 1 - cos(theta) ** 2)
+    page.state("my-own", "doubling", r"x = 2\\sin(\\theta)\\cos(\\theta)")
+    page.settle("my-own", Eq(x, sin(2 * theta)))
+'''
+
+
+def symhaptic(*arguments, **options):
+    return subprocess.run(
+        [sys.executable, "-c", "from symhaptic.cli import main; main()", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+        **options,
+    )
+
+
+def chapter(folder: Path, text: str, name: str = "my.py") -> Path:
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def everything():
+    run = symhaptic("verify", "--format", "json")
+    assert run.returncode == 0, run.stdout + run.stderr
+    return json.loads(run.stdout)
+
+
+def test_json_has_the_fields_of_the_contract(everything):
+    assert set(everything) == {"package", "version", "statements"}
+    # field names from the published contract of `verify --format json`
+    fields = {
+        "id", "location", "statement", "verdict", "method", "condition", "corrected",
+        "counterexample", "value", "radius", "derivation", "seconds",
+    }  # fmt: skip
+    for record in everything["statements"]:
+        assert fields <= set(record)
+
+
+def test_a_constant_has_at_least_20_digits_and_a_narrow_radius(everything):
+    record = next(r for r in everything["statements"] if r["id"] == "s3c-kmax-41")
+    # sqrt(2) - 1, OEIS A014176 less 2
+    assert record["value"].startswith("0.4142135623730950488016887")
+    assert float(record["radius"]) < 1e-28  # 30 digits are printed
+
+
+def test_a_misprint_carries_its_correction_and_a_counterexample(everything):
+    record = next(r for r in everything["statements"] if r["id"] == "eq12")
+    assert record["verdict"] == "misprint"
+    assert "frac{m}{T}" in record["corrected"]
+    assert record["counterexample"]
+
+
+def test_selected_ids_only():
+    run = symhaptic("verify", "eq1", "eq8")
+    assert run.returncode == 0
+    assert [line.split()[0] for line in run.stdout.splitlines()[:2]] == ["eq1", "eq8"]
+
+
+def test_strict_fails_on_undecided_only():
+    assert symhaptic("verify", "--strict", "eq1").returncode == 0
+    assert symhaptic("verify", "--strict", "eq1", "fig13").returncode == 1
+
+
+def test_junit_names_each_statement(tmp_path):
+    target = tmp_path / "out.xml"
+    assert symhaptic("verify", "eq1", "fig13", "--format", "junit", "-o", target).returncode == 0
+    suite = ElementTree.parse(target).getroot()
+    cases = {case.get("name"): case for case in suite.iter("testcase")}
+    assert set(cases) == {"eq1", "fig13"}
+    assert cases["fig13"].find("skipped") is not None
+    assert cases["eq1"].find("properties/property").get("value") == "definition"
+
+
+def test_a_chapter_of_ones_own(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    run = symhaptic("verify", "my-own", "--derivation", path)
+    assert run.returncode == 0, run.stderr
+    assert "proved" in run.stdout
+
+
+def test_a_wrong_statement_of_ones_own_fails(tmp_path):
+    path = chapter(tmp_path, GOOD.replace("x = 2\\sin", "x = 3\\sin"))
+    run = symhaptic("verify", "my-own", "--derivation", path)
+    assert run.returncode == 1
+    assert "misprint" in run.stdout
+
+
+BAD_CHAPTERS = {
+    "raises": (GOOD.replace("page.step(", "1/0; page.step("), "ZeroDivisionError"),
+    "raises anything": (GOOD.replace("page.step(", "raise Exception('own'); page.step("), "own"),
+    "proves nothing": ('"""A title."""\n\ndef derive(page):\n    page.say("x")\n', "proves nothing"),
+    "false step": (GOOD.replace("1 - cos", "2 - cos"), "'A step' is false at theta = 1"),
+    "no derive": ('"""A title."""\n', "no function derive"),
+    "no docstring": ("def derive(page):\n    pass\n", "no docstring"),
+    "syntax": ("def derive(page:\n", "SyntaxError"),
+    "unreadable LaTeX": (GOOD.replace("x = 2\\sin", "x = \\foo 2\\sin"), "not in the notation"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_CHAPTERS)
+def test_a_bad_chapter_gives_one_line_and_writes_nothing(case, tmp_path):
+    text, message = BAD_CHAPTERS[case]
+    path = chapter(tmp_path, text)
+    run = symhaptic("verify", "--derivation", path, "-o", tmp_path / "out.txt")
+    assert run.returncode == 2
+    assert message in run.stderr
+    assert str(path) in run.stderr
+    assert run.stderr.count("\n") == 1
+    assert "Traceback" not in run.stderr
+    assert not (tmp_path / "out.txt").exists()
+
+
+BAD_INPUT = {
+    "unknown id": (["verify", "eq99"], "'eq99'"),
+    "unknown format": (["verify", "--format", "xml"], "'xml'"),
+    "missing file": (["verify", "--derivation", "nowhere.py"], "nowhere.py"),
+    "folder missing": (["verify", "eq1", "-o", "nowhere/out.txt"], "nowhere"),
+    "unknown command": (["frobnicate"], "'frobnicate'"),
+    "unknown option": (["report", "--frobnicate"], "--frobnicate"),
+    "report into a file": (["report", "-o", "a_file"], "a_file"),
+    "report below a file": (["report", "-o", "a_file/deeper"], "a_file"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_INPUT)
+def test_bad_input_gives_one_line(case, tmp_path):
+    arguments, named = BAD_INPUT[case]
+    (tmp_path / "a_file").write_text("kept")
+    run = symhaptic(*arguments, cwd=tmp_path)
+    assert run.returncode == 2
+    assert named in run.stderr
+    assert run.stderr.startswith("symhaptic: error: ")
+    assert run.stderr.count("\n") == 1
+    assert [p.name for p in tmp_path.iterdir()] == ["a_file"]
+    assert (tmp_path / "a_file").read_text() == "kept"
+
+
+def test_a_killed_report_leaves_the_old_one_whole(tmp_path):
+    target = tmp_path / "reports"
+    target.mkdir()
+    (target / "book.tex").write_text("old")
+    (target / "ledger.json").write_text("old")
+    process = subprocess.Popen(
+        [sys.executable, "-c", "from symhaptic.cli import main; main()", "report", "-o", target],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    deadline = time.monotonic() + 120
+    while not list(target.glob(".draft-*")) and time.monotonic() < deadline:
+        time.sleep(0.02)  # until the draft is being written
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    assert (target / "book.tex").read_text() == "old"
+    assert (target / "ledger.json").read_text() == "old"
+
+
+def test_help_and_version():
+    assert "verify" in symhaptic("--help").stdout
+    assert symhaptic("--version").stdout.startswith("symhaptic ")

@@ -1,0 +1,45 @@
+"""Formulas are set as an engineer would write them."""
+
+import pytest
+from sympy import Rational, cos, exp, pi, sin, sqrt
+
+from symhaptic.latex import latex
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
+from symhaptic.paper.reading import read
+from symhaptic.proof.decide import compare
+
+# right-hand sides: as written by hand on paper, in the conventions of the module's docstring
+BY_HAND = {
+    K * T / 2: r"\frac{KT}{2}",
+    b + B: "b+B",
+    sin(d * theta): r"\sin d\theta",
+    cos((d + 1) * theta): r"\cos(d+1)\theta",
+    sin((d + 1) * omega * T): r"\sin(d+1)\omega T",
+    sin(theta / 2) ** 2: r"\sin^2\tfrac{\theta}{2}",
+    cos(theta + psi): r"\cos(\theta+\psi)",
+    exp(-delta / 2): r"e^{-\delta/2}",
+    -theta: r"-\theta",
+    1 - cos(theta): r"1-\cos\theta",
+    z ** (d + 1): "z^{d+1}",
+    z**2 - 3 * z + 1: "z^2-3z+1",
+    (alpha + beta) * z - beta: r"(\alpha+\beta)z-\beta",
+    sqrt(delta**2 - 4 * gamma): r"\sqrt{\delta^2-4\gamma}",
+    pi / (2 * (d + 1)): r"\frac{\pi}{2(d+1)}",
+    Rational(-1, 2): r"-\tfrac{1}{2}",
+    K + B * (z - 1) / (T * z): r"K+\frac{B(z-1)}{Tz}",
+}
+
+
+@pytest.mark.parametrize("expr", BY_HAND, ids=str)
+def test_written_as_by_hand(expr):
+    assert latex(expr) == BY_HAND[expr]
+
+
+# "cos(d+1)theta" is how a page is written; the paper itself, and so the reader, uses brackets
+BRACKETED = {cos((d + 1) * theta), sin((d + 1) * omega * T)}
+
+
+@pytest.mark.parametrize("expr", [e for e in BY_HAND if e not in BRACKETED], ids=str)
+def test_what_is_written_reads_back_as_the_same(expr):
+    (back,) = read(latex(expr).replace(r"\tfrac", r"\frac"))
+    assert compare(back, expr).equal

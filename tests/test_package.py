@@ -1,0 +1,97 @@
+"""What is installed is what is in the repository, and importing it is light."""
+
+import ast
+import json
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+SOURCE = ROOT / "src" / "symhaptic"
+
+
+def python(code: str, **options) -> str:
+    run = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, **options
+    )
+    return run.stdout.strip()
+
+
+def test_importing_the_package_loads_nothing_symbolic():
+    code = (
+        "import sys, symhaptic; "
+        "print([m for m in ('sympy', 'flint', 'matplotlib', 'typer') if m in sys.modules])"
+    )
+    assert python(code) == "[]"
+
+
+def test_every_public_name_loads_when_used():
+    code = "import symhaptic; print(all(getattr(symhaptic, n) for n in symhaptic.__all__))"
+    assert python(code) == "True"
+
+
+def imports(path: Path) -> set[str]:
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            found |= {node.module} | {f"{node.module}.{alias.name}" for alias in node.names}
+    return found
+
+
+FORBIDDEN = {
+    # folder: what its files may not import (the project's rules of flow)
+    "model": ("symhaptic.paper", "symhaptic.proof", "symhaptic.report", "symhaptic.chapter"),
+    "paper": ("symhaptic.model", "symhaptic.proof", "symhaptic.report", "symhaptic.chapter"),
+    "proof": ("symhaptic.model", "symhaptic.report", "symhaptic.chapter"),
+}
+
+
+@pytest.mark.parametrize("folder", FORBIDDEN)
+def test_the_flow_between_the_parts(folder):
+    for path in (SOURCE / folder).glob("*.py"):
+        for name in imports(path):
+            assert not name.startswith(FORBIDDEN[folder]), f"{path.name} imports {name}"
+
+
+def test_no_blanket_except_and_no_simplify():
+    for path in [*SOURCE.rglob("*.py"), *(ROOT / "derivations").glob("*.py")]:
+        text = path.read_text(encoding="utf-8")
+        assert "simplify(" not in text, path
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.ExceptHandler):
+                assert node.type is not None, path
+                names = {n.id for n in ast.walk(node.type) if isinstance(n, ast.Name)}
+                assert not names & {"BaseException"}, path
+
+
+@pytest.fixture(scope="module")
+def unpacked(tmp_path_factory):
+    pytest.importorskip("hatchling")
+    folder = tmp_path_factory.mktemp("wheel")
+    subprocess.run(
+        [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation",
+         "--disable-pip-version-check", "-w", folder, ROOT],
+        check=True,
+    )  # fmt: skip
+    (wheel,) = folder.glob("*.whl")
+    zipfile.ZipFile(wheel).extractall(folder / "site")
+    return folder / "site"
+
+
+def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
+    code = (
+        "import symhaptic, symhaptic.cli; print(symhaptic.__file__, flush=True); "
+        "import sys; sys.argv = ['symhaptic', 'verify', 'eq1', 'eq11', '--format', 'json']; "
+        "symhaptic.cli.main()"
+    )
+    environment = os.environ | {"PYTHONPATH": str(unpacked)}
+    first, _, rest = python(code, cwd=tmp_path, env=environment).partition("\n")
+    assert first.startswith(str(unpacked))
+    verdicts = {r["id"]: r["verdict"] for r in json.loads(rest)["statements"]}
+    assert verdicts == {"eq1": "definition", "eq11": "proved"}
