@@ -23,6 +23,7 @@ def derive(page):
         "One position, two bodies",
         device + arm,
         (m_D + m_H) * s**2 + (b_D + b_H) * s + k_H,
+        paper="2",
         because="the forces that the two bodies need for the same motion add up",
     )
     page.say(

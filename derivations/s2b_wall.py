@@ -24,6 +24,7 @@ def derive(page):
         law,
         K + B * (z - 1) / (T * z),
         name=H(z),
+        paper="1",
         because="both fractions are brought over $z$",
     )
     page.step(

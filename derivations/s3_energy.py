@@ -44,6 +44,7 @@ def derive(page):
         "At every angle the damper must burn more than the wall gives",
         b > T / 2 / (1 - cos(angle)) * printed,
         equal_to=b > needed,
+        paper="4",
         because="a motion whose spectrum is concentrated near an angle where this fails gains "
         "energy",
     )

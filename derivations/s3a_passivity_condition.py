@@ -23,6 +23,7 @@ def derive(page):
         "Real part",
         need,
         brackets,
+        paper="5",
         name=r"\frac{T}{2}\,\frac{\Re\{(1-e^{-j\theta})H(e^{j\theta})e^{-jd\theta}\}}"
         r"{1-\cos\theta}",
         because="the wall put into the energy balance, with $z=e^{j\\theta}$, $\\theta=\\omega T$",

@@ -27,12 +27,14 @@ def derive(page):
         * (sin((d + 2) * theta) - 2 * sin((d + 1) * theta) + sin(d * theta))
         / (T * shared),
         name=K,
+        paper="7",
     )
     nice_damping = page.step(
         "Damping",
         damping,
         2 * b * (d * sin((d + 1) * theta) - (d + 1) * sin(d * theta)) / shared,
         name=B,
+        paper="7",
     )
     on_curve = {K: nice_stiffness, B: nice_damping}
     page.step("The point lies on the line", line.subs(on_curve), S.Zero, name="F")

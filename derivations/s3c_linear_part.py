@@ -42,7 +42,7 @@ def derive(page):
         "end: it bounds the passive walls for every real $d\\ge0$, with $y$ from 0 to 1 along it."
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}
-    page.step("Every point of it", line.subs(on_line), S.Zero, name="F")
+    page.step("Every point of it", line.subs(on_line), S.Zero, name="F", paper="8")
     page.settle("eq8", Eq(K, on_line[K]), Eq(B, on_line[B]))
     page.say(
         "Only the end $y=1$ is the limit of the envelope (7). The points before it belong to the "
@@ -66,6 +66,7 @@ def derive(page):
         (b + B) / (T * (d + Rational(1, 2))),
         2 * (b + B) / (T * (2 * d + 1)),
         name=r"\frac{b+B}{(d+\frac12)T}",
+        paper="9",
     )
     page.step("On the line", line.subs(K, limit_of_k), S.Zero, name="F")
     page.say(

@@ -41,6 +41,7 @@ def derive(page):
         name=K,
         because="the damping has dropped out of the condition",
         boxed=True,
+        paper="11",
     )
     on_curve = [e.subs(theta, angle) for e in passivity.envelope()]
     page.step("It lies on the envelope", on_curve[0], stiffness, name=K)
@@ -49,6 +50,7 @@ def derive(page):
         on_curve[1],
         b * (cos(angle) - d / (d + 1)) / sin(angle),
         name=B,
+        paper="11",
         because="and by the chapter before, the stiffness of the envelope rises up to this "
         "frequency and falls after it, for every real $d>0$",
     )

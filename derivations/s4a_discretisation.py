@@ -45,10 +45,11 @@ def derive(page):
         unit.split,
         sqrt((b * T / m) ** 2 - 4 * k * T**2 / m),
         name=c_1,
+        paper="13",
     )
     page.say("The poles' images $e^{s_1T}$ and $e^{s_2T}$ are $c_3$ and $c_2$:")
-    page.step("Faster pole", exp(two), exp(-(b * T / m + c_1) / 2), name=c_2)
-    page.step("Slower pole", exp(one), exp(-(b * T / m - c_1) / 2), name=c_3)
+    page.step("Faster pole", exp(two), exp(-(b * T / m + c_1) / 2), name=c_2, paper="13")
+    page.step("Slower pole", exp(one), exp(-(b * T / m - c_1) / 2), name=c_3, paper="13")
     page.settle("eq13", Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)), definition=True)
 
     images = {c_2: exp(two), c_3: exp(one)}

@@ -4,16 +4,12 @@ The sampled device and the delayed wall are closed to a loop. Its poles are the 
 polynomial, and its form should not break down for the devices that one meets.
 """
 
-from sympy import Eq, Ne, S, exp, symbols
+from sympy import Eq, S, exp, symbols
 
 from symhaptic.model import loop, plant, wall
-from symhaptic.model.plant import Plant, sampled
 from symhaptic.notation import (
-    B,
-    K,
     T,
     alpha,
-    b,
     beta,
     c_1,
     c_2,
@@ -22,7 +18,6 @@ from symhaptic.notation import (
     delta,
     function,
     gamma,
-    k,
     m,
     z,
 )
@@ -49,6 +44,7 @@ def derive(page):
         (n_1 * z + n_0) * z ** (d + 1) / short,
         name=r"\tfrac{m}{T^2}G_x(z)",
         because="$P/(1+PHz^{-d})$, both sides multiplied by the two denominators",
+        paper="16",
     )
     page.say("The denominator is monic and never degenerates:")
     page.show(
@@ -61,6 +57,7 @@ def derive(page):
             short.xreplace({a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}),
         ),
         boxed=True,
+        paper="18",
     )
     page.say(
         "The paper multiplies numerator and denominator by $-2c_1\\gamma$. That factor vanishes "
@@ -116,42 +113,4 @@ def derive(page):
         specialise=lambda form: form.xreplace({n: numerator, p: denominator}),
         shows=r"$0/0$ for an ungrabbed device",
         note=r"a polynomial, and exact, for whole delays only",
-    )
-
-    rest = page.same(
-        "what is left is quadratic",
-        (bottom - scale * device.denominator * z ** (d + 1)).xreplace(given),
-        (scale * device.numerator * ((alpha + beta) * z - beta)).xreplace(given),
-    )
-    page.say(
-        "$A(z)z^{d+1}$ has degree $d+3$, the rest degree 2. The degree is $d+3$, with the leading "
-        "coefficient $-2c_1\\gamma$, if that is not zero and $d$ is a whole number; the monic form "
-        "always has it."
-    )
-    page.settle(
-        "s4d-degree",
-        rest,
-        provided=r"c_1\gamma\ne0\ \text{and}\ d\in\mathbb{N}_0",
-        unless={gamma: S.Zero, delta: S.One, c_1: S.One},
-        truth=Ne(scale, 0, evaluate=False),
-        shows="the leading coefficient vanishes for an ungrabbed device",
-    )
-    physical = sampled(Plant(), T, split=c_1 / T)
-    stiff = {k: m * ((b * T / m) ** 2 - c_1**2) / (4 * T**2)}
-    polynomial = (
-        physical.denominator * z ** (d + 1) + physical.numerator * ((K * T + B) * z - B) / T
-    )
-    rules = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T}
-    page.say(
-        "Derived in physical units instead, with the rules of Table I put in afterwards, mass and "
-        "period drop out:"
-    )
-    page.settle(
-        "s4b-five-parameters",
-        page.free_of("the polynomial", polynomial.xreplace(stiff).subs(rules), m, T),
-        page.same(
-            "both derivations",
-            polynomial.xreplace(stiff).subs(rules),
-            loop.characteristic(split=c_1).xreplace({gamma: given[gamma]}),
-        ),
     )

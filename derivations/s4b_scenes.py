@@ -4,7 +4,7 @@ A loop without spring, damper, virtual damping or delay has a smaller polynomial
 is derived without the missing part, and shown to be what the larger one tends to.
 """
 
-from sympy import I, S, cos, exp
+from sympy import I, S, cos, exp, symbols
 
 from symhaptic.model import loop, plant
 from symhaptic.notation import Omega, alpha, beta, c, d, delta, gamma, z
@@ -69,6 +69,20 @@ def derive(page):
     page.limit(
         "The spring removed from a free mass", swings, Omega, S.Zero, free.transfer, name="P"
     )
+
+    page.say("With the wall the sampled device closes to one of four polynomials:")
+    a, e, n_1, n_0 = symbols("a e n_1 n_0")
+    bottom, top = z**2 - a * z + e, n_1 * z + n_0
+    for title, kept, shape in (
+        ("Damping and delay", Parts(), bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)),
+        ("Damping, no delay", Parts(delay=False), bottom * z + top * ((alpha + beta) * z - beta)),
+        ("Delay, no virtual damping", Parts(virtual_damping=False), bottom * z**d + alpha * top),
+        ("Neither", Parts(virtual_damping=False, delay=False), bottom + alpha * top),
+    ):
+        made = plant.sampled(plant.normalised(kept), split=c)
+        numbers = {a: made.a, e: made.e, n_1: made.n1, n_0: made.n0}
+        proof = page.same(title, loop.characteristic(kept, split=c), shape.xreplace(numbers))
+        page.show(title, "p_1(z)", shape, proof)
 
     count = 0
     for parts in ALL:

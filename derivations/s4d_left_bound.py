@@ -65,9 +65,25 @@ def derive(page):
         ),
         because="so the speed left is less than 1, but for $\\delta=0$ and whole half swings",
     )
+    page.show(
+        "The slope at the root 1",
+        r"p_1'(1)",
+        1 - x,
+        page.same("slope", diff(at_line, z).subs(z, 1).xreplace(given), (1 - kept).xreplace(given)),
+        because="positive, as is $\\partial p_1/\\partial\\alpha=n_1+n_0$: the root moves inside "
+        "as $\\alpha$ grows",
+    )
+    free = loop.characteristic(Parts(False, False)).subs({d: 0, alpha: 0})
+    page.step(
+        "A free mass, $d=0$",
+        free,
+        (z - 1) * (z**2 + (beta / 2 - 1) * z + beta / 2),
+        name="p_1(z)",
+        because="on the line $\\alpha=0$; the quadratic has both roots inside for $0<\\beta<2$",
+    )
     page.say(
-        "The root at 1 is simple and moves inside as $\\alpha$ grows, so the region touches the "
-        "line: for $d=0$ the left bound is $\\alpha=-\\gamma$. With delay it need not be. Take one "
+        "So without delay the region touches the line: there the left bound is $\\alpha=-\\gamma$, "
+        "but for whole half swings without damping. With delay it need not be. Take one "
         "period of delay, no damping, and a spring with $\\sqrt\\gamma=2\\pi/3$, so that "
         "$\\cos\\sqrt\\gamma=-\\tfrac12$. With $x=n_1\\beta$, on the line:"
     )
@@ -103,10 +119,9 @@ def derive(page):
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
-        provided=r"d=0",
+        provided=r"d=0\ \text{and}\ (\delta>0\ \text{or}\ \sqrt\gamma\notin\{\pi,2\pi,\ldots\})",
         unless={alpha: -gam, gamma: gam, delta: S.Zero, d: S.One},
         truth=(margin > 0, never),
         shows=r"$d=1$, $\delta=0$, $\sqrt\gamma=\tfrac23\pi$: no $\beta$ is stable near the line",
-        note=r"$\alpha>-\gamma$ is necessary for every delay; that the region reaches the line is "
-        r"shown for $d=0$ and all $\gamma$, $\delta$ but $\delta=0$, $\sqrt\gamma\in\pi\mathbb{N}$",
+        note=r"$\alpha>-\gamma$ is necessary for every delay",
     )

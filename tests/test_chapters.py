@@ -9,23 +9,49 @@ from symhaptic.library import folder, run, shipped
 LONGEST = 150  # lines of a chapter
 
 DEFINITIONS = ["eq1", "eq2", "eq3", "eq13", "tab1"]
-PROVED = ["eq5", "eq8", "eq11", "eq15", "s2c-delays-lump", "s3a-mass-free",
-          "s3c-kmax-frequency", "s4b-five-parameters"]
+PROVED = [
+    "eq5",
+    "eq8",
+    "eq11",
+    "eq15",
+    "s2c-delays-lump",
+    "s3a-mass-free",
+    "s3c-kmax-frequency",
+    "s4b-five-parameters",
+]
 ENCLOSED = ["s3c-kmax-41", "s3c-kmax-27"]
 MISPRINTS = ["eq12", "s4a-delay-equivalent", "s3b-linear-in-T"]
-QUALIFIED = ["eq4", "eq6", "eq7", "eq9", "eq10", "eq14", "eq16", "eq17", "eq18", "eq27",
-             "s2c-rational-delay", "s3a-undelayed", "s3c-limit-points", "s3c-bmax-frequency",
-             "s3c-lower-part", "s4d-degree", "s4d-left-bound"]
+QUALIFIED = [
+    "eq4",
+    "eq6",
+    "eq7",
+    "eq9",
+    "eq10",
+    "eq14",
+    "eq16",
+    "eq17",
+    "eq18",
+    "eq27",
+    "s2c-rational-delay",
+    "s3a-undelayed",
+    "s3c-limit-points",
+    "s3c-bmax-frequency",
+    "s3c-lower-part",
+    "s4d-degree",
+    "s4d-left-bound",
+]
 EXPECTED = {
     id: kind
     for kind, ids in {
-        "definition": DEFINITIONS, "proved": PROVED, "enclosed": ENCLOSED,
-        "misprint": MISPRINTS, "qualified": QUALIFIED,
+        "definition": DEFINITIONS,
+        "proved": PROVED,
+        "enclosed": ENCLOSED,
+        "misprint": MISPRINTS,
+        "qualified": QUALIFIED,
     }.items()
     for id in ids
 }
 CHAPTERS = [path.stem for path in shipped()]
-
 
 
 @cache

@@ -92,15 +92,19 @@ def largest_passive_stiffness(delay):
     """Largest K that fulfils (5) at every angle of the grid, for some B: a linear program."""
     stiffness, damping = half_planes(delay, ANGLES[::20])
     found = linprog(
-        [-1, 0], A_ub=np.column_stack([stiffness, damping]), b_ub=np.ones(len(stiffness)),
-        bounds=[(0, None), (None, None)], method="highs",
+        [-1, 0],
+        A_ub=np.column_stack([stiffness, damping]),
+        b_ub=np.ones(len(stiffness)),
+        bounds=[(0, None), (None, None)],
+        method="highs",
     )
     return found.x[0]
 
 
 @pytest.mark.parametrize(
     # sqrt(2) - 1 and 2 - sqrt(3) to eight places; Sec. III-C quotes 41 % and 27 %
-    ("delay", "ratio"), [(1, 0.41421356), (2, 0.26794919)],
+    ("delay", "ratio"),
+    [(1, 0.41421356), (2, 0.26794919)],
 )
 def test_largest_passive_stiffness_by_linear_programming(delay, ratio):
     found = largest_passive_stiffness(delay) / largest_passive_stiffness(0)
@@ -132,7 +136,8 @@ def test_undelayed_border_satisfies_the_condition():
 
 @pytest.mark.parametrize(
     # counterexamples of (9) and (10): d, K, B; they fail at 5 pi/6
-    ("delay", "K", "B"), [(1, -3.0, 0.0), (0, 2.0, 0.5)],
+    ("delay", "K", "B"),
+    [(1, -3.0, 0.0), (0, 2.0, 0.5)],
 )
 def test_counterexamples_of_the_linear_condition(delay, K, B):
     assert (1 + B) / (0.5 + delay) > K  # (9) holds

@@ -96,8 +96,17 @@ def test_sampled_device_as_printed_and_as_corrected(z):
 def test_printed_polynomial_is_a_multiple_of_the_monic_one(delay):
     gamma, delta, alpha, beta, z = 0.4, 0.3, 0.7, -0.2, 0.8 + 0.9j  # chosen
     c1, c2, c3 = abbreviations(gamma, delta)
-    values = {"gamma": gamma, "delta": delta, "alpha": alpha, "beta": beta, "z": z, "d": delay,
-              "c_1": c1, "c_2": c2, "c_3": c3}
+    values = {
+        "gamma": gamma,
+        "delta": delta,
+        "alpha": alpha,
+        "beta": beta,
+        "z": z,
+        "d": delay,
+        "c_1": c1,
+        "c_2": c2,
+        "c_3": c3,
+    }
     n1, n0, a, e = held(gamma, delta)
     monic = (z**2 - a * z + e) * z ** (delay + 1) + (n1 * z + n0) * ((alpha + beta) * z - beta)
     scale = -2 * c1 * gamma
@@ -109,8 +118,17 @@ def test_printed_polynomial_is_a_multiple_of_the_monic_one(delay):
 def test_printed_polynomial_vanishes_for_an_ungrabbed_device():
     delta = 0.5
     c1, c2, c3 = abbreviations(0.0, delta)
-    values = {"gamma": 0.0, "delta": delta, "alpha": 0.3, "beta": 0.1, "z": 2.0, "d": 1,
-              "c_1": c1, "c_2": c2, "c_3": c3}
+    values = {
+        "gamma": 0.0,
+        "delta": delta,
+        "alpha": 0.3,
+        "beta": 0.1,
+        "z": 2.0,
+        "d": 1,
+        "c_1": c1,
+        "c_2": c2,
+        "c_3": c3,
+    }
     # cancels to rounding of numbers of order 1
     assert abs(printed_value("eq18", values)) < 1e-15
     assert abs(printed_value("eq17", values)) < 1e-15

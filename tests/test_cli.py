@@ -1,4 +1,4 @@
-"""The command line keeps the contract: exit status, one line for a bad input, nothing half written."""
+"""The command line keeps the contract: exit status, one line for bad input, nothing lost."""
 
 import json
 import os
@@ -115,7 +115,10 @@ def test_a_wrong_statement_of_ones_own_fails(tmp_path):
 BAD_CHAPTERS = {
     "raises": (GOOD.replace("page.step(", "1/0; page.step("), "ZeroDivisionError"),
     "raises anything": (GOOD.replace("page.step(", "raise Exception('own'); page.step("), "own"),
-    "proves nothing": ('"""A title."""\n\ndef derive(page):\n    page.say("x")\n', "proves nothing"),
+    "proves nothing": (
+        '"""A title."""\n\ndef derive(page):\n    page.say("x")\n',
+        "proves nothing",
+    ),
     "false step": (GOOD.replace("1 - cos", "2 - cos"), "'A step' is false at theta = 1"),
     "no derive": ('"""A title."""\n', "no function derive"),
     "no docstring": ("def derive(page):\n    pass\n", "no docstring"),

@@ -42,7 +42,6 @@ SHORT = {
 CASES = [(name, id) for name, ids in SETTLED.items() for id in ids]
 
 
-
 @cache
 def chapter(name):
     """A derivation by the name of its file, run once per process."""

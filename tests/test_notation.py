@@ -28,9 +28,23 @@ SI = {
 
 # Units of the physical quantities: Sec. II and the heads of Table II.
 PHYSICAL = {
-    "m": "kg", "m_D": "kg", "m_H": "kg", "b": "Ns/m", "b_D": "Ns/m", "b_H": "Ns/m",
-    "k": "N/m", "k_H": "N/m", "K": "N/m", "B": "Ns/m", "T": "s", "t_d": "s", "F_E": "N",
-    "x": "m", "omega": "1/s", "omega_N": "1/s", "s": "1/s",
+    "m": "kg",
+    "m_D": "kg",
+    "m_H": "kg",
+    "b": "Ns/m",
+    "b_D": "Ns/m",
+    "b_H": "Ns/m",
+    "k": "N/m",
+    "k_H": "N/m",
+    "K": "N/m",
+    "B": "Ns/m",
+    "T": "s",
+    "t_d": "s",
+    "F_E": "N",
+    "x": "m",
+    "omega": "1/s",
+    "omega_N": "1/s",
+    "s": "1/s",
 }
 PURE = ("d", "z", "alpha", "beta", "gamma", "delta", "c_1", "c_2", "c_3", "y", "omega_hat")
 

@@ -19,8 +19,9 @@ from sympy import Expr
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.decide import Form, Point, compare, parts
+from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
+from symhaptic.proof.points import Point
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement, Truth
 from symhaptic.proof.sign import Fact
@@ -53,6 +54,8 @@ class Block:
     number: int = 0
     boxed: bool = False
     draw: Callable[..., None] | None = None
+    paper: str = ""
+    """Number of the paper's equation that this one stands for."""
 
 
 @dataclass
@@ -101,10 +104,12 @@ class Page:
         because: str = "",
         name: Expr | str | None = None,
         boxed: bool = False,
+        paper: str = "",
     ) -> Expr:
         """A chain of equal expressions, each proved equal to the one before; the last is returned.
 
-        With a ``name`` the first expression is what the name stands for and is not written.
+        With a ``name`` the first expression is what the name stands for and is not written;
+        ``paper`` is the number of the paper's equation, shown beside ours.
         """
         if len(chain) < 2:
             raise FalseStep(f"{title}: a step needs two sides")
@@ -115,7 +120,7 @@ class Page:
         left = written[0] if name is None else name
         rights = written[1:] if name is None else written
         lines = [(left if i == 0 else "", "=", right) for i, right in enumerate(rights)]
-        self._equation(title, lines, "proved", method, because, boxed)
+        self._equation(title, lines, "proved", method, because, boxed, paper=paper)
         return chain[-1]
 
     def show(
@@ -126,9 +131,11 @@ class Page:
         proof: Evidence,
         because: str = "",
         boxed: bool = False,
+        paper: str = "",
     ) -> Expr:
         """``name = expr``, proved by evidence found before, such as :meth:`same`."""
-        self._equation(title, [(name, "=", expr)], "proved", proof.method, because, boxed)
+        lines = [(name, "=", expr)]
+        self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)
         return expr
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
@@ -165,12 +172,19 @@ class Page:
         return fact
 
     def result(
-        self, text: str, relation: Expr | Sequence[Expr], equal_to: Form, because: str = ""
+        self,
+        text: str,
+        relation: Expr | Sequence[Expr],
+        equal_to: Form,
+        because: str = "",
+        paper: str = "",
     ) -> Form:
         """The result of the chapter, boxed; proved to say the same as ``equal_to``."""
         method = self._proved(text, relation, equal_to)
         lines = [(r.lhs, _sign(r), r.rhs) for r in parts(relation)]
-        self._equation(text, lines, "proved", method, because, boxed=True, kind="result")
+        self._equation(
+            text, lines, "proved", method, because, boxed=True, kind="result", paper=paper
+        )
         return relation
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
@@ -280,6 +294,7 @@ class Page:
         because: str,
         boxed: bool = False,
         kind: str = "equation",
+        paper: str = "",
     ) -> None:
         self._count += 1
         self.blocks.append(
@@ -292,6 +307,7 @@ class Page:
                 method,
                 self._count,
                 boxed,
+                paper=paper,
             )
         )
 

@@ -221,8 +221,9 @@ def factors(expr: Expr) -> tuple[bool, list[Expr], list[Expr]]:
         for i, factor in enumerate(side):
             if factor.is_Add:
                 content, primitive = factor.primitive()
-                side[i] = primitive
-                coefficient *= content**power
+                if content.is_Integer:
+                    side[i] = primitive
+                    coefficient *= content**power
     period = 4 if {sp.Symbol("omega"), sp.Symbol("s")} & set(top) else 2
     top.sort(key=lambda f: _factor_key(f, period))
     bottom.sort(key=lambda f: _factor_key(f, period))

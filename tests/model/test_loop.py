@@ -78,7 +78,10 @@ def test_largest_root_is_the_growth_of_the_loop(values, delay):
 def test_scene_decides_the_symbols(parts):
     expected = {alpha, z}
     for name, symbol in (
-        ("stiffness", gamma), ("damping", delta), ("virtual_damping", beta), ("delay", d),
+        ("stiffness", gamma),
+        ("damping", delta),
+        ("virtual_damping", beta),
+        ("delay", d),
     ):
         expected |= {symbol} if getattr(parts, name) else set()
     assert loop.characteristic(parts).free_symbols == expected
@@ -87,7 +90,9 @@ def test_scene_decides_the_symbols(parts):
 def test_coefficients_without_delay():
     # by hand for the free mass and a spring: (z - 1)^2 + alpha (z + 1)/2
     assert loop.coefficients(Parts(False, False, False, False)) == [
-        1, alpha / 2 - 2, alpha / 2 + 1,
+        1,
+        alpha / 2 - 2,
+        alpha / 2 + 1,
     ]
 
 
@@ -97,8 +102,15 @@ def test_closed_loop_answers_like_the_simulated_one(delay):
     transfer = loop.closed().subs(d, delay)
     step = step_matrix(FULL, values, delay)
     held = cont2discrete(
-        (np.array([[0.0, 1.0], [-values[gamma], -values[delta]]]), np.array([[0.0], [1.0]]),
-         np.eye(2), np.zeros((2, 1))), 1.0, method="zoh")[1]
+        (
+            np.array([[0.0, 1.0], [-values[gamma], -values[delta]]]),
+            np.array([[0.0], [1.0]]),
+            np.eye(2),
+            np.zeros((2, 1)),
+        ),
+        1.0,
+        method="zoh",
+    )[1]
     push = np.zeros(len(step))
     push[:2] = held[:, 0]
     for point in (1.5, 1.2 + 0.7j, -1.4):

@@ -17,8 +17,13 @@ t, gamma, delta, z = sp.symbols("t gamma delta z")
 
 # Chosen: swinging, overdamped, near critical damping (delta^2 = 4 gamma), light, stiff.
 CASES = [
-    (Parts(), 0.4, 0.3), (Parts(), 0.1, 1.7), (Parts(), 0.2501, 1.0), (Parts(), 1e-3, 2e-2),
-    (Parts(), 8.0, 0.05), (Parts(stiffness=False), None, 0.6), (Parts(damping=False), 1.3, None),
+    (Parts(), 0.4, 0.3),
+    (Parts(), 0.1, 1.7),
+    (Parts(), 0.2501, 1.0),
+    (Parts(), 1e-3, 2e-2),
+    (Parts(), 8.0, 0.05),
+    (Parts(stiffness=False), None, 0.6),
+    (Parts(damping=False), 1.3, None),
     (Parts(stiffness=False, damping=False), None, None),
 ]
 
@@ -123,8 +128,14 @@ MODEL = sorted(Path(symhaptic.model.__file__).parent.glob("*.py"))
 
 @pytest.mark.parametrize("path", MODEL, ids=lambda p: p.name)
 def test_model_never_imports_what_it_is_to_verify(path):
-    above = ("symhaptic.paper", "symhaptic.proof", "symhaptic.ledger", "symhaptic.chapter",
-             "symhaptic.library", "symhaptic.report")
+    above = (
+        "symhaptic.paper",
+        "symhaptic.proof",
+        "symhaptic.ledger",
+        "symhaptic.chapter",
+        "symhaptic.library",
+        "symhaptic.report",
+    )
     for name in imports(path):
         assert not name.startswith(above), f"{path.name} imports {name}"
         assert not name.startswith("."), "a relative import would escape this test"

@@ -81,7 +81,8 @@ BY_HAND = {
         "==",
         (
             PLANT,
-            T**2 / (2 * m)
+            T**2
+            / (2 * m)
             * (
                 ((2 - c_2 - c_3) * c_1 + (c_2 - c_3) * delta) * z
                 + (2 * exp(-delta) - c_3 - c_2) * c_1
@@ -222,9 +223,33 @@ def test_real_part_is_kept_as_printed():
 
 
 JUNK = [
-    "", "K +", "K ? B", "K'", "K = ", "K < = B", ")", "(K", "K))", "(K]", "|K", "K^", "K_", "Q",
-    "e", "K, B", r"\sin", r"\ln K", r"\text{words}", r"\Re K", r"\frac{K}", r"\frac12",
-    r"\begin{pmatrix} K \\ B", r"K_{\text{lin}", "K^2^2", r"K \in [0, 1]", "1,5",
+    "",
+    "K +",
+    "K ? B",
+    "K'",
+    "K = ",
+    "K < = B",
+    ")",
+    "(K",
+    "K))",
+    "(K]",
+    "|K",
+    "K^",
+    "K_",
+    "Q",
+    "e",
+    "K, B",
+    r"\sin",
+    r"\ln K",
+    r"\text{words}",
+    r"\Re K",
+    r"\frac{K}",
+    r"\frac12",
+    r"\begin{pmatrix} K \\ B",
+    r"K_{\text{lin}",
+    "K^2^2",
+    r"K \in [0, 1]",
+    "1,5",
 ]
 
 

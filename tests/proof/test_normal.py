@@ -21,11 +21,11 @@ IDENTITIES = {
     "triple angle": cos(3 * x) - 4 * cos(x) ** 3 + 3 * cos(x),
     "half-angle tangent": tan(x / 2) - sin(x) / (1 + cos(x)),
     "addition": sin(x + y) - sin(x) * cos(y) - cos(x) * sin(y),
-    "sum to product, symbolic d": cos(d * x) - cos((d + 1) * x)
+    "sum to product, symbolic d": cos(d * x)
+    - cos((d + 1) * x)
     - 2 * sin(x / 2) * sin((d + Rational(1, 2)) * x),
     "Chebyshev step, symbolic d": sin((d + 2) * x) + sin(d * x) - 2 * cos(x) * sin((d + 1) * x),
-    "Dirichlet kernel of order 2": 1 + 2 * cos(x) + 2 * cos(2 * x)
-    - sin(5 * x / 2) / sin(x / 2),
+    "Dirichlet kernel of order 2": 1 + 2 * cos(x) + 2 * cos(2 * x) - sin(5 * x / 2) / sin(x / 2),
     "de Moivre": exp(I * x) - cos(x) - I * sin(x),
     "hyperbolic": cosh(x) ** 2 - sinh(x) ** 2 - 1,
     "hyperbolic and circular": cosh(I * x) - cos(x),
@@ -39,7 +39,8 @@ IDENTITIES = {
     "denominator of a radical": 1 / (sqrt(x) + 1) - (sqrt(x) - 1) / (x - 1),
     "nested radical": (sqrt(1 + sqrt(x)) + 1) * (sqrt(1 + sqrt(x)) - 1) - sqrt(x),
     "cube root": (x ** Rational(1, 3) - 1) * (x ** Rational(2, 3) + x ** Rational(1, 3) + 1)
-    - x + 1,
+    - x
+    + 1,
     "exponent with a root": exp((delta + sqrt(x)) / 2) * exp((delta - sqrt(x)) / 2) - exp(delta),
     "symbolic powers": z ** (d + 2) - z**2 * z**d,
     "inverse symbolic power": z ** (-d) * z ** (2 * d + 1) / z ** (d + 1) - 1,
@@ -119,8 +120,23 @@ def test_what_is_not_known_is_refused(expr):
 # -- soundness on random expressions ------------------------------------------------------
 
 LEAVES = st.sampled_from(
-    [x, y, I, sp.S(2), Rational(1, 3), sin(x), cos(y), exp(I * x), exp(-y / 2), sin((d + 1) * x),
-     z**d, z ** (d + 1), sqrt(y), exp(I * pi * x / 3), sinh(x / 2)]
+    [
+        x,
+        y,
+        I,
+        sp.S(2),
+        Rational(1, 3),
+        sin(x),
+        cos(y),
+        exp(I * x),
+        exp(-y / 2),
+        sin((d + 1) * x),
+        z**d,
+        z ** (d + 1),
+        sqrt(y),
+        exp(I * pi * x / 3),
+        sinh(x / 2),
+    ]
 )
 AT = [
     {x: Rational(7, 5), y: Rational(3, 7), d: Rational(5, 4), z: Rational(4, 3)},
@@ -141,8 +157,15 @@ def joined(children):
 EXPRESSIONS = st.recursive(LEAVES, joined, max_leaves=5)
 # SymPy's own rewritings, which share nothing with the normal form
 REWRITES = st.sampled_from(
-    [sp.expand, sp.expand_trig, sp.together, sp.factor_terms, lambda e: e.rewrite(cos),
-     lambda e: e.rewrite([sin, cos, sinh], exp), lambda e: sp.expand(e, trig=True)]
+    [
+        sp.expand,
+        sp.expand_trig,
+        sp.together,
+        sp.factor_terms,
+        lambda e: e.rewrite(cos),
+        lambda e: e.rewrite([sin, cos, sinh], exp),
+        lambda e: sp.expand(e, trig=True),
+    ]
 )
 
 

@@ -22,10 +22,15 @@ LEADING = {
     "Bernoulli, first term": (1 / x - 1 / (exp(x) - 1), 0, Rational(1, 2)),
     "Bernoulli, second term": (1 / x - 1 / (exp(x) - 1) - Rational(1, 2), 1, -Rational(1, 12)),
     "Bernoulli, third term": (
-        1 / x - 1 / (exp(x) - 1) - Rational(1, 2) + x / 12, 3, Rational(1, 720),
+        1 / x - 1 / (exp(x) - 1) - Rational(1, 2) + x / 12,
+        3,
+        Rational(1, 720),
     ),
-    "order eight": (cos(x) - sum((-(x**2)) ** n / sp.factorial(2 * n) for n in range(4)), 8,
-                    1 / sp.factorial(8)),
+    "order eight": (
+        cos(x) - sum((-(x**2)) ** n / sp.factorial(2 * n) for n in range(4)),
+        8,
+        1 / sp.factorial(8),
+    ),
     "multiple angle": (sin(d * x) - d * sin(x), 3, (d - d**3) / 6),
     "hyperbolic": (sinh(x) - sin(x), 3, Rational(1, 3)),
     "exponential of j": (exp(I * x) - 1 - I * x, 2, -Rational(1, 2)),

@@ -95,9 +95,7 @@ def test_false_statement_in_words_needs_a_counterexample():
 # -- conditions ---------------------------------------------------------------------------
 
 # |K| = K is right for K >= 0 only; at K = -1 it says 1 = -1.
-MAGNITUDE = Settlement(
-    derived=(Eq(B, sp.Abs(K)),), provided="K>=0", unless={K: -S.One}, truth=(K,)
-)
+MAGNITUDE = Settlement(derived=(Eq(B, sp.Abs(K)),), provided="K>=0", unless={K: -S.One}, truth=(K,))
 ABSOLUTE = read("B = |K|")
 
 
@@ -136,18 +134,14 @@ def test_unfounded_counterexample_is_refused(name):
 
 def test_value_and_truth_of_different_kinds_show_nothing():
     # the print gives the number 1, the "truth" is that 1 > 0: no contradiction
-    grounds = Settlement(
-        derived=(Eq(y, x),), provided="c", unless={x: S.One}, truth=(x > 0,)
-    )
+    grounds = Settlement(derived=(Eq(y, x),), provided="c", unless={x: S.One}, truth=(x > 0,))
     with pytest.raises(Unfounded):
         grounds.decide((Eq(y, x),))
 
 
 def relation_settled(unless, truth):
     printed = read("K > B")
-    return Settlement(
-        derived=(K > B,), provided="c", unless=unless, truth=truth
-    ).decide(printed)
+    return Settlement(derived=(K > B,), provided="c", unless=unless, truth=truth).decide(printed)
 
 
 def test_relation_and_truth_must_disagree():

@@ -181,7 +181,6 @@ def test_only_an_assumption_itself_can_be_held():
     beyond = assume(x - 3)
     constant = quotient(S.One, beyond, beyond)
 
-
     def certificate():
         up = Interval(x, S.Zero, (constant, combined(S.Zero)))
         return integrated(x**2 / 2 - 3 * x, up, combined(x - 3, [beyond]))

@@ -59,8 +59,8 @@ class _Reader:
     def __init__(self, latex: str) -> None:
         self.latex = latex
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
-        rest = _TOKEN.sub("", squeezed).strip(" ~\n.;")
-        if rest:
+        rest = _TOKEN.sub("", squeezed).replace("~", "").split()
+        if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
             raise Unreadable(f"cannot read {rest!r} in {latex!r}")
         self.tokens = [t for t in _TOKEN.findall(squeezed) if t not in _IGNORED]
         self.at = 0
@@ -90,11 +90,10 @@ class _Reader:
             return (sides[0],)
         links: list[Expr] = []
         for kind, left, right in zip(relations, sides, sides[1:], strict=False):
-            pairs = (
-                zip(left, right, strict=True)
-                if isinstance(left, sp.MatrixBase)
-                else [(left, right)]
-            )
+            vectors = [isinstance(side, sp.MatrixBase) for side in (left, right)]
+            if any(vectors) and not (all(vectors) and left.shape == right.shape):
+                raise Unreadable(f"a vector against something else in {self.latex!r}")
+            pairs = zip(left, right, strict=True) if all(vectors) else [(left, right)]
             links += [kind(one, other, evaluate=False) for one, other in pairs]
         return tuple(links)
 
@@ -106,6 +105,8 @@ class _Reader:
         while self.peek() in ("+", "-"):
             minus = self.take() == "-"
             term = self.term()
+            if isinstance(term, sp.MatrixBase) != isinstance(total, sp.MatrixBase):
+                raise Unreadable(f"a vector added to a number in {self.latex!r}")
             total = total - term if minus else total + term
         return total
 
@@ -120,6 +121,17 @@ class _Reader:
     def chain(self) -> Expr:
         value = self.power()
         while self.starts_factor():
+            if self.peek()[0].isdigit():
+                raise Unreadable(f"a number right of a factor in {self.latex!r}")
+            value = value * self.power()
+        return value
+
+    def argument(self) -> Expr:
+        """What a function without brackets applies to: factors up to the next function."""
+        if self.peek() in ("(", "{"):
+            return self.group()
+        value = self.power()
+        while self.starts_factor() and self.peek() not in _FUNCTIONS:
             value = value * self.power()
         return value
 
@@ -163,6 +175,8 @@ class _Reader:
             return sp.Rational(token.replace(r"\,", ""))
         if token == r"\frac":
             return self.group() / self.group()
+        if token == r"\sqrt" and self.peek() != "{":
+            raise Unreadable(f"a root that is not square in {self.latex!r}")
         if token == r"\sqrt":
             return sp.sqrt(self.group())
         if token == r"\Re":
@@ -174,8 +188,7 @@ class _Reader:
             if self.peek() == "^":
                 self.take()
                 power = self.group() if self.peek() == "{" else self.atom()
-            argument = self.group() if self.peek() in ("(", "{") else self.chain()
-            return _FUNCTIONS[token](argument) ** power
+            return _FUNCTIONS[token](self.argument()) ** power
         if token.startswith(r"\text"):
             unit = token[token.index("{") + 1 : -1].strip()
             if unit in _UNITS:

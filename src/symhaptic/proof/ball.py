@@ -13,7 +13,7 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 from sympy import Expr
 
-from symhaptic.proof.normal import Field, Undefined, Unsupported
+from symhaptic.proof.normal import Field, Undefined, Unsupported, is_zero
 
 PRECISIONS = (64, 256, 1024)
 """Bits tried one after the other until a question is decided."""
@@ -100,9 +100,10 @@ def sign(expr: Expr) -> int | None:
     (0, 1)
     """
     expr = sp.sympify(expr)
+    real = expr.xreplace({sp.I: -sp.I}) == expr or is_zero(expr - expr.xreplace({sp.I: -sp.I}))
     for bits in PRECISIONS:
         value = ball(expr, None, bits)
-        if value.is_finite() and value.imag.contains(0):
+        if value.is_finite() and (real or value.imag.is_zero()):
             if value.real > 0:
                 return 1
             if value.real < 0:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -13,13 +13,12 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.latex import latex
-from symhaptic.notation import SYMBOLS
 from symhaptic.proof.ball import Value, differs_from_zero, value_at
 from symhaptic.proof.normal import Field, Undefined, Unsupported
+from symhaptic.proof.points import Point, points
 from symhaptic.proof.verdict import Kind, Verdict
 
 Form: TypeAlias = Expr | Sequence[Expr]
-Point: TypeAlias = dict[Expr, Expr]
 
 
 @dataclass(frozen=True)
@@ -59,6 +58,8 @@ def compare(left: Form, right: Form) -> Comparison:
     (False, True)
     """
     ours, theirs = parts(left), parts(right)
+    if not ours and not theirs:
+        return Comparison(None, "nothing to compare")
     if len(ours) != len(theirs):
         return Comparison(False, f"{len(ours)} components against {len(theirs)}", {})
     method = ""
@@ -138,54 +139,27 @@ def field_name(exprs: Sequence[Expr]) -> str:
 
 # -- counterexamples -------------------------------------------------------------------
 
-_CHOICES: dict[str, tuple[str, ...]] = {
-    "positive": ("1", "2", "1/2", "3", "1/10"),
-    "nonnegative": ("1", "2", "1/2", "0", "3", "1/10"),
-    "real": ("1", "-1", "2", "1/2", "-3", "0"),
-    "complex": ("2", "1/3", "-2", "3"),
-    "(0, pi)": ("1", "2", "1/2", "3", "1/10"),
-    "(0, pi/2)": ("1", "1/2", "1/3", "1/10"),
-    "[0, 1]": ("1/2", "1", "1/3", "0"),
-}
-_LIMIT = 400
-
-
-def points(*exprs: Expr) -> Iterator[Point]:
-    """Rational points of the domain, simple ones first, always in the same order."""
-    symbols = sorted({s for e in exprs for s in e.free_symbols}, key=str)
-    choices = []
-    for symbol in symbols:
-        entry = SYMBOLS.get(symbol.name)
-        choices.append(_CHOICES[entry.domain if entry else "real"])
-    # first a generic point with different values, then all combinations
-    order = itertools.chain(
-        (
-            tuple(choice[(i + shift) % len(choice)] for i, choice in enumerate(choices))
-            for shift in range(5)
-        ),
-        itertools.product(*choices),
-    )
-    for values in itertools.islice(order, _LIMIT):
-        yield {s: sp.Rational(v) for s, v in zip(symbols, values, strict=True)}
-
 
 def _told_apart(left: Expr, right: Expr) -> Comparison:
-    opaque = {
-        f: sp.Symbol(f"_value{i}")
-        for i, f in enumerate(
-            sorted(
-                left.atoms(sp.core.function.AppliedUndef, sp.conjugate)
-                | right.atoms(sp.core.function.AppliedUndef, sp.conjugate),
-                key=str,
-            )
-        )
-    }
-    left, right = left.xreplace(opaque), right.xreplace(opaque)
+    """A point at which the two certainly differ; an unknown function is tried as H_0 + H_1 x."""
+    left, right = _with_lines(left), _with_lines(right)
     for point in points(left, right):
         values = differ(left, right, point)
         if values is not None:
             return Comparison(False, "the two sides differ", point, values)
     return Comparison(None, "neither proved nor told apart")
+
+
+def _with_lines(expr: Expr) -> Expr:
+    if isinstance(expr, sp.core.function.AppliedUndef):
+        first, second = sp.symbols(f"{expr.func.__name__}_0 {expr.func.__name__}_1")
+        return first + second * sum(_with_lines(a) for a in expr.args)
+    if not expr.args:
+        return expr
+    parts_ = [_with_lines(a) for a in expr.args]
+    if isinstance(expr, (Relational, sp.re)):
+        return expr.func(*parts_, evaluate=False)
+    return expr.func(*parts_)
 
 
 def differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> tuple[Value, Value] | None:

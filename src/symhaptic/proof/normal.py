@@ -23,6 +23,8 @@ import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Expr
 
+from symhaptic.notation import SYMBOLS
+
 Exponents = dict[tuple[int, ...], Fraction]
 
 
@@ -35,9 +37,17 @@ class Unsupported(ValueError):
 
 
 def conjugated(expr: Expr) -> Expr:
-    """The complex conjugate; symbols and coefficients of unknown functions are real."""
-    if expr.has(sp.Symbol("z"), sp.Symbol("s")):
-        raise Unsupported("the conjugate of an expression in z or s needs a point on a contour")
+    """The complex conjugate; symbols and coefficients of unknown functions are real.
+
+    Raises :class:`Unsupported` where the conjugate is not found by exchanging j and -j: for
+    complex symbols, and for roots and powers that need not be real.
+    """
+    for symbol in expr.free_symbols:
+        if symbol.name in SYMBOLS and SYMBOLS[symbol.name].domain == "complex":
+            raise Unsupported(f"the conjugate of an expression in {symbol}, which is complex")
+    for power in expr.atoms(sp.Pow):
+        if not (power.exp.is_Integer or (power.base.is_positive and power.exp.is_real)):
+            raise Unsupported(f"the conjugate of {power}, which need not be real")
     return expr.xreplace({sp.I: -sp.I})
 
 
@@ -75,13 +85,6 @@ class Fractional:
     num: fmpq_mpoly
     den: fmpq_mpoly
 
-    def __add__(self, other: Fractional) -> Fractional:
-        if self.den == other.den:
-            return Fractional(self.num + other.num, self.den)
-        common = self.den.gcd(other.den)
-        left, right = other.den / common, self.den / common
-        return Fractional(self.num * left + other.num * right, self.den * left)
-
     def __mul__(self, other: Fractional) -> Fractional:
         return Fractional(self.num * other.num, self.den * other.den)
 
@@ -102,6 +105,17 @@ class _Ring:
         self.gen = dict(zip(names, self.ctx.gens(), strict=False))
         self.one = self.ctx.constant(1)
         self.relations: list[tuple[int, dict[int, fmpq_mpoly]]] = []
+        self.small: int | None = None
+        """Index of the variable in which polynomials are cut off, in a series."""
+
+    def sum(self, left: Fractional, right: Fractional) -> Fractional:
+        """Over a common divisor; in a series nothing that vanishes with the variable is shared,
+        since dividing by it would lose orders of the cut-off polynomials."""
+        common = left.den.gcd(right.den)
+        if self.small is not None and any(m[self.small] for m in common.to_dict()):
+            common = self.one
+        ours, theirs = right.den / common, left.den / common
+        return Fractional(left.num * ours + right.num * theirs, left.den * ours)
 
     def constant(self, value: sp.Rational) -> Fractional:
         return Fractional(self.ctx.constant(fmpq(int(value.p), int(value.q))), self.one)
@@ -145,7 +159,8 @@ class Field:
     True
     """
 
-    def __init__(self, exprs: Iterable[Expr]) -> None:
+    def __init__(self, exprs: Iterable[Expr], small: sp.Symbol | None = None) -> None:
+        self._small = small
         self._exprs = {e: as_exponentials(sp.sympify(e)) for e in exprs}
         self._radicals: dict[tuple[Expr, int], Expr] = {}
         self._logs: dict[Expr, Expr] = {}
@@ -269,6 +284,7 @@ class Field:
             names.append(self._generator[i])
         names.append(self._zeta)
         self._ring = ring = _Ring(names)
+        ring.small = None if self._small is None else names.index(self._small)
         cyclotomic = sp.Poly(sp.cyclotomic_poly(self._order, sp.Symbol("X")), sp.Symbol("X"))
         ring.relate(
             self._zeta,
@@ -319,7 +335,7 @@ class Field:
         if expr.is_Add:
             total = self._image(expr.args[0], ring, exponential)
             for arg in expr.args[1:]:
-                total = total + self._image(arg, ring, exponential)
+                total = ring.sum(total, self._image(arg, ring, exponential))
             return total
         if expr.is_Mul:
             product = self._image(expr.args[0], ring, exponential)
@@ -359,23 +375,34 @@ class Field:
         """Whether the expression vanishes identically (where it is defined)."""
         return bool(self.reduced(self.image(expr).num).is_zero())
 
-    def lowest(self, expr: Expr, variable: sp.Symbol, upto: int) -> tuple[int, Expr] | None:
+    def lowest(
+        self, expr: Expr, variable: sp.Symbol, upto: int, nonzero: Callable[[Expr], bool]
+    ) -> tuple[int, Expr] | None:
         """Order and coefficient of the lowest power of ``variable``, or None if beyond ``upto``.
 
-        The expression must be rational in ``variable`` (see :mod:`symhaptic.proof.series`).
+        The expression must be rational in ``variable`` (see :mod:`symhaptic.proof.series`).  A
+        coefficient is passed over where its normal form is zero, and taken only where
+        ``nonzero`` shows that it is not; else :class:`Unsupported` is raised.
         """
         image = self.image(expr)
-        found: list[tuple[int, fmpq_mpoly]] = []
+        one = self._ring.one
+        monic = all(relation[max(relation)] == one for _, relation in self._ring.relations)
+        found: list[tuple[int, Expr]] = []
         for poly in (image.num, image.den):
             parts = self._ring._by_power(poly, self._ring.names.index(variable))
-            for power in sorted(parts):
-                if power < upto and not (part := self.reduced(parts[power])).is_zero():
-                    found.append((power, parts[power] if self._radicals else part))
-                    break
+            for power in sorted(p for p in parts if p < upto):
+                part = self.reduced(parts[power])
+                if part.is_zero():
+                    continue
+                coefficient = self.expression(part if monic else parts[power])
+                if not nonzero(coefficient):
+                    raise Unsupported(f"cannot tell whether {coefficient} is zero")
+                found.append((power, coefficient))
+                break
             else:
                 return None
         (top, num), (bottom, den) = found
-        return top - bottom, self.expression(num) / self.expression(den)
+        return top - bottom, num / den
 
     def expression(self, poly: fmpq_mpoly) -> Expr:
         """A polynomial in the generators, written as a SymPy expression again."""

@@ -7,10 +7,14 @@ exact, and whether it vanishes is decided by the normal form.
 
 from __future__ import annotations
 
+import itertools
+
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.proof.normal import Field, Unsupported, as_exponentials
+from symhaptic.proof.ball import differs_from_zero
+from symhaptic.proof.normal import Field, Undefined, Unsupported, as_exponentials
+from symhaptic.proof.points import points
 
 ORDERS = (4, 8, 16)
 """Orders of truncation tried one after the other."""
@@ -37,7 +41,22 @@ def _truncated(expr: Expr, eps: sp.Symbol, order: int) -> Expr:
         small = sp.expand(exponent - still) * sp.Symbol(f"log({expr.args[0]})")
         taylor = sp.Add(*(small**k / sp.factorial(k) for k in range(order)))
         return expr.args[0] ** still * taylor
+    if not (expr.is_Add or expr.is_Mul or expr.is_Pow or expr.is_Symbol):
+        raise Unsupported(f"no series of {type(expr).__name__} of {eps}")
     return expr.func(*args) if args else expr
+
+
+def _nonzero(coefficient: Expr) -> bool:
+    """Whether a ball at some point of the domain shows that a coefficient is not zero."""
+    if coefficient.is_Rational:
+        return bool(coefficient != 0)
+    for point in itertools.islice(points(coefficient), 20):
+        try:
+            if differs_from_zero(coefficient, point):
+                return True
+        except (Undefined, Unsupported):
+            return False
+    return False
 
 
 def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[int, Expr]:
@@ -53,10 +72,10 @@ def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[
     moved = as_exponentials(sp.sympify(expr)).xreplace({variable: at + eps})
     for order in ORDERS:
         polynomial = _truncated(moved, eps, order)
-        field = Field([polynomial, eps])
-        found = field.lowest(polynomial, eps, order)
+        field = Field([polynomial, eps], small=eps)
+        found = field.lowest(polynomial, eps, order, _nonzero)
         if found is not None:
-            return found[0], sp.cancel(found[1]) if not found[1].has(sp.I) else found[1]
+            return found[0], sp.cancel(found[1])
     raise Unsupported(f"no leading term up to order {ORDERS[-1]} in {variable}")
 
 

@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 import sympy as sp
-from flint import arb
+from flint import arb, ctx
 from sympy import Expr
 
 from symhaptic.paper.reading import Printed, read
 from symhaptic.proof.ball import Value, ball, value_at
-from symhaptic.proof.decide import Form, Point, compare, differ, named, parts
+from symhaptic.proof.decide import Form, compare, differ, named, parts
+from symhaptic.proof.points import Point
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import UNSETTLED, Kind, Verdict
@@ -80,6 +81,8 @@ class Settlement:
     def _in_words(self, printed: Printed) -> Verdict:
         if not self.proofs:
             return UNSETTLED
+        if printed:
+            raise Unfounded("a printed formula is compared with a derived one, not argued for")
         method = "; ".join(dict.fromkeys(self.proofs))
         if self.corrected is not None:
             if self.unless is None:
@@ -116,17 +119,22 @@ class Settlement:
         if self.value is None or self.quoted is None:
             raise Unfounded("a constant needs a value and the number that the paper prints")
         bits = 4 * DIGITS + 32
-        number = ball(self.value, None, bits).real
+        complex_value = ball(self.value, None, bits)
+        if not complex_value.imag.is_zero():
+            raise Unfounded(f"{self.value} is not shown to be real")
+        number = complex_value.real
         how, digits = self.quoted
-        printed = arb(digits)
-        half = arb("0.5") * arb(10) ** -len(digits.partition(".")[2])
+        text = number.str(DIGITS, radius=False)
+        with ctx.workprec(bits):
+            printed = arb(digits)
+            half = arb("0.5") * arb(10) ** -len(digits.partition(".")[2])
+            # two digits of a bound, widened by more than their rounding takes away
+            radius = f"{1.1 * float(abs(number - arb(text)).abs_upper()):.1e}"
         holds = {
             "about": number > printed - half and number < printed + half,
             "below": number < printed,
             "above": number > printed,
         }[how]
-        text = number.str(DIGITS, radius=False)
-        radius = (number - arb(text)).str(3, radius=False).lstrip("-")
         fails = {
             "about": number < printed - half or number > printed + half,
             "below": number > printed,
@@ -153,6 +161,8 @@ class Settlement:
         special = self.specialise or (lambda form: form)
         theirs: Value
         if isinstance(self.truth, Fact):
+            if self.truth.expr in {expr for expr, _ in self.truth.rests}:
+                raise Unfounded("an assumption is not a fact")
             theirs = True
         elif isinstance(self.truth, tuple) and isinstance(self.truth[-1], Fact):
             relation, fact = self.truth
@@ -171,6 +181,12 @@ class Settlement:
                 raise Unfounded("nothing differs at the counterexample")
         elif ours is theirs:
             raise Unfounded(f"at the counterexample both are {ours}")
+        elif (
+            ours is not None
+            and theirs is not None
+            and not (isinstance(ours, bool) and isinstance(theirs, bool))
+        ):
+            raise Unfounded("at the counterexample a value stands against a truth")
 
     def _read(self, forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
         """Forms with the definitions that are in force put in."""

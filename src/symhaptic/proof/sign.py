@@ -66,6 +66,8 @@ class Interval:
 
     def __init__(self, variable: sp.Symbol, lower: Expr, *held: tuple[Fact, Fact]) -> None:
         for assumption, slope in held:
+            if assumption.rests != {(assumption.expr, assumption.strict)}:
+                raise NotShown(f"{assumption.expr} > 0 is not an assumption")
             if slope.expr.has(variable) or not is_zero(
                 sp.diff(assumption.expr, variable) + slope.expr
             ):
@@ -74,6 +76,8 @@ class Interval:
         self.above = assume(variable - lower)
         """The assumption that the variable lies above the lower end."""
         self.holds = self.above.rests.union(*(a.rests for a, _ in held))
+        self.rests = self.above.rests.union(*(slope.rests for _, slope in held))
+        """What it rests on that these are all values down to the lower end."""
 
 
 Product = Sequence[Fact | int | sp.Rational]
@@ -151,7 +155,7 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
         raise NotShown(f"{expr} does not vanish at {over.variable} = {over.lower}")
     if not is_zero(sp.diff(expr, over.variable) - slope.expr):
         raise NotShown(f"the derivative of {expr} is not {slope.expr}")
-    rests = slope.rests | over.above.rests
+    rests = slope.rests | over.rests
     return Fact(expr, slope.strict, "rises from zero", rests)
 
 

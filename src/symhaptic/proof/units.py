@@ -91,6 +91,8 @@ def _dimension(expr: Expr, known: Mapping[str, Dimension]) -> Dimension:
 
 def _agreed(whole: Expr, parts: list[Expr], known: Mapping[str, Dimension], verb: str) -> Dimension:
     places = [(part, _dimension(part, known)) for part in parts]
+    if not places:
+        return ONE
     first = places[0]
     for place in places[1:]:
         if place[1] != first[1]:

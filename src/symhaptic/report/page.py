@@ -55,9 +55,10 @@ def _equation(block: Block, chapter: int, step: int) -> list[str]:
     heading = "Result" if block.kind == "result" else f"Step {step}"
     reason = _sentence(block.text) if block.text else ""
     rows = _rows(block.lines)
+    beside = f"\\quad paper ({block.paper})" if block.paper else ""
     tag = (
         f"\\tag*{{({chapter}.{block.number})"
-        f"\\verdict{{{block.verdict}}}{{{block.verdict}}}{{{_breakable(block.method)}}}}}"
+        f"\\verdict{{{block.verdict}}}{{{block.verdict}{beside}}}{{{_breakable(block.method)}}}}}"
     )
     if block.boxed:
         inner = (
