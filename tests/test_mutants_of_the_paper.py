@@ -17,7 +17,7 @@ SETTLED = {
     "s2b_wall": ["eq1"],
     "s3_energy": ["eq4"],
     "s3a_passivity_condition": ["eq5", "eq6", "s3a-undelayed"],
-    "s3b_extent": ["eq7"],
+    "s3b_rise": ["eq7"],
     "s3c_damping_maximum": ["s3c-limit-points", "s3c-bmax-frequency"],
     "s3c_linear_part": ["eq8", "eq9", "eq10"],
     "s3c_stiffness_maximum": ["eq11", "s3c-kmax-frequency"],

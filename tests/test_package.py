@@ -95,3 +95,13 @@ def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     assert first.startswith(str(unpacked))
     verdicts = {r["id"]: r["verdict"] for r in json.loads(rest)["statements"]}
     assert verdicts == {"eq1": "definition", "eq11": "proved"}
+
+
+def test_a_public_name_is_not_hidden_by_a_module():
+    """A submodule of the same name would take its place once it is imported."""
+    code = (
+        "import importlib, pkgutil, symhaptic; "
+        "modules = {m.name for m in pkgutil.iter_modules(symhaptic.__path__)}; "
+        "print(modules & set(symhaptic.__all__))"
+    )
+    assert python(code) == "set()"

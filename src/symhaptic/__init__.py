@@ -11,15 +11,15 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from symhaptic.formula import Formula, formula
+    from symhaptic.formulas import Formula, formula
     from symhaptic.proof.decide import prove
     from symhaptic.proof.verdict import Verdict
 
 __version__ = "0.1.0"
 
 _HOME = {
-    "Formula": "symhaptic.formula",
-    "formula": "symhaptic.formula",
+    "Formula": "symhaptic.formulas",
+    "formula": "symhaptic.formulas",
     "prove": "symhaptic.proof.decide",
     "Verdict": "symhaptic.proof.verdict",
 }
