@@ -88,7 +88,7 @@ def signs(page):
     width = N * sin(2 * psi) - sin(2 * N * psi)
     width = sign.combined(width, [2, flatter, cos_y], [2, sin_n, falls])
     page.positive("The sine of the larger angle is flatter", flatter, DOMAIN)
-    page.positive("and so is that of twice the angles", width, DOMAIN)
+    page.positive("So is that of twice the angles", width, DOMAIN)
 
     lower = sin(N * psi) - N * sin(psi) * cos((N - 1) * psi)
     rise = sign.combined(diff(lower, psi), [size, more, sin_y, sin_less])

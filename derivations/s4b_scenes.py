@@ -22,7 +22,7 @@ def derive(page):
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     swings = swinging.transfer.subs(gamma, Omega**2)
-    page.step("Free mass", free.transfer, (z + 1) / (2 * (z - 1) ** 2), name="P(z)")
+    still = page.step("Free mass", free.transfer, (z + 1) / (2 * (z - 1) ** 2), name="P(z)")
     fade = exp(-delta)
     fading = page.step(
         "Mass and damper",
@@ -63,11 +63,11 @@ def derive(page):
         damped.transfer,
         delta,
         S.Zero,
-        free.transfer,
+        still,
         name="P",
     )
     page.limit(
-        "The spring removed from a free mass", swings, Omega, S.Zero, free.transfer, name="P"
+        "The spring removed from a free mass", swings, Omega, S.Zero, still, name="P"
     )
 
     page.say("With the wall the sampled device closes to one of four polynomials:")

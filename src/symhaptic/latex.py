@@ -221,7 +221,8 @@ def factors(expr: Expr) -> tuple[bool, list[Expr], list[Expr]]:
         for i, factor in enumerate(side):
             if factor.is_Add:
                 content, primitive = factor.primitive()
-                if content.is_Integer:
+                shared = all(t.as_coeff_Mul()[0].q == content.q for t in factor.args)
+                if content.is_Integer or shared:
                     side[i] = primitive
                     coefficient *= content**power
     period = 4 if {sp.Symbol("omega"), sp.Symbol("s")} & set(top) else 2
