@@ -66,9 +66,7 @@ def derive(page):
         still,
         name="P",
     )
-    page.limit(
-        "The spring removed from a free mass", swings, Omega, S.Zero, still, name="P"
-    )
+    page.limit("The spring removed from a free mass", swings, Omega, S.Zero, still, name="P")
 
     page.say("With the wall the sampled device closes to one of four polynomials:")
     a, e, n_1, n_0 = symbols("a e n_1 n_0")

@@ -6,12 +6,14 @@ the original are discarded before they count.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.paper.reading import Printed
 from symhaptic.proof.decide import compare
@@ -54,12 +56,41 @@ def mutants(printed: Printed) -> Iterator[Mutant]:
     ['sin(x) > 1', 'sin(x) <= 1', 'sin(x) < 2']
     """
     seen = {printed}
+    for form, change in (*_changed_lines(printed), *_exchanged_lines(printed)):
+        if form not in seen and not any(isinstance(p, BooleanAtom) for p in form):
+            seen.add(form)
+            yield Mutant(form, change)
+
+
+def _changed_lines(printed: Printed) -> Iterator[tuple[Printed, str]]:
     for i, part in enumerate(printed):
-        for changed, change in _variants(part):
-            form = (*printed[:i], changed, *printed[i + 1 :])
-            if form not in seen and not isinstance(changed, sp.logic.boolalg.BooleanAtom):
-                seen.add(form)
-                yield Mutant(form, change)
+        for changed, change in (*_variants(part), *_outermost(part)):
+            yield (*printed[:i], changed, *printed[i + 1 :]), change
+
+
+def _exchanged_lines(printed: Printed) -> Iterator[tuple[Printed, str]]:
+    """Right-hand sides of two equations exchanged."""
+    for i, j in itertools.combinations(range(len(printed)), 2):
+        one, other = printed[i], printed[j]
+        if isinstance(one, sp.Eq) and isinstance(other, sp.Eq):
+            lines = list(printed)
+            lines[i] = sp.Eq(one.lhs, other.rhs, evaluate=False)
+            lines[j] = sp.Eq(other.lhs, one.rhs, evaluate=False)
+            yield tuple(lines), f"lines {i + 1} and {j + 1} exchanged"
+
+
+def _outermost(relation: Expr) -> Iterator[tuple[Expr, str]]:
+    """The whole right-hand side, or one of its terms, halved, squared, inverted or shifted."""
+    if not isinstance(relation, Relational):
+        return
+    whole = relation.rhs
+    for part in dict.fromkeys([whole, *(whole.args if whole.is_Add else ())]):
+        changes = [(part / 2, "halved"), (part**2, "squared"), (part + 1, "plus 1")]
+        if part != 0:
+            changes.append((1 / part, "inverted"))
+        for changed, how in changes:
+            new = whole - part + changed if part != whole else changed
+            yield relation.func(relation.lhs, new, evaluate=False), f"{part} {how}"
 
 
 def wrong(printed: Printed) -> Iterator[Mutant]:
