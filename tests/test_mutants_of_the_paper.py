@@ -28,8 +28,8 @@ SETTLED = {
     "s5a_normalised_boundary": ["eq27"],
 }
 
-# Two formulas of the text are too short for fifteen; the numbers count, by hand, what can be changed
-# in them: each symbol doubled, negated or exchanged, each sign, the whole halved, squared, inverted.
+# Two formulas of the text are too short for fifteen; the numbers count by hand what can be changed:
+# each symbol doubled, negated or exchanged, each sign, the whole halved, squared or inverted.
 SHORT = {
     "s4a-delay-equivalent": 8,  # one power, two symbols
     "s4d-left-bound": 6,  # minus one symbol
