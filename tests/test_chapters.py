@@ -18,6 +18,11 @@ PROVED = [
     "s3a-mass-free",
     "s3c-kmax-frequency",
     "s4b-five-parameters",
+    "eq28",
+    "eq29",
+    "eq30",
+    "s5a-proportional",
+    "s5c-undamped-limit",
 ]
 ENCLOSED = ["s3c-kmax-41", "s3c-kmax-27"]
 MISPRINTS = ["eq12", "s4a-delay-equivalent", "s3b-linear-in-T"]
@@ -39,7 +44,10 @@ QUALIFIED = [
     "s3c-lower-part",
     "s4d-degree",
     "s4d-left-bound",
+    "s5a-subset",
+    "s5c-robust-subset",
 ]
+REFUTED = ["s4d-explicit-only-undelayed"]
 EXPECTED = {
     id: kind
     for kind, ids in {
@@ -48,6 +56,7 @@ EXPECTED = {
         "enclosed": ENCLOSED,
         "misprint": MISPRINTS,
         "qualified": QUALIFIED,
+        "refuted": REFUTED,
     }.items()
     for id in ids
 }

@@ -104,6 +104,9 @@ def _variants(expr: Expr) -> Iterator[tuple[Expr, str]]:
             yield kind(expr.lhs, expr.rhs, evaluate=False), f"{expr.rel_op} turned"
         for changed, change in _variants(expr.rhs):
             yield expr.func(expr.lhs, changed, evaluate=False), change
+        if not isinstance(expr, sp.Eq):  # the left side of an equation is what it is about
+            for changed, change in _variants(expr.lhs):
+                yield expr.func(changed, expr.rhs, evaluate=False), change
         return
     yield from _here(expr)
     for i, arg in enumerate(expr.args):

@@ -216,7 +216,8 @@ def _verdict(verdict: Verdict) -> str:
     if verdict.kind == Kind.ENCLOSED and verdict.value:
         parts.append(f"\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\")
     if verdict.condition:
-        parts.append(f"for ${verdict.condition}$")
+        running = verdict.condition.replace(r",\ ", "$, $").replace(r"\ \text{and}\ ", "$ and $")
+        parts.append(f"for ${running}$")
     if verdict.shows:
         parts.append(verdict.shows)
     elif verdict.counterexample:
