@@ -26,7 +26,9 @@ def derive(page):
         because="powers of $z$ commute with everything in a linear loop and add their exponents",
     )
     page.say(
-        "The denominator, and with it the characteristic polynomial, knows the sum only. A delay "
+        "Delays between hold and sampler commute with the device itself, so this holds for every "
+        "real delay there. The denominator, and with it the characteristic polynomial, knows the "
+        "sum only. A delay "
         "on the way of the external force would enter the numerator alone."
     )
     page.settle(
@@ -59,8 +61,8 @@ def derive(page):
         "Writing $z^{-d}$ in front of $P(z)$, and replacing $z$ by a power of a finer variable, "
         "places the whole response between the samples: at the next sample it predicts no motion "
         "at all. For $d=\\tfrac12$ the mass has in truth moved by $\\tfrac18$. The substitution is "
-        "therefore exact for whole delays; for the others it describes a loop that is sampled "
-        "more often than the real one."
+        "therefore exact for whole delays. For the others $P(\\zeta^q)$ is not even the device "
+        "sampled $q$ times as often: it is $q$ copies of the slow device, coupled by the delay."
     )
     general = normalised(Parts())
     page.settle(

@@ -40,16 +40,44 @@ def derive(page):
         because="both brackets contain the denominator once written through half angles",
     )
     page.result(
-        r"For every real $d$ and every $0<\theta<\pi$",
+        r"As an identity, for every real $d$ and every $0<\theta<\pi$",
         b > passivity.dirichlet_form(),
         equal_to=b > need,
         because="the Dirichlet kernel of order $d$ against a single cosine; the mass has dropped "
         "out",
     )
+    page.say(
+        "A delay that is no whole number of periods does not act as $z^{-d}$ on the samples. With "
+        "half a period of delay, let the device move by $\\tfrac32$ in the first half of each "
+        "period, "
+        "where the force is still the one before, and by 1 in the second; after 30 periods it goes "
+        "back in the same way."
+    )
+    late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
+    page.step(
+        "Energy left to damper and wall",
+        late,
+        390 * b / T + 345 * B / T - 1605 * K / 4,
+        name="E",
+        because="for $K=T=1$, $B=0$ and $b=\\tfrac{101}{100}$ it is $-\\tfrac{147}{20}$, although "
+        "(5) reads $b>\\cos\\frac{\\theta}{2}$ there and holds",
+    )
     page.settle(
         "eq5",
         b > brackets.subs(theta, omega * T),
-        note="as a condition for passivity it inherits $H(1)=K\\ge0$ from (4)",
+        provided=r"d\in\mathbb{N}_0,\ K\ge0",
+        unless={
+            d: S.Half,
+            K: S.One,
+            T: S.One,
+            B: S.Zero,
+            b: Rational(101, 100),
+            omega: S.One,
+        },
+        truth=late >= 0,
+        shows=r"half a period late, (5) holds at every frequency, yet a motion extracts $147/20$",
+        note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
+        "of the held force it is on the unsafe side",
     )
     page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
 
@@ -84,7 +112,7 @@ def derive(page):
     border = {K: S.One, T: S.One, B: S.One, b: S(3) / 2}
     half = cosine(assume(theta / 2), assume(pi / 2 - theta / 2))
     holds = combined((b - undelayed).subs(border), [2, half, half])
-    agreement = r"K\ge0\ \text{and}\ b\ne KT/2+|B|"
+    agreement = r"B=0\ \text{or}\ b\ne KT/2+|B|"
     page.settle(
         "s3a-undelayed",
         b > undelayed.subs(theta, omega * T),
@@ -97,7 +125,7 @@ def derive(page):
     page.settle(
         "eq6",
         b > K * T / 2 + Abs(B),
-        provided=agreement,
+        provided=rf"K\ge0,\ {agreement}",
         unless=border,
         truth=holds,
         shows=r"(5) reads $1+\cos\theta>0$ and holds, (6) says $\tfrac32>\tfrac32$",

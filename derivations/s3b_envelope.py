@@ -37,12 +37,12 @@ def derive(page):
         paper="7",
     )
     on_curve = {K: nice_stiffness, B: nice_damping}
-    page.step("The point lies on the line", line.subs(on_curve), S.Zero, name="F")
+    page.step("The point lies on the line", line.subs(on_curve), S.Zero, name=r"F\big|_{(K,B)}")
     page.step(
         "It lies on the neighbour too",
         diff(line, theta).subs(on_curve),
         S.Zero,
-        name=r"\partial F/\partial\theta",
+        name=r"\partial F/\partial\theta\,\big|_{(K,B)}",
     )
     page.say(
         "Both coordinates are proportional to $b$. The product $KT$ does not contain $T$: the "

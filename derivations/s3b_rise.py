@@ -37,8 +37,9 @@ def derive(page):
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
         width.expr / (2 * sin(psi) ** 2 * cos(N * psi) ** 2) * (u - curve),
         name=r"\partial w/\partial\psi",
-        because="its sign is that of $u-U$, so the strictest angle is the one with $U=u$, or "
-        "$\\theta\\to0$ where $u$ lies below every $U$",
+        because="its sign is that of $u-U$. On each side of $N\\psi=\\pi/2$ the strictest angle is "
+        "the one with $U=u$: the lower one bounds $w$ from below, the upper one from above. Where "
+        "$u$ is less than $U$ at $\\theta\\to0$, the lower bound is the line of $\\theta\\to0$",
     )
     page.say(
         "For $N>2$, that is $d>0$, the envelope from $\\theta\\to0$ to $\\pi/(d+1)$ is therefore "
@@ -51,11 +52,11 @@ def derive(page):
         "eq7",
         Eq(K, stiffness),
         Eq(B, damping),
-        provided=r"d>0,\ K\ge0,\ 0<\omega T\le\pi/(d+1)",
+        provided=r"d\in\mathbb{N},\ K\ge0,\ 0<\omega T\le\pi/(d+1)",
         unless={d: S.Zero, T: S.One, b: S.One, omega: S.One, K: S.One, B: Rational(1, 2)},
         truth=Eq(b, K * T / 2 + B),
         shows=r"for $d=0$ (7) is the single point $(2b/T,0)$; $(1,\tfrac12)$ lies on (6)",
-        note=r"beyond $\pi/(T(d+1))$ the curve has $K<0$ and bounds nothing",
+        note=r"for other $d>0$ it bounds the walls of (5); higher frequencies bound nothing",
     )
 
 

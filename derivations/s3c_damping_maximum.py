@@ -21,8 +21,8 @@ def derive(page):
         because="the kernel is $\\tfrac12$ and the cosine $-1$ there, for every real $d$",
     )
     stiffness, damping = (e.subs(theta, pi / (d + 1)) for e in passivity.envelope())
-    page.step("The envelope there, stiffness", stiffness, S.Zero, name=K)
-    page.step("The envelope there, damping", damping, b, name=B)
+    page.step("The envelope there, stiffness", stiffness, S.Zero, name=r"K|_{\theta=\pi/(d+1)}")
+    page.step("The envelope there, damping", damping, b, name=r"B|_{\theta=\pi/(d+1)}")
     bottom = page.limit(
         "The line of low frequencies",
         passivity.margin(),
@@ -51,7 +51,7 @@ def derive(page):
         Eq(B, damping),
         Eq(K, S.Zero, evaluate=False),
         Eq(B, -b),
-        provided=r"K\ge0",
+        provided=r"d\in\mathbb{N}_0,\ K\ge0",
         unless=beyond,
         truth=holds,
         shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
@@ -71,7 +71,7 @@ def derive(page):
         "s3c-bmax-frequency",
         Eq(omega, pi / (d + 1) / T),
         b > top,
-        provided=r"K\ge0\ \text{and}\ d>0",
+        provided=r"d\in\mathbb{N},\ K\ge0",
         unless={d: S.Zero, T: S.One, omega: pi, b: S(2), K: S.One, B: S.One},
         truth=omega < pi / T,
         shows=r"for $d=0$ the frequency is $\omega_N$, outside $0<\omega<\omega_N$",

@@ -42,8 +42,20 @@ def derive(page):
         "end: it bounds the passive walls for every real $d\\ge0$, with $y$ from 0 to 1 along it."
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}
-    page.step("Every point of it", line.subs(on_line), S.Zero, name="F", paper="8")
-    page.settle("eq8", Eq(K, on_line[K]), Eq(B, on_line[B]))
+    page.step(
+        "Every point of it", line.subs(on_line), S.Zero, name=r"F\big|_{\text{(8)}}", paper="8"
+    )
+    late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
+    page.settle(
+        "eq8",
+        Eq(K, on_line[K]),
+        Eq(B, on_line[B]),
+        provided=r"d\in\mathbb{N}_0",
+        unless={d: S.Half, y: Rational(8, 9), T: S.One, b: S.One, K: S.One, B: S.Zero},
+        truth=late >= 0,
+        shows=r"half a period late, the wall $K=b/T$, $B=0$ on this line gives energy away",
+        note="bounds the walls that satisfy (5) for every real $d$",
+    )
     page.say(
         "Only the end $y=1$ is the limit of the envelope (7). The points before it belong to the "
         "line itself, the limit of (5)."
@@ -68,28 +80,29 @@ def derive(page):
         name=r"\frac{b+B}{(d+\frac12)T}",
         paper="9",
     )
-    page.step("On the line", line.subs(K, limit_of_k), S.Zero, name="F")
+    page.step("On the line", line.subs(K, limit_of_k), S.Zero, name=r"F\big|_{K=(b+B)/((d+1/2)T)}")
     page.say(
         "For damping in the stated range the low frequencies are the strictest, and the condition "
-        "is exact but for its border. For negative $K$ it says nothing: higher frequencies fail."
+        "is exact but for its border. For negative $K$ it says nothing: higher frequencies can "
+        "fail."
     )
     low = {d: S.One, T: S.One, b: S.One, B: S.Zero, K: -S(3)}
     page.settle(
         "eq9",
         limit_of_k > K,
-        provided=r"K\ge0\ \text{and}\ K\ne\frac{b+B}{(d+1/2)T}",
+        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ K\ne\frac{b+B}{(d+1/2)T}",
         unless=low,
         truth=passivity.margin(5 * pi / 6).subs(d, 1) > 0,
         shows=r"(9) holds, yet (5) fails at $\omega T=\tfrac56\pi$",
-        note="equality satisfies (5) as well, since the open interval leaves out $\\omega=0$",
+        note="equality satisfies (5) too, but for $d=0$, $B=0$: $\\omega=0$ is left out",
     )
     steep = {d: S.Zero, T: S.One, b: S.One, B: Rational(1, 2), K: S(2)}
     page.settle(
         "eq10",
         limit_of_k > K,
-        provided=r"K\ge0,\ -b\le B\le\tfrac{d}{2d+3}b\ \text{and}\ K\ne\frac{b+B}{(d+1/2)T}",
+        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ -b\le B\le\frac{d}{2d+3}b,\ K\ne\frac{b+B}{(d+1/2)T}",
         unless=steep,
         truth=passivity.margin(5 * pi / 6).subs(d, 0) > 0,
         shows=r"$d=0$, $B=\tfrac12b$: (10) allows $K=2$, (5) fails at $\omega T=\tfrac56\pi$",
-        note="(10) restates (9) without its range of damping",
+        note="with $\\le$ it is necessary for every $B$; sufficient in the range of (9) only",
     )

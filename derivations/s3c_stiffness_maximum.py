@@ -4,7 +4,7 @@ It is the rightmost point of the boundary. There a change of the damping must no
 coefficient in the condition vanishes; that fixes the frequency, and everything else follows.
 """
 
-from sympy import Eq, S, cos, diff, pi, sin, solve, sqrt, tan
+from sympy import Eq, Rational, S, cos, diff, pi, sin, solve, sqrt, tan
 
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta
@@ -44,7 +44,9 @@ def derive(page):
         paper="11",
     )
     on_curve = [e.subs(theta, angle) for e in passivity.envelope()]
-    page.step("It lies on the envelope", on_curve[0], stiffness, name=K)
+    page.step(
+        "It lies on the envelope", on_curve[0] - stiffness, S.Zero, name=r"K\big|_{\text{(7)}}-K"
+    )
     damping = page.step(
         "Its damping",
         on_curve[1],
@@ -54,7 +56,18 @@ def derive(page):
         because="and by the chapter before, the stiffness of the envelope rises up to this "
         "frequency and falls after it, for every real $d>0$",
     )
-    page.settle("eq11", Eq(K, stiffness), Eq(B, damping))
+    late = passivity.half_late_energy(Rational(17, 10), S.One, 30)
+    at_half = {d: S.Half, T: S.One, b: S.One}
+    page.settle(
+        "eq11",
+        Eq(K, stiffness),
+        Eq(B, damping),
+        provided=r"d\in\mathbb{N}_0",
+        unless=at_half | {K: stiffness.subs(at_half), B: damping.subs(at_half)},
+        truth=late >= 0,
+        shows=r"half a period late, this wall gives energy away in 60 periods",
+        note="the largest stiffness that satisfies (5), for every real $d$",
+    )
     page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
     ratio = stiffness / stiffness.subs(d, 0)
     one = page.step(

@@ -9,7 +9,7 @@ from sympy import Eq, I, Matrix, S, diff, exp, eye, sqrt, zeros
 
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import T, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
+from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
 
 
 def derive(page):
@@ -87,6 +87,8 @@ def derive(page):
             r"+ b\changed{\frac{m}{T}}c_1(c_3 - c_2)(z - 1)}"
             r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}",
         ),
+        unless={T: S.One, m: S(2), b: S(4), c_1: S.One, z: S(2)},
+        shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$",
         note="$0/0$ for $k=0$ and for $b^2=4km$",
     )
     page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
@@ -102,6 +104,7 @@ def derive(page):
         given={z: exp(T * s)},
         corrected=(r"e^{-d\changed{Ts}} \hat{=} z^{-d}",),
         provided=r"d\in\mathbb{N}_0",
+        unless={d: S.One, T: S.One, T_s: S(2), s: S(3)},
         note="the print has the Laplace variable as a subscript; exact at the samples for whole "
         "delays",
     )

@@ -111,6 +111,23 @@ def derive(page):
         name="n_1",
         because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring",
     )
+    second_chain = device.n0.xreplace(given)
+    page.limit(
+        "Critical damping, second coefficient",
+        second_chain,
+        c_1,
+        S.Zero,
+        (4 * exp(-delta) - (4 - 2 * delta) * exp(-delta / 2)) / delta**2,
+        name="n_0",
+    )
+    page.limit(
+        "No spring, second coefficient",
+        second_chain,
+        c_1,
+        delta,
+        (1 - (1 + delta) * exp(-delta)) / delta**2,
+        name="n_0",
+    )
     page.same("without a spring", alone.n1, (delta - 1 + exp(-delta)) / delta**2)
     at = {
         gamma: S.Zero,

@@ -84,6 +84,7 @@ def derive(page):
     }
     alone = Parts(stiffness=False)
     condition = r"c_1\gamma\ne0"
+    whole = r",\ d\in\mathbb{N}_0"
     page.settle(
         "eq17",
         Eq(n, top),
@@ -97,7 +98,7 @@ def derive(page):
         "eq18",
         Eq(p, bottom),
         given=given,
-        provided=condition,
+        provided=condition + whole,
         unless=free,
         truth=loop.characteristic(alone),
         shows=r"$p(z)\equiv0$ for an ungrabbed device: every $z$ would be a pole",
@@ -107,10 +108,9 @@ def derive(page):
         "eq16",
         Eq(function("G_x")(z), loop.closed(split=c_1)),
         given=given | {n: top.xreplace(given), p: bottom.xreplace(given)},
-        provided=condition,
+        provided=condition + whole,
         unless=free,
         truth=loop.closed(alone),
         specialise=lambda form: form.xreplace({n: numerator, p: denominator}),
         shows=r"$0/0$ for an ungrabbed device",
-        note=r"a polynomial, and exact, for whole delays only",
     )

@@ -15,6 +15,7 @@ from symhaptic.scene import FULL, Parts
 def derive(page):
     given = {gamma: (delta**2 - c**2) / 4}
     device = plant.sampled(plant.normalised(FULL), split=c)
+    alone = plant.sampled(plant.normalised(Parts(stiffness=False)))
     total = device.n1 + device.n0
     page.show(
         "The polynomial at $z=1$",
@@ -39,7 +40,15 @@ def derive(page):
         (total * gamma).xreplace(given).subs(c, 2 * I * phi),
         (1 - exp(-delta / 2)) ** 2 + 4 * exp(-delta / 2) * sin(phi / 2) ** 2,
         name=r"\gamma(n_1+n_0)",
-        because="with $c=2j\\varphi$",
+        because="with $c=2j\\varphi$; zero only for $\\delta=0$ and whole swings, "
+        "$\\varphi=2\\pi,4\\pi,\\ldots$, where $p_1(1)=0$ for every wall and none is stable",
+    )
+    page.step(
+        "The sum without a spring",
+        alone.n1 + alone.n0,
+        (1 - exp(-delta)) / delta,
+        name="n_1+n_0",
+        because="positive too, and 1 for $\\delta\\to0$",
     )
     page.say(
         "So $\\alpha>-\\gamma$ is necessary for every delay and every damping. Is it also where "
@@ -83,8 +92,8 @@ def derive(page):
     )
     page.say(
         "So without delay the region touches the line: there the left bound is $\\alpha=-\\gamma$, "
-        "but for whole half swings without damping. With delay it need not be. Take one "
-        "period of delay, no damping, and a spring with $\\sqrt\\gamma=2\\pi/3$, so that "
+        "but for whole half swings without damping. With delay it need not be. Take one period of "
+        "delay, no damping, and a spring far stiffer than an arm, $\\sqrt\\gamma=2\\pi/3$, so that "
         "$\\cos\\sqrt\\gamma=-\\tfrac12$. With $x=n_1\\beta$, on the line:"
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)))
@@ -116,6 +125,17 @@ def derive(page):
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
         because="negative for every $x$: no damping makes the line a border of the region",
     )
+    stable = z**4 + z**3 + Rational(9, 10) * z**2 + Rational(1, 10)
+    wall = {alpha: 0, beta: -Rational(1, 10) / swinging.n1}
+    away = loop.characteristic(Parts(damping=False)).subs(d, 1).subs(wall).subs(gamma, gam)
+    page.show(
+        "A stable wall of that spring",
+        "p_1(z)",
+        stable,
+        page.same("away from the line", away, stable),
+        because="for $\\alpha=0$, $n_1\\beta=-\\tfrac1{10}$, away from the line",
+    )
+    page.inside("Its roots lie inside the circle", stable)
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
@@ -123,5 +143,6 @@ def derive(page):
         unless={alpha: -gam, gamma: gam, delta: S.Zero, d: S.One},
         truth=(margin > 0, never),
         shows=r"$d=1$, $\delta=0$, $\sqrt\gamma=\tfrac23\pi$: no $\beta$ is stable near the line",
-        note=r"$\alpha>-\gamma$ is necessary for every delay",
+        note=r"$\alpha>-\gamma$ is necessary for every delay; the counterexample lies far outside "
+        r"(23), and inside (23) the line may be reached with delay too: that is not shown here",
     )

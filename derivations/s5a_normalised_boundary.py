@@ -34,14 +34,14 @@ def derive(page):
     )
     page.say(
         "As in physical units, the curve is the boundary for $0<\\hat\\omega\\le\\pi/(d+1)$ and "
-        "$d>0$. Beyond, up to $\\pi$, it turns to negative stiffness; for delays with $2d$ not "
-        "whole it even has a pole there."
+        "$d>0$. Beyond, up to $\\pi$, it leaves the passive walls and bounds nothing; for some "
+        "delays, such as $d=\\tfrac14$, it even has a pole there."
     )
     page.settle(
         "eq27",
         Eq(alpha, in_plane[0]),
         Eq(beta, in_plane[1]),
-        provided=r"d>0,\ \alpha\ge0,\ 0<\hat\omega\le\pi/(d+1)",
+        provided=r"d\in\mathbb{N},\ \alpha\ge0,\ 0<\hat\omega\le\pi/(d+1)",
         unless={d: S.Zero, delta: S.One, omega_hat: S.One, alpha: S.One, beta: Rational(1, 2)},
         truth=Eq(delta, alpha / 2 + beta),
         shows=r"for $d=0$ (27) is the point $(2\delta,0)$; $(1,\tfrac12)\delta$ is on the boundary",

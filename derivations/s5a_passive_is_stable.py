@@ -93,7 +93,7 @@ def derive(page):
         delta + y * part,
         (1 - y) * delta + y * (delta + part),
         name=r"\delta+yr",
-        because="with $r=\\Re\\{W/(z-1)\\}$; both terms are positive where the whole wall is passive",
+        because="with $r=\\Re\\{W/(z-1)\\}$; both terms are positive if the whole wall is passive",
     )
     page.say(
         "No root can cross the circle at $0<\\theta\\le\\pi$, and at $z=1$ none does, since "

@@ -120,6 +120,7 @@ BAD_CHAPTERS = {
         "proves nothing",
     ),
     "false step": (GOOD.replace("1 - cos", "2 - cos"), "'A step' is false at theta = 1"),
+    "leaves the program": (GOOD.replace("page.step(", "raise SystemExit(0); page.step("), "Exit"),
     "no derive": ('"""A title."""\n', "no function derive"),
     "no docstring": ("def derive(page):\n    pass\n", "no docstring"),
     "syntax": ("def derive(page:\n", "SyntaxError"),
@@ -163,6 +164,22 @@ def test_bad_input_gives_one_line(case, tmp_path):
     assert run.stderr.count("\n") == 1
     assert [p.name for p in tmp_path.iterdir()] == ["a_file"]
     assert (tmp_path / "a_file").read_text() == "kept"
+
+
+def test_what_a_chapter_prints_stays_out_of_the_listing(tmp_path):
+    path = chapter(tmp_path, GOOD.replace("    page.step(", "    print('hello')\n    page.step("))
+    run = symhaptic("verify", "my-own", "--format", "json", "--derivation", path)
+    assert json.loads(run.stdout)["statements"][0]["id"] == "my-own"
+    assert "hello" in run.stderr
+
+
+@pytest.mark.parametrize("name", ["s3_energy.py", "book.py"])
+def test_a_chapter_may_not_take_the_name_of_another_file(name, tmp_path):
+    path = chapter(tmp_path, GOOD, name)
+    run = symhaptic("report", "--format", "tex", "-o", tmp_path / "out", "--derivation", path)
+    assert run.returncode == 2
+    assert "is taken" in run.stderr
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_killed_report_leaves_the_old_one_whole(tmp_path):

@@ -19,6 +19,7 @@ from sympy import Expr
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
+from symhaptic.proof.ball import largest_root
 from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
@@ -187,6 +188,15 @@ class Page:
         )
         return relation
 
+    def inside(self, title: str, polynomial: Expr) -> Evidence:
+        """All roots of a polynomial in z with rational coefficients lie inside the unit circle."""
+        largest = largest_root(polynomial)
+        if not largest < 1:
+            raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
+        bound = largest.upper().str(4, radius=False)
+        self._equation(title, [(r"\max|z|", "<", bound)], "proved", "balls around the roots", "")
+        return Evidence("balls around the roots")
+
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` does not change with the symbols: its derivatives are identically zero."""
         for symbol in symbols:
@@ -267,14 +277,23 @@ class Page:
             shows=shows,
             note=note,
         )
-        verdict = settlement.decide(statement.printed)
-        now = time.perf_counter()
-        self.settled[id] = Settled(statement, settlement, verdict, now - self._since)
-        self._since = now
-        self.blocks.append(Block("settle", title=id))
-        return verdict
+        return self._record(statement, settlement)
+
+    def settle_external(self, id: str, rests: str, checked: str) -> Verdict:
+        """A statement that rests on something outside the paper: on what, and what was checked."""
+        statement = STATEMENTS.get(id) or self.own.get(id)
+        if statement is None:
+            raise FalseStep(f"no statement {id!r}")
+        return self._record(statement, Settlement(external=rests, note=checked))
 
     # -- internals ----------------------------------------------------------------------
+
+    def _record(self, statement: Statement, settlement: Settlement) -> Verdict:
+        verdict = settlement.decide(statement.printed)
+        now = time.perf_counter()
+        self.settled[statement.id] = Settled(statement, settlement, verdict, now - self._since)
+        self._since = now
+        return verdict
 
     def _proved(self, title: str, left: Form, right: Form) -> str:
         result = compare(left, right)

@@ -210,6 +210,7 @@ def main() -> None:
         status = command.main(standalone_mode=False)
     except (ParserError, Unusable) as wrong:
         said = getattr(wrong, "format_message", wrong.__str__)()
+        said = said.replace("Value error, ", "")
         typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
         raise SystemExit(2) from None
     except (typer.Abort, KeyboardInterrupt):

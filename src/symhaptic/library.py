@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import sys
 import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -83,7 +84,8 @@ def run(path: Path) -> Chapter:
 
 def _load(path: Path) -> ModuleType:
     if not path.is_file():
-        raise BadChapter(f"{path}: no such file; a derivation is a Python file")
+        what = "is a folder" if path.is_dir() else "no such file"
+        raise BadChapter(f"{path}: {what}; a derivation is a Python file")
     spec = importlib.util.spec_from_file_location(f"derivation_{path.stem}", path)
     if spec is None or spec.loader is None:
         raise BadChapter(f"{path}: not a Python file; a derivation ends in .py")
@@ -100,12 +102,14 @@ class _SomebodyElses:
         self.path = path
 
     def __enter__(self) -> None:
-        return None
+        # what it prints is for people, not part of a listing
+        self.stdout, sys.stdout = sys.stdout, sys.stderr
 
     def __exit__(
         self, kind: type[BaseException] | None, wrong: BaseException | None, _: object
     ) -> None:
-        if kind is None or not issubclass(kind, Exception):
+        sys.stdout = self.stdout
+        if kind is None or not issubclass(kind, (Exception, SystemExit)):
             return
         line = " ".join(str(wrong).split()) or "no message"
         own = kind.__module__.startswith("symhaptic")

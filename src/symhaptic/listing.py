@@ -37,7 +37,8 @@ def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
             detail = f"{detail}  [{entry.derivation}]".strip()
         lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
     lines += [f"DIFFERS  {line}" for line in surprises]
-    lines.append(f"{len(entries)} statements: {counted(entries)}")
+    plural = "" if len(entries) == 1 else "s"
+    lines.append(f"{len(entries)} statement{plural}: {counted(entries)}")
     open_ = [e for e in entries if e.verdict.kind is Kind.UNDECIDED]
     if open_:
         failing = " (an error, with --strict)" if strict else ""

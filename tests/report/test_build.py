@@ -86,6 +86,33 @@ def test_the_pdf_has_every_chapter(chapters, typeset):
         assert re.search(rf"CHAPTER {number}\b", text)
 
 
+def test_plain_words_are_typeset_as_they_stand(tmp_path):
+    path = tmp_path / "my_chapter.py"
+    path.write_text(
+        '"""Is 50% of R&D a #1_item?"""\n'
+        "from sympy import cos, sin\n"
+        "from symhaptic.notation import theta\n"
+        "def derive(page):\n"
+        "    page.say('50% of it & more_or less #1')\n"
+        "    page.step('100% sure', sin(theta)**2, 1 - cos(theta)**2)\n"
+        "    page.state('my-own', '10% of x_1', 'x = x')\n",
+        encoding="utf-8",
+    )
+    if not build.has_tex():
+        pytest.skip("no TeX: latexmk and pdflatex are not installed")
+    build.write([run(path)], tmp_path / "out", pdf=True, say=lambda _: None)
+    if shutil.which("pdftotext") is None:
+        pytest.skip("no pdftotext: poppler-utils is not installed")
+    text = subprocess.run(
+        ["pdftotext", "-layout", tmp_path / "out" / "book.pdf", "-"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    for words in ("Is 50% of R&D a #1_item?", "50% of it & more_or less #1", "100% sure", "10% of"):
+        assert words in text
+
+
 def test_an_overfull_line_is_an_error(typeset, tmp_path):
     (tmp_path / "book.tex").write_text(
         r"\documentclass{article}\begin{document}\hbox to 1cm{" + "x" * 400 + r"}\end{document}"

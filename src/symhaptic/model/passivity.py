@@ -64,6 +64,18 @@ def envelope() -> tuple[Expr, Expr]:
     )
 
 
-def delayed_wall() -> Expr:
-    """H(z) z^-d of the wall with spring and damper."""
-    return wall.delayed()
+def half_late_energy(first: Expr, second: Expr, periods: int) -> Expr:
+    """Energy that a motion leaves to damper and wall, for a delay of half a period, d = 1/2.
+
+    The device moves by ``first`` in the first half of a period, where the force is still that of
+    the sample before, and by ``second`` in the other half; after ``periods`` periods it goes back
+    with both signs reversed.  The damper burns at least 2 b/T times the squares.
+    """
+    energy, place, before, held = sp.S.Zero, sp.S.Zero, sp.S.Zero, sp.S.Zero
+    for step in range(2 * periods):
+        sign = 1 if step < periods else -1
+        force = wall.force(place, before)
+        energy += 2 * b / T * (first**2 + second**2)
+        energy += sign * (held * first + force * second)
+        place, before, held = place + sign * (first + second), place, force
+    return sp.expand(energy)

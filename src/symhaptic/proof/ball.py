@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, arb, ctx, fmpq
+from flint import acb, arb, ctx, fmpq, fmpq_poly
 from sympy import Expr
 
 from symhaptic.proof.normal import Field, Undefined, Unsupported, is_zero
@@ -80,6 +80,24 @@ def _ball(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
     if expr.func in _FUNCTIONS:
         return _FUNCTIONS[expr.func](args[0])
     raise Unsupported(f"no ball for {type(expr).__name__}: {expr}")
+
+
+def largest_root(polynomial: Expr) -> arb:
+    """A ball that contains the largest modulus of a rational polynomial's roots.
+
+    python-flint isolates the roots by certified balls.
+
+    >>> z = sp.Symbol("z")
+    >>> bool(largest_root(z**2 - sp.Rational(1, 4)) < 0.51)
+    True
+    """
+    coefficients = sp.Poly(polynomial, *sorted(polynomial.free_symbols, key=str)).all_coeffs()
+    exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
+    sizes = [abs(root) for root, _ in exact.complex_roots()]
+    largest = sizes[0]
+    for size in sizes[1:]:
+        largest = largest.max(size)
+    return largest
 
 
 def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool | None:

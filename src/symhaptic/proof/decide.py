@@ -187,6 +187,14 @@ def prove(lhs: Form, rhs: Form) -> Verdict:
     >>> print(prove(sp.sin(2*x), 2*sp.sin(x)).counterexample)
     {'x': '1'}
     """
+    for side in (lhs, rhs):
+        if isinstance(side, str) or not isinstance(
+            side, (sp.Basic, sp.MatrixBase, Sequence, int, float)
+        ):
+            raise TypeError(
+                f"prove: {side!r} is no formula; SymPy expressions, relations and "
+                "sequences of them are allowed"
+            )
     result = compare(lhs, rhs)
     if result.equal:
         return Verdict(Kind.PROVED, result.method)

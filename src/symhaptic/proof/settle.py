@@ -46,11 +46,14 @@ class Settlement:
     misprint: bool = True
     value: Expr | None = None
     quoted: tuple[str, str] | None = None
+    external: str | None = None
     shows: str | None = None
     note: str | None = None
 
     def decide(self, printed: Printed) -> Verdict:
         """The verdict on a printed form."""
+        if self.external is not None:
+            return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         if self.value is not None:
             return self._constant()
         if not printed or not self.derived:
@@ -61,13 +64,14 @@ class Settlement:
             return Verdict(Kind.UNDECIDED, result.method, note=note)
         if not result.equal:
             kind = Kind.MISPRINT if self.misprint else Kind.REFUTED
+            point = result.point if self.unless is None else self._differing(printed)
             return Verdict(
                 kind,
-                f"correction {self._right_form()}",
+                f"as corrected {self._right_form()}",
                 condition=self.provided,
                 corrected=self.derived,
                 corrected_latex=self._correction(),
-                counterexample=named(result.point),
+                counterexample=named(point),
                 shows=self.shows,
                 note=note,
             )
@@ -187,6 +191,16 @@ class Settlement:
             and not (isinstance(ours, bool) and isinstance(theirs, bool))
         ):
             raise Unfounded("at the counterexample a value stands against a truth")
+
+    def _differing(self, printed: Printed) -> Point:
+        """The chosen counterexample, once printed and derived form are seen to differ there."""
+        point = self.unless or {}
+        for ours, theirs in zip(self._read(printed), self._read(self.derived), strict=True):
+            if isinstance(ours, sp.Eq) and isinstance(theirs, sp.Eq) and ours.lhs == theirs.lhs:
+                ours, theirs = ours.rhs, theirs.rhs
+            if differ(ours, theirs, point) is not None:
+                return point
+        raise Unfounded("printed and derived form agree at the counterexample")
 
     def _read(self, forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
         """Forms with the definitions that are in force put in."""

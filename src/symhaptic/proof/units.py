@@ -103,4 +103,4 @@ def _agreed(whole: Expr, parts: list[Expr], known: Mapping[str, Dimension], verb
 def _pure(expr: Expr, known: Mapping[str, Dimension]) -> None:
     unit = _dimension(expr, known)
     if unit != ONE:
-        raise UnitError(f"takes a function of {shown(unit)}", (expr, unit))
+        raise UnitError(f"takes a function of a quantity in {shown(unit)}", (expr, unit))

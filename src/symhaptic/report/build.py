@@ -13,9 +13,8 @@ from pathlib import Path
 
 from symhaptic.ledger import GENERATED, Entry, committed, counted, ledger
 from symhaptic.library import Chapter
-from symhaptic.paper import STATEMENTS
 from symhaptic.proof.verdict import Kind
-from symhaptic.report.page import chapter_tex
+from symhaptic.report.page import chapter_tex, escaped, prose
 
 MEANINGS = (
     (Kind.DEFINITION, "introduces notation, with consistent units"),
@@ -27,6 +26,12 @@ MEANINGS = (
     (Kind.EXTERNAL, "rests on data outside the paper"),
     (Kind.UNDECIDED, "none of these yet"),
 )
+DRAFT = ".draft-"
+"""Beginning of the name of the folder that a report is made in."""
+
+RESERVED = ("book", "preamble", "ledger")
+"""Names of the report's own files, which no chapter may have."""
+
 NO_TEX = (
     "no latexmk and pdflatex found; on Debian: "
     "apt-get install latexmk texlive-latex-recommended lmodern"
@@ -58,6 +63,12 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
         comment_start_string="<#",
         comment_end_string="#>",
     )
+    names = [chapter.name for chapter in chapters]
+    for chapter in chapters:
+        if names.count(chapter.name) > 1 or chapter.name in RESERVED:
+            raise ReportError(
+                f"--derivation {chapter.path}: the name {chapter.name!r} is taken; rename the file"
+            )
     entries = ledger(chapters)
     shared = {"generated": GENERATED, "title": TITLE, "counts": counted(entries)}
     files = {
@@ -73,7 +84,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
             {
                 "chapters": [c.name for c in chapters],
                 "kinds": [(str(k), m) for k, m in MEANINGS],
-                "count": f"{len(STATEMENTS)} statements",
+                "count": f"{len(entries)} statements",
             },
         ),
         ("ledger", {"rows": rows}),
@@ -86,9 +97,10 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
 def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
     id = entry.statement.id
     place = numbers.get(entry.derivation or "")
+    location = escaped(entry.statement.location)
     return {
         "id": id.replace("-", "-\\allowbreak "),
-        "says": f"{entry.statement.says} \\textcolor{{black!60}}{{({entry.statement.location})}}",
+        "says": f"{prose(entry.statement.says)} \\textcolor{{black!60}}{{({location})}}",
         "kind": str(entry.verdict.kind),
         "chapter": f"chapter {place}" if place else "",
     }
@@ -104,11 +116,17 @@ def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str],
     that a run that is killed leaves the old report whole.
     """
     files = text_files(chapters)
+    made_here = not target.exists()
     try:
         target.mkdir(parents=True, exist_ok=True)
-        draft = Path(tempfile.mkdtemp(prefix=".draft-", dir=target))
+        for old in target.glob(f"{DRAFT}*"):  # of a run that was killed
+            shutil.rmtree(old, ignore_errors=True)
+        draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=target))
     except OSError as wrong:
-        raise ReportError(f"-o {target}: cannot write there ({wrong.strerror})") from None
+        raise ReportError(
+            f"-o {target}: cannot write there ({wrong.strerror}); a folder that can be written is "
+            "allowed"
+        ) from None
     try:
         for name, text in files.items():
             (draft / name).write_text(text, encoding="utf-8")
@@ -122,6 +140,8 @@ def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str],
                 os.replace(made, place)
     finally:
         shutil.rmtree(draft, ignore_errors=True)
+        if made_here and not any(target.iterdir()):
+            target.rmdir()
 
 
 def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:
@@ -175,7 +195,8 @@ def typeset(folder: Path, say: Callable[[str], None]) -> None:
     log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""
     if run.returncode != 0:
         first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
-        raise ReportError(f"latexmk failed: {first}")
+        files = re.findall(r"\(\./(\w+)\.tex", log)
+        raise ReportError(f"latexmk failed in {files[-1] if files else 'book'}.tex: {first}")
     bad = re.findall(r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*)$", log, re.MULTILINE)
     if bad:
         raise ReportError(f"{len(bad)} bad lines in the typeset report, the first: {bad[0]}")

@@ -22,18 +22,17 @@ FORM = 29.5
 
 def chapter_tex(chapter: Chapter, number: int) -> str:
     """The chapter's LaTeX, to be included by the book."""
-    title = chapter.title
+    title = prose(chapter.title)
     out = [
-        f"\\chapterhead{{{number}}}{{{_file(chapter.source)}}}{{{title}}}",
-        f"\\label{{{chapter.name}}}",
+        f"\\chapterhead{{{number}}}{{{escaped(chapter.source)}}}{{{title}}}",
         "",
-        chapter.introduction,
+        prose(chapter.introduction),
         "",
     ]
     steps = 0
     for block in chapter.page.blocks:
         if block.kind == "prose":
-            out += [block.text, ""]
+            out += [prose(block.text), ""]
         elif block.kind in ("equation", "result"):
             steps += block.kind == "equation"
             out += _equation(block, number, steps)
@@ -44,8 +43,15 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
     return "\n".join(out) + "\n"
 
 
-def _file(name: str) -> str:
-    return name.replace("_", r"\_")
+def escaped(text: str) -> str:
+    """Plain words for LaTeX."""
+    return re.sub(r"([_%#&{}])", r"\\\1", text)
+
+
+def prose(text: str) -> str:
+    """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
+    parts = re.split(r"(\$[^$]*\$)", text)
+    return "".join(p if p[:1] == "$" else re.sub(r"(?<!\\)([%#&_])", r"\\\1", p) for p in parts)
 
 
 # -- equations ------------------------------------------------------------------------
@@ -53,7 +59,7 @@ def _file(name: str) -> str:
 
 def _equation(block: Block, chapter: int, step: int) -> list[str]:
     heading = "Result" if block.kind == "result" else f"Step {step}"
-    reason = _sentence(block.text) if block.text else ""
+    reason = _sentence(prose(block.text)) if block.text else ""
     rows = _rows(block.lines)
     beside = f"\\quad paper ({block.paper})" if block.paper else ""
     tag = (
@@ -70,7 +76,7 @@ def _equation(block: Block, chapter: int, step: int) -> list[str]:
     else:
         body = [f"{row}\\notag\\\\" for row in rows[:-1]] + [f"{rows[-1]}{tag}"]
     return [
-        f"\\step{{{heading}. {block.title}.}}{{{reason}}}",
+        f"\\step{{{heading}. {prose(block.title)}.}}{{{reason}}}",
         "\\begin{align*}",
         *body,
         "\\end{align*}",
@@ -134,7 +140,7 @@ def _figure(block: Block) -> list[str]:
     return [
         "\\begin{figure}[htbp]\\centering",
         f"\\includegraphics{{figures/{block.title}.pdf}}",
-        f"\\caption*{{\\footnotesize {block.text}}}",
+        f"\\caption*{{\\footnotesize {prose(block.text)}}}",
         "\\end{figure}",
         "",
     ]
@@ -149,11 +155,15 @@ def printed_forms(settled: list[Settled]) -> list[str]:
     for item in settled:
         statement, verdict = item.statement, item.verdict
         lines = [line for text in statement.latex for line in broken(text)]
-        shown = _stack(lines) if lines else statement.says
+        shown = _stack(lines) if lines else prose(statement.says)
         if statement.domain:
             shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
+        if verdict.condition:
+            running = verdict.condition.replace(r",\ ", "$, $")
+            running = running.replace(r"\ \text{and}\ ", "$ and $")
+            shown += f"\\\\[4pt]{{\\footnotesize\\kind{{{verdict.kind}}}{{for}} ${running}$}}"
         if lines and not statement.id.startswith(("eq", "tab")):
-            shown = f"{statement.says}\\\\[2pt]{shown}"
+            shown = f"{prose(statement.says)}\\\\[2pt]{shown}"
         out.append(f"\\form{{{_reference(statement.id)}}}{{{shown}}}{{{_verdict(verdict)}}}")
         correction = _correction(verdict)
         if correction:
@@ -215,9 +225,8 @@ def _verdict(verdict: Verdict) -> str:
     parts = [f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"]
     if verdict.kind == Kind.ENCLOSED and verdict.value:
         parts.append(f"\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\")
-    if verdict.condition:
-        running = verdict.condition.replace(r",\ ", "$, $").replace(r"\ \text{and}\ ", "$ and $")
-        parts.append(f"for ${running}$")
+    if verdict.kind is Kind.EXTERNAL:
+        parts.append(verdict.method)
     if verdict.shows:
         parts.append(verdict.shows)
     elif verdict.counterexample:
