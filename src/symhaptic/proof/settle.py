@@ -64,7 +64,7 @@ class Settlement:
             return Verdict(Kind.UNDECIDED, result.method, note=note)
         if not result.equal:
             kind = Kind.MISPRINT if self.misprint else Kind.REFUTED
-            point = result.point if self.unless is None else self._differing(printed)
+            point = self._chosen(printed) or result.point
             return Verdict(
                 kind,
                 f"as corrected {self._right_form()}",
@@ -192,15 +192,16 @@ class Settlement:
         ):
             raise Unfounded("at the counterexample a value stands against a truth")
 
-    def _differing(self, printed: Printed) -> Point:
-        """The chosen counterexample, once printed and derived form are seen to differ there."""
-        point = self.unless or {}
+    def _chosen(self, printed: Printed) -> Point | None:
+        """The counterexample that was chosen, if printed and derived form do differ there."""
+        if self.unless is None or len(printed) != len(self.derived):
+            return None
         for ours, theirs in zip(self._read(printed), self._read(self.derived), strict=True):
             if isinstance(ours, sp.Eq) and isinstance(theirs, sp.Eq) and ours.lhs == theirs.lhs:
                 ours, theirs = ours.rhs, theirs.rhs
-            if differ(ours, theirs, point) is not None:
-                return point
-        raise Unfounded("printed and derived form agree at the counterexample")
+            if differ(ours, theirs, self.unless) is not None:
+                return self.unless
+        return None
 
     def _read(self, forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
         """Forms with the definitions that are in force put in."""
