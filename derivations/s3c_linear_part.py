@@ -90,7 +90,7 @@ def derive(page):
     page.settle(
         "eq9",
         limit_of_k > K,
-        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ K\ne\frac{b+B}{(d+1/2)T}",
+        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ K\ne(b+B)/((d+\tfrac12)T)",
         unless=low,
         truth=passivity.margin(5 * pi / 6).subs(d, 1) > 0,
         shows=r"(9) holds, yet (5) fails at $\omega T=\tfrac56\pi$",
@@ -100,7 +100,7 @@ def derive(page):
     page.settle(
         "eq10",
         limit_of_k > K,
-        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ -b\le B\le\frac{d}{2d+3}b,\ K\ne\frac{b+B}{(d+1/2)T}",
+        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ -b\le B\le bd/(2d+3),\ K\ne(b+B)/((d+\tfrac12)T)",
         unless=steep,
         truth=passivity.margin(5 * pi / 6).subs(d, 0) > 0,
         shows=r"$d=0$, $B=\tfrac12b$: (10) allows $K=2$, (5) fails at $\omega T=\tfrac56\pi$",

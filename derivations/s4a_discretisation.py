@@ -10,6 +10,13 @@ from sympy import Eq, I, Matrix, S, diff, exp, eye, sqrt, zeros
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
 from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
+from symhaptic.paper.reading import read
+
+CORRECTED = (
+    r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
+    r"+ b\changed{\tfrac{m}{T}}c_1(c_3 - c_2)(z - 1)}"
+    r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}"
+)
 
 
 def derive(page):
@@ -60,17 +67,14 @@ def derive(page):
     )
     device = sampled(unit, split=c_1)
     exact = T**2 / m * device.transfer
-    gap = b**2 - 4 * k * m
-    top = ((c_2 + c_3 - 2) * z + c_2 + c_3 - 2 * exp(-b * T / m)) * gap + (
-        b * m / T * c_1 * (c_3 - c_2) * (z - 1)
-    )
-    bottom = 2 * k * (z**2 - (c_2 + c_3) * z + exp(-b * T / m)) * (-gap)
+    (form,) = read(CORRECTED)
     given = images | {k: stiffness}
     page.show(
         "The discrete equivalent",
         "P(z)",
-        top / bottom,
-        page.same("written", exact.xreplace(given), (top / bottom).xreplace(given)),
+        CORRECTED,
+        page.same("written", exact.xreplace(given), form.xreplace(given)),
+        paper="12",
     )
     page.say(
         "The last summand of the numerator needs the factor $m/T$ that the print lacks: without "
@@ -81,12 +85,7 @@ def derive(page):
         "eq12",
         Eq(1 / (m * s**2 + b * s + k), exact),
         given=given,
-        corrected=(
-            r"\frac{1}{ms^2 + bs + k} \hat{=} \br "
-            r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
-            r"+ b\changed{\frac{m}{T}}c_1(c_3 - c_2)(z - 1)}"
-            r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}",
-        ),
+        corrected=(r"\frac{1}{ms^2 + bs + k} \hat{=} \br " + CORRECTED,),
         unless={T: S.One, m: S(2), b: S(4), c_1: S.One, z: S(2)},
         shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$",
         note="$0/0$ for $k=0$ and for $b^2=4km$",

@@ -173,7 +173,7 @@ class _Reader:
         self.take()
         if token[0].isdigit():
             return sp.Rational(token.replace(r"\,", ""))
-        if token == r"\frac":
+        if token in (r"\frac", r"\tfrac"):
             return self.group() / self.group()
         if token == r"\sqrt" and self.peek() != "{":
             raise Unreadable(f"a root that is not square in {self.latex!r}")

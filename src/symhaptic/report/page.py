@@ -125,7 +125,7 @@ def _rows(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
             rows.append(f"&{shown}")
             start = ""
         room = LINE - width(start) - 1.5
-        parts = [right] if isinstance(right, str) else pieces(right, room)
+        parts = broken(right) if isinstance(right, str) else pieces(right, room)
         lead = f"{start} &{sign} " if start else f"&\\quad{sign} " if own_line else f"&{sign} "
         rows.append(f"{lead}{parts[0]}")
         rows += [f"&\\qquad {p}" for p in parts[1:]]
