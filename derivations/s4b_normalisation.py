@@ -92,43 +92,24 @@ def derive(page):
         "$n_0$ are $0/0$ for $\\gamma=0$, a device that nobody holds, and for $c_1=0$. The values "
         "there are finite:"
     )
-    chain = device.n1.xreplace(given)
-    page.limit(
-        "Critical damping",
-        chain,
-        c_1,
-        S.Zero,
-        (4 - 2 * (delta + 2) * exp(-delta / 2)) / delta**2,
-        name="n_1",
-    )
     alone = sampled(plant.normalised(Parts(stiffness=False)))
-    page.limit(
-        "No spring",
-        chain,
-        c_1,
-        delta,
-        (delta - 1 + exp(-delta)) / delta**2,
-        name="n_1",
-        because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring",
-    )
-    second_chain = device.n0.xreplace(given)
-    page.limit(
-        "Critical damping, second coefficient",
-        second_chain,
-        c_1,
-        S.Zero,
-        (4 * exp(-delta) - (4 - 2 * delta) * exp(-delta / 2)) / delta**2,
-        name="n_0",
-    )
-    page.limit(
-        "No spring, second coefficient",
-        second_chain,
-        c_1,
-        delta,
-        (1 - (1 + delta) * exp(-delta)) / delta**2,
-        name="n_0",
-    )
-    page.same("without a spring", alone.n1, (delta - 1 + exp(-delta)) / delta**2)
+    fade, half = exp(-delta), exp(-delta / 2)
+    for name, general, small, critical, free in (
+        ("n_1", device.n1, alone.n1, 4 - 2 * (delta + 2) * half, delta - 1 + fade),
+        ("n_0", device.n0, alone.n0, 4 * fade - (4 - 2 * delta) * half, 1 - (1 + delta) * fade),
+    ):
+        chain = general.xreplace(given)
+        page.limit("Critical damping", chain, c_1, S.Zero, critical / delta**2, name=name)
+        page.limit(
+            "No spring",
+            chain,
+            c_1,
+            delta,
+            free / delta**2,
+            name=name,
+            because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring",
+        )
+        page.same("without a spring", small, free / delta**2)
     at = {
         gamma: S.Zero,
         delta: S.One,
