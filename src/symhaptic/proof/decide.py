@@ -79,19 +79,14 @@ def _compare(left: Expr, right: Expr) -> Comparison:
             if left == right:
                 return Comparison(True, "identical")
             return _told_apart(left, right)
-        if _same(left, right):
-            return Comparison(True, f"zero in {field_name([left, right])}")
+        field = Field([left, right])
+        if field.are_equal(left, right):
+            return Comparison(True, f"zero in {field_name(field)}")
     except Unsupported as missing:
         return Comparison(None, str(missing))
     except Undefined as pole:
         return Comparison(False, str(pole), {})
     return _told_apart(left, right)
-
-
-def _same(left: Expr, right: Expr) -> bool:
-    difference = left - right
-    Field([left, right]).image(left)  # a form that divides by zero equals nothing
-    return Field([difference]).is_zero(difference)
 
 
 def _relations(left: Relational, right: Relational) -> Comparison:
@@ -102,8 +97,9 @@ def _relations(left: Relational, right: Relational) -> Comparison:
             same = compare(one.rhs, other.rhs)
             if same.equal is not None:
                 return same
-        if _proportional(ours, theirs, signed=isinstance(one, (sp.Eq, sp.Ne))):
-            return Comparison(True, f"zero in {field_name([ours, theirs])}")
+        field = Field([ours, theirs])
+        if _proportional(field, ours, theirs, signed=isinstance(one, (sp.Eq, sp.Ne))):
+            return Comparison(True, f"zero in {field_name(field)}")
     return _told_apart(one, other)
 
 
@@ -114,11 +110,10 @@ def _turned(relation: Expr) -> Expr:
     return relation
 
 
-def _proportional(ours: Expr, theirs: Expr, signed: bool) -> bool:
-    field = Field([ours, theirs])
+def _proportional(field: Field, ours: Expr, theirs: Expr, signed: bool) -> bool:
     if field.is_zero(ours) or field.is_zero(theirs):
         return field.is_zero(ours) and field.is_zero(theirs)
-    if _same(ours, theirs):
+    if field.are_equal(ours, theirs):
         return True
     for point in itertools.islice(points(ours, theirs), 3):
         top, bottom = value_at(ours, point), value_at(theirs, point)
@@ -126,13 +121,14 @@ def _proportional(ours: Expr, theirs: Expr, signed: bool) -> bool:
             ratio = top / bottom
             if not ratio.is_Rational or (ratio < 0 and not signed):
                 return False
-            return _same(ours, ratio * theirs)
+            scaled = ratio * theirs
+            return Field([ours, scaled]).are_equal(ours, scaled)
     return False
 
 
-def field_name(exprs: Sequence[Expr]) -> str:
-    """The field that the forms live in, as LaTeX."""
-    generators = [g for g in Field(exprs).generators() if not g.has(sp.Dummy)]
+def field_name(field: Field) -> str:
+    """A field by its generators, as LaTeX."""
+    generators = [g for g in field.generators() if not g.has(sp.Dummy)]
     inner = ",".join(latex(g) for g in generators)
     return rf"$\mathbb{{Q}}({inner})$" if inner else r"$\mathbb{Q}$"
 

@@ -375,6 +375,12 @@ class Field:
         """Whether the expression vanishes identically (where it is defined)."""
         return bool(self.reduced(self.image(expr).num).is_zero())
 
+    def are_equal(self, left: Expr, right: Expr) -> bool:
+        """Whether two of the field's expressions are the same wherever both are defined."""
+        ours, theirs = self.image(left), self.image(right)
+        difference = self._ring.sum(ours, Fractional(-theirs.num, theirs.den))
+        return bool(self.reduced(difference.num).is_zero())
+
     def lowest(
         self, expr: Expr, variable: sp.Symbol, upto: int, nonzero: Callable[[Expr], bool]
     ) -> tuple[int, Expr] | None:
