@@ -333,8 +333,3 @@ class Page:
 
 def _sign(relation: Expr) -> str:
     return {"==": "=", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge"}[relation.rel_op]
-
-
-def values(point: Mapping[Expr, Any]) -> Point:
-    """A point with plain Python numbers made exact."""
-    return {symbol: sp.Rational(value) for symbol, value in point.items()}

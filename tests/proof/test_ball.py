@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from sympy import Abs, Eq, I, Rational, cos, exp, pi, re, sin, sqrt, tan
 
 from symhaptic.proof.ball import ball, differs_from_zero, sign, value_at
-from symhaptic.proof.normal import Unsupported
+from symhaptic.proof.rewriting import Unsupported
 
 x, y, d = sp.symbols("x y d")
 

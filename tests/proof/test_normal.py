@@ -9,7 +9,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from sympy import I, Rational, cos, cosh, exp, pi, re, sin, sinh, sqrt, tan
 
-from symhaptic.proof.normal import Undefined, Unsupported, is_zero
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import Undefined, Unsupported
 
 x, y, z, d, N, delta = sp.symbols("x y z d N delta")
 H = sp.Function("H")

@@ -5,7 +5,7 @@ import pytest
 import sympy as sp
 from sympy import Abs, I, Rational, cos, cot, exp, log, pi, sin, sinh, sqrt, tan
 
-from symhaptic.proof.normal import Unsupported
+from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.series import limit, lowest_term
 
 x, d, a, y, z = sp.symbols("x d a y z")

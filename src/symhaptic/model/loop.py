@@ -2,7 +2,6 @@ r"""The closed loop: held wall force on the sampled plant, and its characteristi
 
 from __future__ import annotations
 
-import sympy as sp
 from sympy import Expr
 
 from symhaptic.model import plant, wall
@@ -26,11 +25,3 @@ def closed(parts: Parts = FULL, split: Expr | None = None) -> Expr:
     device = plant.sampled(plant.normalised(parts), split=split)
     top, bottom = wall.normalised(parts)
     return T**2 / m * device.transfer / (1 + device.transfer * top / bottom)
-
-
-def coefficients(parts: Parts) -> list[Expr]:
-    """Coefficients of the polynomial for an integer delay d = 0, highest power first."""
-    from symhaptic.notation import d, z
-
-    polynomial = sp.Poly(sp.expand(characteristic(parts).subs(d, 0)), z)
-    return list(polynomial.all_coeffs())

@@ -132,11 +132,3 @@ def sampled(plant: Plant, period: Expr = sp.S.One, split: Expr | None = None) ->
         a=phi[0, 0] + phi[1, 1],
         e=sp.exp(-period * (plant.damping or 0) / plant.mass),
     )
-
-
-def late_response(split: Expr, late: Expr) -> Expr:
-    """Position one period after a unit force starts, if it reaches the plant ``late`` periods late.
-
-    For the normalised plant; this is the first coefficient of the modified z-transform.
-    """
-    return normalised(Parts()).held(1 - late, split)[0]

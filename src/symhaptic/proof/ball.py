@@ -13,7 +13,8 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq, fmpq_poly
 from sympy import Expr
 
-from symhaptic.proof.normal import Field, Undefined, Unsupported, is_zero
+from symhaptic.proof.normal import Field, is_zero
+from symhaptic.proof.rewriting import Undefined, Unsupported
 
 PRECISIONS = (64, 256, 1024)
 """Bits tried one after the other until a question is decided."""

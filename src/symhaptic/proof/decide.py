@@ -14,8 +14,9 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.latex import latex
 from symhaptic.proof.ball import Value, differs_from_zero, value_at
-from symhaptic.proof.normal import Field, Undefined, Unsupported
+from symhaptic.proof.normal import Field
 from symhaptic.proof.points import Point, points
+from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.verdict import Kind, Verdict
 
 Form: TypeAlias = Expr | Sequence[Expr]

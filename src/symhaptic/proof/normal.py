@@ -15,139 +15,17 @@ point where the two sides differ.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly
 from sympy import Expr
 
-from symhaptic.notation import SYMBOLS
+from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
+from symhaptic.proof.ring import Fractional, Ring
 
 Exponents = dict[tuple[int, ...], Fraction]
-
-
-class Undefined(ArithmeticError):
-    """The expression divides by something that is identically zero."""
-
-
-class Unsupported(ValueError):
-    """The expression holds something that the normal form does not know."""
-
-
-def conjugated(expr: Expr) -> Expr:
-    """The complex conjugate; symbols and coefficients of unknown functions are real.
-
-    Raises :class:`Unsupported` where the conjugate is not found by exchanging j and -j: for
-    complex symbols, and for roots and powers that need not be real.
-    """
-    for symbol in expr.free_symbols:
-        if symbol.name in SYMBOLS and SYMBOLS[symbol.name].domain == "complex":
-            raise Unsupported(f"the conjugate of an expression in {symbol}, which is complex")
-    for power in expr.atoms(sp.Pow):
-        if not (power.exp.is_Integer or (power.base.is_positive and power.exp.is_real)):
-            raise Unsupported(f"the conjugate of {power}, which need not be real")
-    return expr.xreplace({sp.I: -sp.I})
-
-
-def as_exponentials(expr: Expr) -> Expr:
-    """Sines, cosines, tangents and real parts rewritten with exponentials, nothing else touched."""
-    j = sp.I
-    args = [as_exponentials(a) for a in expr.args]
-
-    def pair(u: Expr) -> tuple[Expr, Expr]:
-        return sp.exp(u, evaluate=False), sp.exp(-u, evaluate=False)
-
-    if isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot)):
-        up, down = pair(j * args[0])
-        sine, cosine = (up - down) / (2 * j), (up + down) / 2
-        return {sp.sin: sine, sp.cos: cosine, sp.tan: sine / cosine, sp.cot: cosine / sine}[
-            expr.func
-        ]
-    if isinstance(expr, (sp.sinh, sp.cosh, sp.tanh)):
-        up, down = pair(args[0])
-        sine, cosine = (up - down) / 2, (up + down) / 2
-        return {sp.sinh: sine, sp.cosh: cosine, sp.tanh: sine / cosine}[expr.func]
-    if isinstance(expr, sp.re):
-        return (args[0] + as_exponentials(conjugated(expr.args[0]))) / 2
-    if isinstance(expr, sp.exp):
-        return sp.exp(args[0], evaluate=False)
-    if not expr.args or isinstance(expr, (sp.core.function.AppliedUndef, sp.conjugate)):
-        return expr
-    return expr.func(*args, evaluate=False) if expr.is_Add or expr.is_Mul else expr.func(*args)
-
-
-@dataclass(frozen=True)
-class Fractional:
-    """A quotient of two polynomials in the generators of a :class:`Field`."""
-
-    num: fmpq_mpoly
-    den: fmpq_mpoly
-
-    def __mul__(self, other: Fractional) -> Fractional:
-        return Fractional(self.num * other.num, self.den * other.den)
-
-    def __pow__(self, n: int) -> Fractional:
-        if n < 0:
-            return Fractional(self.den ** (-n), self.num ** (-n))
-        return Fractional(self.num**n, self.den**n)
-
-
-class _Ring:
-    """Polynomials over the rationals in named generators, with one relation for some of them."""
-
-    def __init__(self, names: list[Expr]) -> None:
-        self.names = names
-        # flint wants at least one generator
-        labels = [f"g{i}" for i in range(max(1, len(names)))]
-        self.ctx = fmpq_mpoly_ctx.get(labels, "degrevlex")
-        self.gen = dict(zip(names, self.ctx.gens(), strict=False))
-        self.one = self.ctx.constant(1)
-        self.relations: list[tuple[int, dict[int, fmpq_mpoly]]] = []
-        self.small: int | None = None
-        """Index of the variable in which polynomials are cut off, in a series."""
-
-    def sum(self, left: Fractional, right: Fractional) -> Fractional:
-        """Over a common divisor; in a series nothing that vanishes with the variable is shared,
-        since dividing by it would lose orders of the cut-off polynomials."""
-        common = left.den.gcd(right.den)
-        if self.small is not None and any(m[self.small] for m in common.to_dict()):
-            common = self.one
-        ours, theirs = right.den / common, left.den / common
-        return Fractional(left.num * ours + right.num * theirs, left.den * ours)
-
-    def constant(self, value: sp.Rational) -> Fractional:
-        return Fractional(self.ctx.constant(fmpq(int(value.p), int(value.q))), self.one)
-
-    def relate(self, name: Expr, coefficients: dict[int, fmpq_mpoly]) -> None:
-        """Impose sum of coefficient times name**power = 0."""
-        self.relations.append((self.names.index(name), coefficients))
-
-    def reduce(self, poly: fmpq_mpoly) -> fmpq_mpoly:
-        """The polynomial modulo all relations, up to a factor that is not zero."""
-        for index, relation in reversed(self.relations):
-            degree = max(relation)
-            main = self.gen[self.names[index]]
-            while True:
-                parts = self._by_power(poly, index)
-                top = max(parts, default=0)
-                if top < degree:
-                    break
-                rest = sum(
-                    (c * main ** (p + top - degree) for p, c in relation.items() if p < degree),
-                    self.ctx.constant(0),
-                )
-                lower = poly - parts[top] * main**top
-                poly = relation[degree] * lower - parts[top] * rest
-        return poly
-
-    def _by_power(self, poly: fmpq_mpoly, index: int) -> dict[int, fmpq_mpoly]:
-        split: dict[int, dict[tuple[int, ...], fmpq]] = {}
-        for monomial, value in poly.to_dict().items():
-            rest = (*monomial[:index], 0, *monomial[index + 1 :])
-            split.setdefault(int(monomial[index]), {})[rest] = value
-        return {power: self.ctx.from_dict(part) for power, part in split.items()}
 
 
 class Field:
@@ -220,7 +98,7 @@ class Field:
             *self._logs.values(),
             *self._opaque.values(),
         ]
-        ring = _Ring(names)
+        ring = Ring(names)
         ring.relate(sp.I, {0: ring.one, 2: ring.one})
         images: dict[Expr, Fractional] = {}
         seeds = [sp.I * sp.pi, *self._logs.values()]
@@ -256,7 +134,7 @@ class Field:
             self._coordinates[exponent] = coordinates
 
     @staticmethod
-    def _depends(poly: fmpq_mpoly, ring: _Ring, name: Expr) -> bool:
+    def _depends(poly: fmpq_mpoly, ring: Ring, name: Expr) -> bool:
         index = ring.names.index(name)
         return any(monomial[index] for monomial in poly.to_dict())
 
@@ -283,7 +161,7 @@ class Field:
             self._generator[i] = sp.Symbol(f"_g{i}")
             names.append(self._generator[i])
         names.append(self._zeta)
-        self._ring = ring = _Ring(names)
+        self._ring = ring = Ring(names)
         ring.small = None if self._small is None else names.index(self._small)
         cyclotomic = sp.Poly(sp.cyclotomic_poly(self._order, sp.Symbol("X")), sp.Symbol("X"))
         ring.relate(
@@ -322,7 +200,7 @@ class Field:
     # -- the image of an expression ----------------------------------------------------
 
     def _image(
-        self, expr: Expr, ring: _Ring, exponential: Callable[[Expr], Fractional] | None
+        self, expr: Expr, ring: Ring, exponential: Callable[[Expr], Fractional] | None
     ) -> Fractional:
         if expr.is_Rational:
             return ring.constant(expr)
@@ -358,7 +236,7 @@ class Field:
             return exponential(power * self._logs[base])
         raise Unsupported(f"no normal form for {type(expr).__name__}: {expr}")
 
-    def _power(self, image: Fractional, n: int, ring: _Ring) -> Fractional:
+    def _power(self, image: Fractional, n: int, ring: Ring) -> Fractional:
         if n < 0 and ring.reduce(image.num).is_zero():
             raise Undefined("division by an expression that is identically zero")
         return image**n
@@ -395,7 +273,7 @@ class Field:
         monic = all(relation[max(relation)] == one for _, relation in self._ring.relations)
         found: list[tuple[int, Expr]] = []
         for poly in (image.num, image.den):
-            parts = self._ring._by_power(poly, self._ring.names.index(variable))
+            parts = self._ring.by_power(poly, self._ring.names.index(variable))
             for power in sorted(p for p in parts if p < upto):
                 part = self.reduced(parts[power])
                 if part.is_zero():

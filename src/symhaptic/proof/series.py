@@ -13,8 +13,9 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.proof.ball import differs_from_zero
-from symhaptic.proof.normal import Field, Undefined, Unsupported, as_exponentials
+from symhaptic.proof.normal import Field
 from symhaptic.proof.points import points
+from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
 
 ORDERS = (4, 8, 16)
 """Orders of truncation tried one after the other."""
