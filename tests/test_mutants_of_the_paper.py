@@ -24,7 +24,7 @@ SETTLED = {
     "s4a_discretisation": ["eq12", "eq13", "s4a-delay-equivalent"],
     "s4b_normalisation": ["eq14", "eq15", "tab1"],
     "s4b_polynomial": ["eq16", "eq17", "eq18"],
-    "s4d_left_bound": ["s4d-left-bound"],
+    "s4d_left_bound_delayed": ["s4d-left-bound"],
     "s5c_nyquist": ["eq28", "eq29", "eq30"],
     "s5a_normalised_boundary": ["eq27"],
 }

@@ -1,0 +1,123 @@
+r"""Does the stable region still reach the line $\alpha=-\gamma$ with a delay?
+
+Without delay it does. We show that a delay of one period changes nothing for a spring as soft as
+an arm, and that it does for a stiff one.
+"""
+
+from sympy import Eq, Rational, S, diff, exp, pi, symbols
+
+from symhaptic.model import loop, plant
+from symhaptic.notation import alpha, beta, c, d, delta, gamma, t, x, z
+from symhaptic.proof.sign import assume, combined
+from symhaptic.scene import FULL, Parts
+
+
+def derive(page):
+    soft_spring(page)
+    page.say(
+        "Now a spring far stiffer than an arm, without damping: $\\sqrt\\gamma=2\\pi/3$, so that "
+        "$\\cos\\sqrt\\gamma=-\\tfrac12$. With $x=n_1\\beta$, on the line:"
+    )
+    swinging = plant.sampled(plant.normalised(Parts(damping=False)))
+    gam = 4 * pi**2 / 9
+    poly = loop.characteristic(Parts(damping=False)).subs(d, 1)
+    poly = poly.subs({alpha: -gamma, beta: x / swinging.n1}).subs(gamma, gam)
+    cubic = z**3 + 2 * z**2 + (x + Rational(3, 2)) * z + x
+    page.show(
+        "The other three roots", r"p_1(z)/(z-1)", cubic, page.same("divided", poly, (z - 1) * cubic)
+    )
+    r1, r2, r3 = symbols("r_1 r_2 r_3")
+    q2, q1, q0 = -(r1 + r2 + r3), r1 * r2 + r1 * r3 + r2 * r3, -r1 * r2 * r3
+    product = (1 - r1 * r2) * (1 - r1 * r3) * (1 - r2 * r3)
+    names = symbols("q_0 q_1 q_2")
+    page.show(
+        "A necessary condition for three roots inside",
+        product,
+        1 - names[1] + names[0] * names[2] - names[0] ** 2,
+        page.same("symmetric functions", product, 1 - q1 + q0 * q2 - q0**2),
+        because="positive when all $|r_i|<1$, as non-real roots come in conjugate pairs; on the "
+        "right stand the coefficients of $z^3+q_2z^2+q_1z+q_0$",
+    )
+    square = assume((x - Rational(1, 2)) ** 2, strict=False)
+    never = combined(x**2 - x + Rational(1, 2), [square], [Rational(1, 4)])
+    margin = 1 - (x + Rational(3, 2)) + 2 * x - x**2
+    page.step(
+        "Here it is",
+        margin,
+        -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
+        because="negative for every $x$: no damping makes the line a border of the region",
+    )
+    stable = z**4 + z**3 + Rational(9, 10) * z**2 + Rational(1, 10)
+    wall = {alpha: 0, beta: -Rational(1, 10) / swinging.n1}
+    away = loop.characteristic(Parts(damping=False)).subs(d, 1).subs(wall).subs(gamma, gam)
+    page.show(
+        "A stable wall of that spring",
+        "p_1(z)",
+        stable,
+        page.same("away from the line", away, stable),
+        because="for $\\alpha=0$, $n_1\\beta=-\\tfrac1{10}$, away from the line",
+    )
+    page.inside("Its roots lie inside the circle", stable)
+    page.settle(
+        "s4d-left-bound",
+        Eq(alpha, -gamma),
+        provided=r"d=0\ \text{and}\ (\delta>0\ \text{or}\ \sqrt\gamma\notin\{\pi,2\pi,\ldots\}),"
+        r"\ \text{or}\ d=1\ \text{and}\ \gamma\le1",
+        unless={alpha: -gam, gamma: gam, delta: S.Zero, d: S.One},
+        truth=(margin > 0, never),
+        shows=r"$d=1$, $\delta=0$, $\sqrt\gamma=\tfrac23\pi$: no $\beta$ is stable near the line",
+        note=r"$\alpha>-\gamma$ is necessary for every delay; the counterexample lies outside "
+        r"(23); for $d\ge2$ inside it nothing is shown here",
+    )
+
+
+def soft_spring(page):
+    """One period of delay and gamma <= 1: the wall alpha = -gamma, beta = 0 has one root at 1."""
+    given = {gamma: (delta**2 - c**2) / 4}
+    device = plant.sampled(plant.normalised(FULL), split=c)
+    motion = plant.normalised(FULL).transition(t, c).xreplace(given)
+    place, speed = motion[0, 0].subs(t, 1), motion[1, 1].subs(t, 1)
+    a, e, kept = symbols("a e x")
+    line = loop.characteristic(FULL, split=c).subs({d: 1, alpha: -gamma, beta: 0})
+    shape = z * (z - 1) * (z**2 + (1 - a) * z + e - kept)
+    page.show(
+        "One period of delay, $\\beta=0$",
+        "p_1(z)",
+        shape,
+        page.same(
+            "roots",
+            line.xreplace(given),
+            shape.subs({a: device.a, e: device.e, kept: speed}, simultaneous=True),
+        ),
+        because="$x$ is again the speed left of a unit speed. The quadratic has both roots inside "
+        "if $e-x<1$, $2-a+e-x>0$ and $a+e-x>0$",
+    )
+    page.show(
+        "The trace",
+        "a-x",
+        symbols("y"),
+        page.same("trace", device.a - speed, place),
+        because="where $y$ is the position left after a period of a unit displacement",
+    )
+    page.show(
+        "Speed and position",
+        r"\tfrac{d}{dt}(e^{\delta t}v)",
+        -gamma * exp(delta * t) * x,
+        page.same(
+            "after a unit displacement and after a unit speed",
+            [diff(exp(delta * t) * motion[1, i], t) for i in (0, 1)],
+            [-given[gamma] * exp(delta * t) * motion[0, i] for i in (0, 1)],
+        ),
+        because="for a motion that starts with a unit displacement or with a unit speed",
+    )
+    page.say(
+        "By the energy of the chapter before, a unit speed carries the mass no further than $t$, "
+        "so integrating over a period, $e-x\\le\\gamma/2$; a unit displacement stays below 1, so "
+        "$y\\ge1-\\gamma/2$. For $\\gamma\\le1$ therefore $e-x<1$ and $a+e-x=y+e>0$, and "
+        "$2-a+e-x=(1-a+e)+(1-x)>0$ as $1-a+e=\\gamma(n_1+n_0)\\ge0$ and $x<1$, unless "
+        "$\\gamma=\\delta=0$. There take $\\beta=\\tfrac12$ instead:"
+    )
+    free = loop.characteristic(Parts(False, False)).subs({d: 1, alpha: 0, beta: S.Half})
+    cubic = z**3 - z**2 + z / 4 + Rational(1, 4)
+    page.step("A free mass", free, (z - 1) * cubic, name="p_1(z)")
+    page.inside("Its other roots", cubic)
