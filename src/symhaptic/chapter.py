@@ -1,8 +1,9 @@
 """A chapter: steps that are proved as they are written down, and the verdicts they lead to.
 
 A derivation file has a docstring (title, blank line, introduction) and a function
-``derive(page)``.  It talks to the :class:`Page`; every call proves what it shows or raises
-:class:`FalseStep`.
+``derive(page)``.  It talks to the :class:`Page`, whose steps are proved or raise
+:class:`FalseStep`.  Names are the author's word: what ``name`` calls an expression, and the symbols
+in which :meth:`Page.show` writes what was proved just before, are not checked.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ class Settled:
 
 @dataclass
 class Page:
-    """What a derivation writes on: each method shows something and proves it."""
+    """What a derivation writes on; see the module for what is proved."""
 
     name: str
     blocks: list[Block] = field(default_factory=list)

@@ -133,3 +133,13 @@ def test_number_that_is_not_real_has_no_sign():
 )
 def test_value_at_a_point(expr, at, value):
     assert value_at(expr, {s: sp.sympify(v) for s, v in at.items()}) == value
+
+
+def test_equality_at_a_point_is_not_denied_without_a_ball():
+    # 2 cos(pi/5) = (1 + sqrt 5)/2, the golden ratio: true, and beyond the normal form
+    equation = sp.Eq(2 * sp.cos(sp.pi / 5, evaluate=False), (1 + sp.sqrt(5)) / 2, evaluate=False)
+    try:
+        found = value_at(equation, {})
+    except Unsupported:
+        found = None
+    assert found is not False

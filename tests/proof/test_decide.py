@@ -165,3 +165,10 @@ def test_strict_and_scaled_inequalities(shift, factor, other, divisor):
     assert not prove(base > other, factor * base >= factor * other)
     assert not prove(base > other, -factor * base > -factor * other)
     assert not prove(base > other, base > other + Rational(1, divisor))
+
+
+def test_a_point_where_one_side_is_undefined_refutes_nothing():
+    # both sides are (x + 1) e^(x + sqrt x), by hand; the left is 0/0 at 1, and the normal form
+    # does not see that sqrt(x) sqrt(x) in the exponent is x
+    left = exp(sqrt(x) * (sqrt(x) + 1)) * (x**2 - 1) / (x - 1)
+    assert prove(left, (x + 1) * exp(x + sqrt(x))).kind in ("proved", "undecided")

@@ -119,3 +119,14 @@ def test_an_overfull_line_is_an_error(typeset, tmp_path):
     )
     with pytest.raises(build.ReportError, match="Overfull"):
         build.typeset(tmp_path, say=lambda _: None)
+
+
+def test_a_chapter_whose_derivation_is_gone_is_stale_and_goes(chapters, tmp_path):
+    build.write(chapters, tmp_path, pdf=False, say=lambda _: None)
+    gone, kept = tmp_path / "s9_gone.tex", tmp_path / "mine.tex"
+    gone.write_text(f"% {build.GENERATED}\nold\n")
+    kept.write_text("not ours\n")
+    assert "-old" in build.differences(chapters, tmp_path)
+    build.write(chapters, tmp_path, pdf=False, say=lambda _: None)
+    assert not gone.exists()
+    assert kept.exists()

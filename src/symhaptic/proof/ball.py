@@ -152,7 +152,11 @@ def value_at(expr: Expr, at: Mapping[Expr, Expr]) -> Value:
         if left is None or right is None:
             return None
         if isinstance(expr, (sp.Eq, sp.Ne)):
-            return Field([left - right]).is_zero(left - right) is isinstance(expr, sp.Eq)
+            if is_zero(left - right):
+                return isinstance(expr, sp.Eq)
+            if not differs_from_zero(left - right):
+                raise Unsupported(f"undecided at {at}: {expr}")
+            return isinstance(expr, sp.Ne)
         order = sign(left - right)
         if order is None:
             raise Unsupported(f"undecided at {at}: {expr}")

@@ -138,11 +138,11 @@ def field_name(field: Field) -> str:
 
 
 def _told_apart(left: Expr, right: Expr) -> Comparison:
-    """A point at which the two certainly differ; an unknown function is tried as H_0 + H_1 x."""
+    """A point where both are defined and certainly differ; an unknown H is tried as H_0 + H_1 x."""
     left, right = _with_lines(left), _with_lines(right)
     for point in points(left, right):
         values = differ(left, right, point)
-        if values is not None:
+        if values is not None and None not in values:
             return Comparison(False, "the two sides differ", point, values)
     return Comparison(None, "neither proved nor told apart")
 

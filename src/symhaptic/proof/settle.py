@@ -67,7 +67,7 @@ class Settlement:
             point = self._chosen(printed) or result.point
             return Verdict(
                 kind,
-                f"as corrected {self._right_form()}",
+                self._right_form(),
                 condition=self.provided,
                 corrected=self.derived,
                 corrected_latex=self._correction(),
@@ -217,12 +217,12 @@ class Settlement:
 
     def _right_form(self) -> str:
         if self.corrected is None:
-            return "derived"
+            return "the derived form is another"
         right = tuple(p for line in self.corrected for p in read(line))
         result = compare(self._read(right), self._read(self.derived))
         if not result.equal:
             raise Unfounded(f"the corrected form is not the derived one: {result.method}")
-        return result.method
+        return f"as corrected {result.method}"
 
     def _correction(self) -> str | None:
         return None if self.corrected is None else r",\quad ".join(self.corrected)

@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -28,6 +29,9 @@ MEANINGS = (
 )
 DRAFT = ".draft-"
 """Beginning of the name of the folder that a report is made in."""
+
+STALE = 3600
+"""Seconds after which a draft is taken to be left over."""
 
 RESERVED = ("book", "preamble", "ledger")
 """Names of the report's own files, which no chapter may have."""
@@ -119,8 +123,9 @@ def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str],
     made_here = not target.exists()
     try:
         target.mkdir(parents=True, exist_ok=True)
-        for old in target.glob(f"{DRAFT}*"):  # of a run that was killed
-            shutil.rmtree(old, ignore_errors=True)
+        for old in target.glob(f"{DRAFT}*"):  # of a run that was killed, not of one beside this
+            if time.time() - old.stat().st_mtime > STALE:
+                shutil.rmtree(old, ignore_errors=True)
         draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=target))
     except OSError as wrong:
         raise ReportError(
@@ -138,10 +143,22 @@ def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str],
                 place = target / made.relative_to(draft)
                 place.parent.mkdir(exist_ok=True)
                 os.replace(made, place)
+        for path in _left_over(target, files):
+            path.unlink()
     finally:
         shutil.rmtree(draft, ignore_errors=True)
         if made_here and not any(target.iterdir()):
             target.rmdir()
+
+
+def _left_over(target: Path, files: dict[str, str]) -> list[Path]:
+    """Chapters of an earlier report whose derivation is gone."""
+    mark = f"% {GENERATED}"
+    return [
+        path
+        for path in sorted(target.glob("*.tex"))
+        if path.name not in files and path.read_text(encoding="utf-8").startswith(mark)
+    ]
 
 
 def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:
@@ -158,7 +175,8 @@ def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) 
 def differences(chapters: list[Chapter], target: Path) -> str:
     """A diff from the committed text to what would be written; empty where nothing changed."""
     out: list[str] = []
-    for name, text in text_files(chapters).items():
+    files = text_files(chapters)
+    for name, text in (files | {p.name: "" for p in _left_over(target, files)}).items():
         path = target / name
         old = path.read_text(encoding="utf-8") if path.is_file() else ""
         out += difflib.unified_diff(
