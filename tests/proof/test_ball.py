@@ -136,8 +136,9 @@ def test_value_at_a_point(expr, at, value):
 
 
 def test_equality_at_a_point_is_not_denied_without_a_ball():
-    # 2 cos(pi/5) = (1 + sqrt 5)/2, the golden ratio: true, and beyond the normal form
-    equation = sp.Eq(2 * sp.cos(sp.pi / 5, evaluate=False), (1 + sp.sqrt(5)) / 2, evaluate=False)
+    # sqrt(5 + 2 sqrt 6) = sqrt 2 + sqrt 3, by squaring: true, and beyond the normal form
+    nested = sp.sqrt(5 + 2 * sp.sqrt(6))
+    equation = sp.Eq(nested, sp.sqrt(2) + sp.sqrt(3), evaluate=False)
     try:
         found = value_at(equation, {})
     except Unsupported:
