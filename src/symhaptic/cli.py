@@ -211,6 +211,8 @@ def main() -> None:
     except (ParserError, Unusable) as wrong:
         said = getattr(wrong, "format_message", wrong.__str__)()
         said = said.replace("Value error, ", "")
+        if said.startswith("No such"):
+            said = f"{said.rstrip('.')}; allowed is what --help lists"
         typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
         raise SystemExit(2) from None
     except (typer.Abort, KeyboardInterrupt):
