@@ -7,12 +7,14 @@ With :math:`Q=-z^{l+1}A/M` on the unit circle, :math:`\beta=\Im Q/\sin\theta` an
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.plant import Device, device
 from symhaptic.kernels.stability import SHEETS
+
+Complex = NDArray[np.complex128]
 
 _SPLIT = 2.0**27 + 1
 """Veltkamp's factor: halves of a float64 whose products are exact."""
@@ -30,27 +32,43 @@ def _turned(steps: Array, theta: Array) -> tuple[Array, Array]:
     return np.cos(product) - error * np.sin(product), np.sin(product) + error * np.cos(product)
 
 
-def point(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
-    """The wall with a root at exp(j theta), behind a whole delay (or a real one, principal)."""
+def _quotient(x: Device, theta: Array, steps: Array) -> tuple[Complex, Complex]:
+    """Q on the unit circle, and its derivative with respect to theta."""
     half_sine, half_cosine = np.sin(theta / 2), np.cos(theta / 2)
-    sine = 2 * half_sine * half_cosine
+    sine, cosine = 2 * half_sine * half_cosine, (half_cosine - half_sine) * (
+        half_cosine + half_sine
+    )
     small = theta < np.pi / 2
     y, rest = -2 * half_sine**2, 2 * half_cosine**2
 
-    def real(at_one: Array, at_minus_one: Array, slope: Array) -> Array:
-        return np.where(small, at_one + slope * y, slope * rest - at_minus_one)
+    def on_circle(at_one: Array, at_minus_one: Array, slope: Array, height: Array) -> Complex:
+        real = np.where(small, at_one + slope * y, slope * rest - at_minus_one)
+        return real + 1j * (height * sine)
 
-    above = real(x.at_one, x.at_minus_one, 1 + x.e)
-    below = real(x.numerator_at_one, x.numerator_at_minus_one, x.m2 + x.m0)
-    above_j, below_j = x.loss * sine, (x.m2 - x.m0) * sine
-    # -A/z over M/z, to be turned by z^(l+1)
-    size = below**2 + below_j**2
-    q, q_j = -(above * below + above_j * below_j) / size, -(above_j * below - above * below_j) / size
-    cosine, turn = _turned(steps + 1, theta)
-    real_q, imaginary_q = q * cosine - q_j * turn, q * turn + q_j * cosine
-    beta = imaginary_q / sine
+    above = on_circle(x.at_one, x.at_minus_one, 1 + x.e, x.loss)  # A/z
+    below = on_circle(x.numerator_at_one, x.numerator_at_minus_one, x.m2 + x.m0, x.m2 - x.m0)
+    grows_above = -(1 + x.e) * sine + 1j * (x.loss * cosine)
+    grows_below = -(x.m2 + x.m0) * sine + 1j * ((x.m2 - x.m0) * cosine)
+    real, imaginary = _turned(steps + 1, theta)
+    turn = -(real + 1j * imaginary)
+    ratio = above / below
+    slope = 1j * (steps + 1) * ratio + (grows_above - ratio * grows_below) / below
+    return turn * ratio, turn * slope
+
+
+def point(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
+    """The wall with a root at exp(j theta), behind a whole delay (or a real one, principal)."""
+    q, _ = _quotient(x, theta, steps)
     # Re Q - beta (1 - cos theta) = Re Q - Im Q tan(theta/2)
-    return real_q - imaginary_q * (half_sine / half_cosine), beta
+    return q.real - q.imag * np.tan(theta / 2), q.imag / np.sin(theta)
+
+
+def tangent(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
+    """Derivatives of the boundary's alpha and beta with respect to theta."""
+    q, slope = _quotient(x, theta, steps)
+    half, sine = np.tan(theta / 2), np.sin(theta)
+    stiffness = slope.real - slope.imag * half - q.imag * (1 + half**2) / 2
+    return stiffness, (slope.imag - q.imag * np.cos(theta) / sine) / sine
 
 
 def stability_boundary(

@@ -156,7 +156,7 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     x = _motion(gamma, delta)
     n1, n0, together, apart = _held(x)
     at_one, at_minus_one = gamma * together, _at_nyquist(x)
-    e, loss = np.exp(-delta), -np.expm1(-delta)
+    e, loss = np.exp(-delta), 0.0 - np.expm1(-delta)  # never -0.0: an angle of it is taken
     a = at_minus_one - (1 + e)
     if part is None or not np.any(part):
         zero = np.zeros_like(n1)

@@ -139,18 +139,34 @@ def phase(x: Device, v: Wall, y: Array, rest: Array) -> tuple[Array, Array]:
     return top_angle + wall_angle - device_angle, 2 * np.arctan2(np.sqrt(y), np.sqrt(rest))
 
 
-def _turns(
-    alpha: Array, beta: Array, steps: Array, *plant: Array, whole: bool, principal: bool
+def count(
+    x: Device,
+    v: Wall,
+    steps: Array,
+    whole: bool = True,
+    principal: bool = False,
+    on_circle: Array | None = None,
 ) -> Array:
-    """Number of roots outside the unit circle, as floats; ``steps`` is the whole delay."""
-    x, v = Device(*plant), wall(alpha, beta)
+    """Number of roots outside the unit circle, as floats; ``steps`` is the whole delay.
+
+    With ``on_circle``, the y of a root on the circle, this root and its conjugate are left out:
+    the phase there is an odd multiple of pi, which is rounded to the side that has them inside.
+    """
     terms = surplus(x, v)
     near, far = terms[:4], terms[4:]
-    total = np.zeros(np.broadcast_shapes(alpha.shape, steps.shape, x.a.shape))
-    for crossing in crossings(near, far, whole):
+    found = crossings(near, far, whole)
+    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.a.shape))
+    nearest = None
+    if on_circle is not None:
+        away = [np.where(c.there, np.abs(c.y - on_circle), np.inf) for c in found]
+        nearest = np.argmin(np.stack(np.broadcast_arrays(*away)), axis=0)
+    for i, crossing in enumerate(found):
         bare, theta = phase(x, v, crossing.y, crossing.rest)
-        turns = np.rint((bare - (steps + 2) * theta) / (2 * np.pi))
-        total += np.where(crossing.there, np.where(crossing.rises, -2, 2) * turns, 0.0)
+        turns = (bare - (steps + 2) * theta) / (2 * np.pi)
+        if nearest is not None:
+            turns += np.where(nearest == i, np.where(crossing.rises, 0.5, -0.5), 0.0)
+        sign = np.where(crossing.rises, -2, 2)
+        total += np.where(crossing.there, sign * np.rint(turns), 0.0)
     side = np.where(v.slope >= 0, 1.0, -1.0)
     begin = np.where(v.alpha > 0, 0.0, side)
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
@@ -162,19 +178,22 @@ def _turns(
     return total
 
 
-def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
-    principal = sheet == "principal"
-    steps = delay if principal else np.floor(delay)
-    part = None if principal else delay - steps
-    if part is not None and not np.any(part):
-        part = None
-    shapes = [gamma.shape, delta.shape] + ([] if part is None else [part.shape])
-    shape = np.broadcast_shapes(*shapes)
-    arrays = [np.broadcast_to(a, shape) for a in (gamma, delta, *([] if part is None else [part]))]
-    plant = arguments.in_blocks(_device, *arrays)
+def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
+    """The whole delay and, for the exact sheet where it occurs, the fraction."""
+    if sheet == "principal":
+        return delay, None
+    steps = np.floor(delay)
+    part = delay - steps
+    return steps, part if np.any(part) else None
 
-    def work(al: Array, be: Array, st: Array, *pl: Array) -> Array:
-        return _turns(al, be, st, *pl, whole=part is None, principal=principal)
+
+def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+    steps, part = split(delay, sheet)
+    given = (gamma, delta) if part is None else (gamma, delta, part)
+    plant = arguments.in_blocks(_device, *given)
+
+    def work(al: Array, be: Array, st: Array, *numbers: Array) -> Array:
+        return count(Device(*numbers), wall(al, be), st, part is None, sheet == "principal")
 
     return arguments.in_blocks(work, alpha, beta, steps, *plant)
 
