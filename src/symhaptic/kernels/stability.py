@@ -155,9 +155,9 @@ def count(
     terms = surplus(x, v)
     near, far = terms[:4], terms[4:]
     found = crossings(near, far, whole)
-    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.a.shape))
+    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.m2.shape))
     nearest = None
-    if on_circle is not None:
+    if on_circle is not None and found:
         away = [np.where(c.there, np.abs(c.y - on_circle), np.inf) for c in found]
         nearest = np.argmin(np.stack(np.broadcast_arrays(*away)), axis=0)
     for i, crossing in enumerate(found):
