@@ -6,6 +6,7 @@ With :math:`Q=-z^{l+1}A/M` on the unit circle, :math:`\beta=\Im Q/\sin\theta` an
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -51,7 +52,7 @@ def _on_circle(x: Device, theta: Array) -> _Circle:
     part = np.where(small, -(half_sine**2), half_cosine**2) * 2
 
     def real(at_one: Array, at_minus_one: Array, slope: Array) -> Array:
-        return np.where(small, at_one, -at_minus_one) + slope * part
+        return np.asarray(np.where(small, at_one, -at_minus_one) + slope * part)
 
     return _Circle(
         half_sine,
@@ -129,14 +130,14 @@ def stability_boundary(
 
     >>> alpha, beta = stability_boundary(1.0, 0.0, 0.0, 1)
     >>> round(float(alpha), 12), round(float(beta), 12)  # 4 tan(1/2)^2 cos 2, ...
-    (-0.49679194797, 1.241901466117)
+    (-0.496790118283, 1.241897955708)
     """
     arguments.one_of("sheet", sheet, SHEETS)
     th = arguments.real("theta", theta)
     arguments.refuse("theta", th, (th <= 0) | (th >= np.pi), "numbers 0 < theta < pi are")
     g, dl = arguments.nonnegative("gamma", gamma), arguments.nonnegative("delta", delta)
     dy = arguments.nonnegative("delay", delay)
-    alpha, beta = arguments.in_blocks(lambda *a: _pair(*a, sheet), th, g, dl, dy)
+    alpha, beta = arguments.in_blocks(partial(_pair, sheet=sheet), th, g, dl, dy)
     return alpha, beta
 
 

@@ -187,7 +187,9 @@ def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
     return steps, part if np.any(part) else None
 
 
-def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+def _count(
+    alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array, sheet: str
+) -> Array:
     steps, part = split(delay, sheet)
     given = (gamma, delta) if part is None else (gamma, delta, part)
     plant = arguments.in_blocks(_device, *given)
@@ -232,7 +234,7 @@ def unstable_roots(
     Raises :class:`ValueError` for an infinite wall and an impossible plant or delay.
 
     >>> unstable_roots([0.5, 5.0], 1.0, 0.0, 0.0, 0).tolist()
-    [0, 1]
+    [0, 2]
     """
     arguments.one_of("sheet", sheet, SHEETS)
     values = _arguments(alpha, beta, gamma, delta, delay)

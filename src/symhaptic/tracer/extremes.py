@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize.elementwise import find_root
@@ -43,7 +45,7 @@ def max_stable_stiffness(
     g = arguments.nonnegative("gamma", gamma)
     dl = arguments.nonnegative("delta", delta)
     dy = arguments.nonnegative("delay", delay)
-    found = arguments.in_blocks(lambda *a: _rightmost(*a, sheet), g, dl, dy)
+    found = arguments.in_blocks(partial(_rightmost, sheet=sheet), g, dl, dy)
     return Extremum(*found)
 
 
@@ -84,7 +86,12 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Arra
         alpha, beta = point(Device(*numbers), root.x, st)
         circle = 4 * np.sin(root.x / 2) ** 2
         others = stability.count(
-            Device(*numbers), stability.wall(alpha, beta), st, part is None, sheet == "principal", circle
+            Device(*numbers),
+            stability.wall(alpha, beta),
+            st,
+            part is None,
+            sheet == "principal",
+            circle,
         )
         found[:, inner] = np.where(others == 0, [alpha, beta, root.x], np.nan)
     last = ~inner & (delay == 0)

@@ -62,7 +62,7 @@ def grid_boundary(
     betas: ArrayLike,
     threshold: float = 1e-8,
 ) -> Array:
-    """Points (alpha, beta) of the stability boundary, each within ``threshold`` along its grid line.
+    """Points (alpha, beta) of the stability boundary, to within ``threshold`` along a grid line.
 
     The grid's stability is computed at every node; between neighbours that differ, the interval
     is halved until it is shorter than the threshold (Sec. IV-D of the paper).  All bisections run
@@ -96,4 +96,4 @@ def grid_boundary(
         middle = (good + bad) / 2
         keeps = stable(middle)[:, None]
         good, bad = np.where(keeps, middle, good), np.where(keeps, bad, middle)
-    return (good + bad) / 2
+    return np.asarray((good + bad) / 2)
