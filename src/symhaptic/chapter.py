@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
+from flint import arb
 from sympy import Expr
 
 from symhaptic.latex import latex
@@ -25,7 +26,7 @@ from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
 from symhaptic.proof.series import limit
-from symhaptic.proof.settle import Settlement, Truth
+from symhaptic.proof.settle import Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
@@ -189,14 +190,41 @@ class Page:
         )
         return relation
 
-    def inside(self, title: str, polynomial: Expr) -> Evidence:
-        """All roots of a polynomial in z with rational coefficients lie inside the unit circle."""
-        largest = largest_root(polynomial)
+    def inside(
+        self,
+        title: str,
+        polynomial: Expr,
+        at: Point | None = None,
+        given: Mapping[Expr, Expr] | None = None,
+    ) -> Evidence:
+        """All roots of a polynomial in z lie inside the unit circle, its symbols at a point.
+
+        Symbols of the polynomial may stand for expressions ``given`` in those of the point.
+        """
+        largest = largest_root(polynomial, at, given)
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        bound = largest.upper().str(4, radius=False)
-        self._equation(title, [(r"\max|z|", "<", bound)], "proved", "balls around the roots", "")
+        self._roots(title, "<", largest.upper())
         return Evidence("balls around the roots")
+
+    def outside(
+        self,
+        title: str,
+        polynomial: Expr,
+        at: Point | None = None,
+        given: Mapping[Expr, Expr] | None = None,
+    ) -> Witness:
+        """A root of such a polynomial lies outside; what this contradicts is false at the point."""
+        largest = largest_root(polynomial, at, given)
+        if not largest > 1:
+            raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
+        self._roots(title, ">", largest.lower())
+        return Witness(dict(at or {}), "balls around the roots")
+
+    def _roots(self, title: str, sign: str, bound: arb) -> None:
+        """The line that says on which side of 1 the largest root lies, four digits of it."""
+        size = bound.str(4, radius=False)
+        self._equation(title, [(r"\max|z|", sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` does not change with the symbols: its derivatives are identically zero."""
