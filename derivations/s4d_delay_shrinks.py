@@ -16,15 +16,18 @@ def derive(page):
         "The explicit boundary begins on the line $\\alpha=-\\gamma$, with a double root at 1. "
         "There $p_1(1)=0$, and the derivative vanishes too; with $1-a+e=\\gamma(n_1+n_0)$:"
     )
-    corner = -(1 - e) / (n_1 + n_0) - gamma * (d + 1 - n_1 / (n_1 + n_0))
+    corner = page.define(
+        "The lower left corner",
+        r"\beta_0",
+        -(1 - e) / (n_1 + n_0) - gamma * (d + 1 - n_1 / (n_1 + n_0)),
+    )
     slope = diff(p, z).subs(z, 1).subs({alpha: -gamma, beta: corner})
     trace = 1 + e - gamma * (n_1 + n_0)
     page.step(
-        "The lower left corner",
+        "A double root there",
         slope.subs(a, trace),
         S.Zero,
         name=r"\frac{dp_1}{dz}(1)\Big|_{\alpha=-\gamma,\ \beta=\beta_0}",
-        because="for $\\beta_0=-\\frac{1-e}{n_1+n_0}-\\gamma\\big(d+1-\\frac{n_1}{n_1+n_0}\\big)$",
     )
     page.step(
         "One more period of delay",
@@ -58,8 +61,7 @@ def derive(page):
         "s4d-delay-shrinks",
         page.same("the corner", corner.subs(d, d + 1) - corner, -gamma),
         corrected=(
-            r"\text{the lower left corner}\ \beta_0=-\frac{1-e}{n_1+n_0}-\gamma\Big(d+1-"
-            r"\frac{n_1}{n_1+n_0}\Big)\ \text{sinks by}\ \gamma\ \text{per period}",
+            r"\text{the lower left corner of the region sinks by}\ \gamma\ \text{per period}",
         ),
         misprint=False,
         unless=undelayed,
