@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
+from flint import arb
 from sympy import Expr
 
 from symhaptic.latex import latex
@@ -24,6 +25,7 @@ from symhaptic.proof.ball import largest_root
 from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
+from symhaptic.proof.roots import Algebraic, below_one, decimals
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement, Truth
 from symhaptic.proof.sign import Fact
@@ -140,6 +142,28 @@ class Page:
         self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)
         return expr
 
+    def minimal(
+        self, title: str, numbers: Sequence[tuple[str, Algebraic]], because: str = ""
+    ) -> None:
+        """Minimal polynomials of numbers, each the smallest positive root of its own."""
+        for name, number in numbers:
+            if number.positive_roots_below:
+                raise FalseStep(f"{title}: {name} has a smaller positive root")
+        lines = [(name, "=", number.minimal) for name, number in numbers]
+        method = r"irreducible over $\mathbb{Q}$; balls around the roots"
+        self._equation(title, lines, "proved", method, because)
+
+    def enclosed(
+        self,
+        title: str,
+        values: Sequence[tuple[Expr | str, arb]],
+        because: str = "",
+        places: int = 24,
+    ) -> None:
+        """Positive numbers by their first decimals, which the balls around them settle."""
+        rows = [(name, "=", decimals(value, places) + r"\ldots") for name, value in values]
+        self._equation(title, rows, "enclosed", "ball arithmetic", because)
+
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
         self._proved("limit", limit(expr, variable, at), value)
@@ -189,12 +213,15 @@ class Page:
         )
         return relation
 
-    def inside(self, title: str, polynomial: Expr) -> Evidence:
-        """All roots of a polynomial in z with rational coefficients lie inside the unit circle."""
-        largest = largest_root(polynomial)
+    def inside(self, title: str, polynomial: Expr, variable: sp.Symbol | None = None) -> Evidence:
+        """All roots of a polynomial lie inside the unit circle.
+
+        Its coefficients are rational, or numbers of any kind where the ``variable`` is named.
+        """
+        largest = largest_root(polynomial, variable)
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        bound = largest.upper().str(4, radius=False)
+        bound = below_one(largest)
         self._equation(title, [(r"\max|z|", "<", bound)], "proved", "balls around the roots", "")
         return Evidence("balls around the roots")
 

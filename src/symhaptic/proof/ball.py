@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, arb, ctx, fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_poly
 from sympy import Expr
 
 from symhaptic.proof.normal import Field, is_zero
@@ -35,7 +35,11 @@ _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
 }
 
 
-def ball(expr: Expr, at: Mapping[Expr, Expr] | None = None, bits: int = 64) -> acb:
+Values: TypeAlias = Mapping[Expr, Expr | arb]
+"""What symbols stand for: exact numbers, or balls around real ones."""
+
+
+def ball(expr: Expr, at: Values | None = None, bits: int = 64) -> acb:
     """A ball that contains the value of ``expr`` where its symbols have the values ``at``.
 
     Raises :class:`Unsupported` for a function that it does not know.  A ball that is not
@@ -52,9 +56,10 @@ def ball(expr: Expr, at: Mapping[Expr, Expr] | None = None, bits: int = 64) -> a
         ctx.prec = before
 
 
-def _ball(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
+def _ball(expr: Expr, at: Values) -> acb:
     if expr in at:
-        return _ball(sp.sympify(at[expr]), {})
+        value = at[expr]
+        return acb(value) if isinstance(value, arb) else _ball(sp.sympify(value), {})
     if expr.is_Rational:
         return acb(fmpq(int(expr.p), int(expr.q)))
     if expr is sp.I:
@@ -83,21 +88,38 @@ def _ball(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
     raise Unsupported(f"no ball for {type(expr).__name__}: {expr}")
 
 
-def largest_root(polynomial: Expr) -> arb:
-    """A ball that contains the largest modulus of a rational polynomial's roots.
+def rational_polynomial(expr: Expr) -> fmpq_poly:
+    """An expression in at most one symbol as a polynomial over the rationals.
 
-    python-flint isolates the roots by certified balls.
+    >>> x = sp.Symbol("x")
+    >>> print(rational_polynomial((x - 1)*(x + sp.Rational(1, 2))))
+    x^2 + (-1/2)*x + (-1/2)
+    """
+    symbols = sorted(expr.free_symbols, key=str) or [sp.Dummy()]
+    coefficients = sp.Poly(expr, *symbols, domain=sp.QQ).all_coeffs()
+    return fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
+
+
+def largest_root(polynomial: Expr, variable: sp.Symbol | None = None) -> arb:
+    """A ball that contains the largest modulus of a polynomial's roots.
+
+    python-flint isolates the roots by certified balls.  The coefficients are rational numbers, or
+    any numbers without symbols where the ``variable`` is named and all roots are simple.
 
     >>> z = sp.Symbol("z")
     >>> bool(largest_root(z**2 - sp.Rational(1, 4)) < 0.51)
     True
+    >>> bool(largest_root(z**2 - sp.exp(-2), z) < 0.37)
+    True
     """
-    coefficients = sp.Poly(polynomial, *sorted(polynomial.free_symbols, key=str)).all_coeffs()
-    exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
-    sizes = [abs(root) for root, _ in exact.complex_roots()]
-    largest = sizes[0]
-    for size in sizes[1:]:
-        largest = largest.max(size)
+    if variable is None:
+        roots = [root for root, _ in rational_polynomial(polynomial).complex_roots()]
+    else:
+        coefficients = sp.Poly(polynomial, variable).all_coeffs()
+        roots = acb_poly([ball(c, bits=256) for c in reversed(coefficients)]).roots()
+    largest = abs(roots[0])
+    for root in roots[1:]:
+        largest = largest.max(abs(root))
     return largest
 
 
