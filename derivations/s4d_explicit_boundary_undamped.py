@@ -18,7 +18,7 @@ def derive(page):
     arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
     stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
     spring = page.define(
-        "With $\\Omega=\\sqrt\\gamma$ let",
+        "A function of the spring, $\\Omega=\\sqrt\\gamma$",
         kappa,
         gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
     ).xreplace({gamma: Omega**2})
@@ -29,10 +29,10 @@ def derive(page):
         kappa * first,
         page.same("stiffness", stiffness, spring * first),
         boxed=True,
-        because="for every real $d$ on the principal sheet",
+        because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
     )
     page.show(
-        "and its damping",
+        "The boundary's damping",
         alpha + 2 * beta,
         kappa * second,
         page.same("damping", stiffness + 2 * damping, spring * second),
@@ -55,7 +55,9 @@ def begin(page, stiffness, damping):
     right = (1 + x) / (4 * (1 - x)) + (d + 1) ** 2 / 2
     up = (d + half) * right - (d + 1) * (2 * d + 1) * (2 * d + 3) / 12
     name = r"\frac{\alpha+\gamma}{\gamma\theta^2}"
-    page.limit("To the right", (stiffness + 1) / theta**2, theta, S.Zero, right, name=name)
+    page.limit(
+        "How far it goes to the right", (stiffness + 1) / theta**2, theta, S.Zero, right, name=name
+    )
     page.limits((damping + d + half) / theta**2, theta, S.Zero, up)
     page.step(
         "So the slope is",
@@ -71,26 +73,27 @@ def end(page):
     """The end at theta -> pi, for whole delays."""
     page.say(
         "Towards the other end, for whole $d$, both grow without bound, as $n_1=n_0$ has no line "
-        "of a root at $-1$. Instead, with whole half turns taken off the sine:"
+        "of a root at $-1$. As $\\sin(d+1)\\theta=(-1)^d\\sin(d+1)(\\pi-\\theta)$, their sum stays "
+        "close to a line:"
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
         "The line that it approaches",
-        2 * per_gamma * sin((d + 1) * (theta - pi)) / sin(theta),
+        2 * per_gamma * sin((d + 1) * (pi - theta)) / sin(theta),
         theta,
         pi,
-        -2 * (d + 1) * (1 + x) / (1 - x),
-        name=r"(-1)^{d+1}\frac{\alpha+2\beta}{\gamma}",
+        2 * (d + 1) * (1 + x) / (1 - x),
+        name=r"(-1)^d\,\frac{\alpha+2\beta}{\gamma}",
     )
     per_gamma = per_gamma.subs(x, -1)
     page.step(
-        "For whole half swings, $x=-1$, it stays finite",
+        "For odd half swings, $x=-1$, it stays finite",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
         name=r"\alpha/\gamma",
     )
     page.step(
-        "and",
+        "Its damping then",
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
         name=r"(\alpha+2\beta)/\gamma",

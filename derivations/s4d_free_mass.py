@@ -11,6 +11,7 @@ from symhaptic.model import boundary, loop, plant
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import alpha, beta, d, tau, theta, x, y, z
 from symhaptic.proof import sign
+from symhaptic.report.figures import free_mass
 from symhaptic.scene import Parts
 
 FREE = Parts(stiffness=False, damping=False)
@@ -23,13 +24,13 @@ def derive(page):
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(FREE)))
     t = tan(theta / 2)
     page.show(
-        "The boundary, with $\\tau=\\tan\\frac\\theta2$",
+        "The boundary's stiffness, with $\\tau=\\tan\\frac\\theta2$",
         alpha,
         4 * tau**2 * cos(ANGLE),
         page.same("stiffness", stiffness, 4 * t**2 * cos(ANGLE)),
     )
     page.show(
-        "and",
+        "The boundary's damping",
         alpha + 2 * beta,
         4 * tau * sin(ANGLE),
         page.same("damping", stiffness + 2 * damping, 4 * t * sin(ANGLE)),
@@ -59,12 +60,18 @@ def derive(page):
         because="from $z=1$ at $\\beta=0$; the other $d+1$ roots start at 0",
     )
     page.step(
-        "and the first follows",
+        "The first one follows",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
         because="from $z=1$ at $\\alpha=0$. So walls with small $\\beta$ and much smaller "
         "$\\alpha$ are stable, and with them the whole region",
+    )
+    page.figure(
+        "free_mass",
+        "Stable walls of a free mass: the first arc of the boundary and the line $\\alpha=0$; the "
+        "dots are the stiffest walls.",
+        free_mass,
     )
 
 

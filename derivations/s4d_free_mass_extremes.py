@@ -4,7 +4,7 @@ The stable walls of a free mass lie between the line $\alpha=0$ and the first ar
 $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest damping.
 """
 
-from sympy import Rational, S, chebyshevt, cos, diff, pi, sin, sqrt, tan
+from sympy import Rational, S, Symbol, chebyshevt, cos, diff, pi, sin, sqrt, tan
 
 from symhaptic.model import boundary, plant
 from symhaptic.notation import alpha, beta, d, rho, tau, theta, x
@@ -23,8 +23,8 @@ def derive(page):
     t = tan(theta / 2)
     stiffness, damping = 4 * t**2 * cos(ANGLE), 2 * t * sin(ANGLE) - 2 * t**2 * cos(ANGLE)
     arc = page.same("boundary", boundary.wall(free), (stiffness, damping))
-    page.show("On the arc, with $\\tau=\\tan\\frac\\theta2$", alpha, 4 * tau**2 * cos(ANGLE), arc)
-    page.show("and", beta, 2 * tau * sin(ANGLE) - 2 * tau**2 * cos(ANGLE), arc)
+    page.show("The arc, with $\\tau=\\tan\\frac\\theta2$", alpha, 4 * tau**2 * cos(ANGLE), arc)
+    page.show("Its damping", beta, 2 * tau * sin(ANGLE) - 2 * tau**2 * cos(ANGLE), arc)
     bend = 2 * cos(ANGLE) - (d + 1) * sin(theta) * sin(ANGLE)
     signs(page, damping, bend)
     page.step(
@@ -35,19 +35,19 @@ def derive(page):
         boxed=True,
         because="a bound that is approached as $\\alpha\\to0$",
     )
-    page.step(
-        "The stiffness rises while the last sign is positive",
-        diff(stiffness, theta),
-        4 * t**2 / sin(theta) * bend,
-        name=r"\frac{d\alpha}{d\theta}",
+    page.show(
+        "The stiffness rises with that function",
+        r"\frac{d\alpha}{d\theta}",
+        4 * tau**2 * Symbol("g") / sin(theta),
+        page.same("slope", diff(stiffness, theta), 4 * t**2 / sin(theta) * bend),
     )
-    page.step("At the start", bend.subs(theta, 0), S(2), name="k")
+    page.step("It starts from", bend.subs(theta, 0), S(2), name="g")
     page.step(
-        "At the end",
-        bend.subs(theta, pi / (2 * (d + 1))),
-        -(d + 1) * sin(pi / (2 * (d + 1))),
-        name="k",
-        because="negative. So for every real $d$ one angle has the largest stiffness, "
+        "It falls to",
+        -bend.subs(theta, pi / (2 * (d + 1))),
+        (d + 1) * sin(pi / (2 * (d + 1))),
+        name="-g",
+        because="so for every real $d$ one angle has the largest stiffness, that with "
         "$(d+1)\\tan(d+1)\\theta\\,\\sin\\theta=2$",
     )
     whole_delays(page, stiffness, bend)
@@ -80,10 +80,10 @@ def signs(page, damping, bend):
         -diff(bend, theta), [2, size, sine], [size, wide, sine], [size, size, small, cosine]
     )
     page.positive(
-        "And $k=2\\cos(d+1)\\theta-(d+1)\\sin\\theta\\sin(d+1)\\theta$ falls",
+        "And $g=2\\cos(d+1)\\theta-(d+1)\\sin\\theta\\sin(d+1)\\theta$ falls",
         falls,
         ARC,
-        name=r"-\frac{dk}{d\theta}",
+        name=r"-\frac{dg}{d\theta}",
     )
 
 
@@ -92,7 +92,7 @@ def whole_delays(page, stiffness, bend):
     page.say(
         "For whole $d$ all this is algebraic in $x=\\cos\\theta$: with the Chebyshev polynomial "
         "$C=\\cos(d+1)\\theta$ of $x$, the largest $\\alpha/4$ is $\\rho=\\frac{1-x}{1+x}C$ at the "
-        "root of $k=2C-(1-x^2)C'$ on the arc. Multiplication by $\\rho$ modulo $k$ has the "
+        "root of $g=2C-(1-x^2)C'$ on the arc. Multiplication by $\\rho$ modulo $g$ has the "
         "characteristic polynomial $\\mu_d$, which turns out to be irreducible:"
     )
     found, forms = [], []
@@ -116,7 +116,7 @@ def whole_delays(page, stiffness, bend):
             (rf"\alpha_{{\max}}({delay})", ball(4 * rho, {rho: number.ball}, 256).real)
             for delay, number in enumerate(found)
         ],
-        because="at the one root of $k$ on the arc, by balls around all roots",
+        because="at the one root of $g$ on the arc, by balls around all roots",
     )
     at = sqrt(2) - 1
     page.step(

@@ -15,6 +15,7 @@ from symhaptic.proof.roots import zero_between
 from symhaptic.scene import Parts
 
 LONG = phi**2 * cos(phi)
+AT = r"at $\varphi=\varphi_*$"
 
 
 def derive(page):
@@ -28,12 +29,11 @@ def derive(page):
     )
     page.limit("For long delays", scaled, h, S.Zero, LONG, name=r"(d+1)^2\alpha")
     page.step(
-        "Where that is largest",
+        "Its slope",
         diff(LONG, phi),
-        phi * (2 * cos(phi) - phi * sin(phi)),
+        phi * cos(phi) * (2 - phi * tan(phi)),
         name=r"\tfrac{d}{d\varphi}\,\varphi^2\cos\varphi",
-        because="zero for $\\varphi\\tan\\varphi=2$ only, as both factors rise: at "
-        "$\\varphi_*$, where it is",
+        because="the bracket falls, to zero at one angle $\\varphi_*$, where this is largest",
     )
     angle = zero_between(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
     largest = ball(LONG, {phi: angle}, 256).real
@@ -67,17 +67,15 @@ def expansion(page, scaled, angle):
         because="not zero: the largest value and its angle are power series in $h^2$",
     )
     shift = diff(next_one, phi).subs(there) ** 2 / (2 * bent)
-    third = phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
-    page.step(
-        "The largest value with its first terms",
-        LONG + h**2 * next_one + h**4 * (after - shift),
-        LONG * (1 + h**2 * phi**2 / 6 + h**4 * third),
-        name=r"(d+1)^2\alpha_{\max}",
-        boxed=True,
-        because="at $\\varphi=\\varphi_*$; what is left out is of order $h^6$",
+    page.say(
+        "With them $(d+1)^2\\alpha_{\\max}=\\varphi_*^2\\cos\\varphi_*\\,"
+        "(1+a_2h^2+a_4h^4+\\ldots)$, where the move of the angle enters $a_4$ only:"
     )
-    numbers = (ball(term, {phi: angle}, 256).real for term in (phi**2 / 6, third))
-    page.enclosed("The factors of $h^2$ and $h^4$", list(zip(("c_2", "c_4"), numbers, strict=True)))
+    second, third = phi**2 / 6, phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
+    page.step("Factor of $h^2$", next_one / LONG, second, name="a_2", because=AT)
+    page.step("Factor of $h^4$", (after - shift) / LONG, third, name="a_4", because=AT)
+    numbers = (ball(term, {phi: angle}, 256).real for term in (second, third))
+    page.enclosed("In numbers", list(zip(("a_2", "a_4"), numbers, strict=True)))
 
 
 def sides(page):

@@ -47,7 +47,7 @@ def arm(page):
         "For a damped mass", sign.quotient(device.n0, over, square), r"\delta>0", name="n_0"
     )
     apart = sign.quotient(device.n1 - device.n0, more, square)
-    page.positive("and", apart, r"\delta>0", name="n_1-n_0")
+    page.positive("And", apart, r"\delta>0", name="n_1-n_0")
 
 
 def stiffness(page):

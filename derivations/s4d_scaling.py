@@ -10,6 +10,7 @@ from sympy import Rational, S
 
 from symhaptic.model import boundary, loop, passivity, plant, wall
 from symhaptic.notation import B, K, T, alpha, b, beta, c, d, delta, function, gamma, k, m, z
+from symhaptic.proof import sign
 from symhaptic.proof.ball import ball
 from symhaptic.scene import Parts
 
@@ -32,14 +33,22 @@ def derive(page):
     page.inside("$\\alpha=0.713$, $\\beta=0.825$ is stable", undelayed.subs(STIFF), z)
     page.inside("$\\alpha=0.001$, $\\beta=2.02$ is stable", undelayed.subs(BRAKED), z)
     page.enclosed(
-        "With half the period $\\delta=\\frac1{100}$, and the bounds of the chapter before are",
+        "The bounds of the chapter before for $\\delta=\\frac1{100}$",
         [
             (r"\alpha_{\max}", ball(LARGEST, {delta: AFTER}, 256).real),
             (r"1/n_0", ball(1 / ARM.n0, {delta: AFTER}, 256).real),
         ],
-        because="so no $\\beta$ makes the first wall's $\\alpha$, four times its stiffness, stable "
-        "now, and no $\\alpha$ the second wall's $\\beta$, twice its damping. Nor does twice the "
-        "mass, where $\\delta=\\frac1{100}$ too",
+        because="that is the same damper with half the period: no $\\beta$ makes the first wall's "
+        "$\\alpha$, four times its stiffness, stable, and no $\\alpha$ the second wall's $\\beta$, "
+        "twice its damping",
+    )
+    left = Rational(393, 100) * STIFF[alpha] - 4 * LARGEST.subs(delta, AFTER)
+    page.positive(
+        "So less than 3.93 times the stiffness is left",
+        sign.number(left),
+        r"\delta=\tfrac1{100}",
+        name=r"3.93\cdot0.713-4\alpha_{\max}",
+        because="twice the mass with the same damper is $\\delta=\\frac1{100}$ too",
     )
     half = {delta: delta / 2}
     too_stiff = {

@@ -23,6 +23,7 @@ from sympy import Expr
 
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import conjugated
 from symhaptic.proof.series import limit
 
 
@@ -139,8 +140,8 @@ def cosine(angle: Fact, complement: Fact) -> Fact:
 
 
 def exponential(exponent: Expr) -> Fact:
-    """exp x > 0 for a real x: made of symbols that stand for real numbers."""
-    if exponent.has(sp.I):
+    """exp x > 0 for a real x."""
+    if not is_zero(conjugated(exponent) - exponent):
         raise NotShown(f"{exponent} is not real")
     return Fact(sp.exp(exponent), True, "an exponential")
 
