@@ -4,13 +4,14 @@ A mass with a spring swings for ever, and its boundary is as short as that of a 
 where the boundary goes when $n_1=n_0$ and the line of a root at $-1$ is gone.
 """
 
-from sympy import I, Rational, S, cos, pi, sin, tan
+from sympy import I, Rational, S, Symbol, cos, pi, sin, tan
 
 from symhaptic.model import boundary, plant
-from symhaptic.notation import Omega, alpha, beta, d, gamma, kappa, theta, x
+from symhaptic.notation import Omega, alpha, beta, d, gamma, theta, x
 from symhaptic.scene import Parts
 
 ANGLE = (d + 1) * theta
+SPRING = Symbol("g")
 
 
 def derive(page):
@@ -19,14 +20,14 @@ def derive(page):
     stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
     spring = page.define(
         "A function of the spring, $\\Omega=\\sqrt\\gamma$",
-        kappa,
+        SPRING,
         gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
     ).xreplace({gamma: Omega**2})
     first, second = cos(ANGLE) / cos(theta / 2) ** 2, 2 * sin(ANGLE) / sin(theta)
     page.show(
         "The boundary's stiffness",
         alpha,
-        kappa * first,
+        SPRING * first,
         page.same("stiffness", stiffness, spring * first),
         boxed=True,
         because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
@@ -34,7 +35,7 @@ def derive(page):
     page.show(
         "The boundary's damping",
         alpha + 2 * beta,
-        kappa * second,
+        SPRING * second,
         page.same("damping", stiffness + 2 * damping, spring * second),
         boxed=True,
     )

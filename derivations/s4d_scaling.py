@@ -30,8 +30,8 @@ def derive(page):
     linear = passive(page)
     undelayed = loop.characteristic(DAMPED).subs({d: 0, delta: BEFORE})
     page.say("Now keep $b$. For $\\delta=\\frac1{50}$, the end of the range (23), two walls:")
-    page.inside("$\\alpha=0.713$, $\\beta=0.825$ is stable", undelayed.subs(STIFF), z)
-    page.inside("$\\alpha=0.001$, $\\beta=2.02$ is stable", undelayed.subs(BRAKED), z)
+    page.inside("$\\alpha=0.713$, $\\beta=0.825$ is stable", undelayed.subs(STIFF))
+    page.inside("$\\alpha=0.001$, $\\beta=2.02$ is stable", undelayed.subs(BRAKED))
     page.enclosed(
         "The bounds of the chapter before for $\\delta=\\frac1{100}$",
         [

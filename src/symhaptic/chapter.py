@@ -21,13 +21,13 @@ from sympy import Expr
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.ball import largest_root
+from symhaptic.proof.ball import bound, largest_root
 from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
-from symhaptic.proof.roots import Algebraic, below_one, decimals
+from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.series import limit
-from symhaptic.proof.settle import Settlement, Truth
+from symhaptic.proof.settle import Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
@@ -213,17 +213,40 @@ class Page:
         )
         return relation
 
-    def inside(self, title: str, polynomial: Expr, variable: sp.Symbol | None = None) -> Evidence:
-        """All roots of a polynomial lie inside the unit circle.
+    def inside(
+        self,
+        title: str,
+        polynomial: Expr,
+        at: Point | None = None,
+        given: Mapping[Expr, Expr] | None = None,
+    ) -> Evidence:
+        """All roots of a polynomial in z lie inside the unit circle, its symbols at a point.
 
-        Its coefficients are rational, or numbers of any kind where the ``variable`` is named.
+        Symbols of the polynomial may stand for expressions ``given`` in those of the point.
         """
-        largest = largest_root(polynomial, variable)
+        largest = largest_root(polynomial, at, given)
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        bound = below_one(largest)
-        self._equation(title, [(r"\max|z|", "<", bound)], "proved", "balls around the roots", "")
+        self._roots(title, "<", bound(largest, above=True))
         return Evidence("balls around the roots")
+
+    def outside(
+        self,
+        title: str,
+        polynomial: Expr,
+        at: Point | None = None,
+        given: Mapping[Expr, Expr] | None = None,
+    ) -> Witness:
+        """A root of such a polynomial lies outside; what this contradicts is false at the point."""
+        largest = largest_root(polynomial, at, given)
+        if not largest > 1:
+            raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
+        self._roots(title, ">", bound(largest, above=False))
+        return Witness(dict(at or {}), "balls around the roots")
+
+    def _roots(self, title: str, sign: str, size: str) -> None:
+        """The line that says on which side of 1 the largest root lies."""
+        self._equation(title, [(r"\max|z|", sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` does not change with the symbols: its derivatives are identically zero."""

@@ -119,7 +119,6 @@ _TABLE = [
     ("s_1", "s_1", "1", "nonnegative", "first coefficient of 1/P at z = 1"),
     ("s_2", "s_2", "1", "nonnegative", "second coefficient of 1/P at z = 1"),
     ("nu", r"\nu", "1", "real", "share of n_0 in n_1 + n_0"),
-    ("kappa", r"\kappa", "1", "real", "gamma (cos Omega - cos theta)/(1 - cos Omega)"),
     ("rho", r"\rho", "1", "positive", "largest stable alpha of a free mass, over 4"),
     ("h", "h", "1", "positive", "1/(d+1), or a small scale"),
     ("w", "w", "1", "real", "B + KT/2 over b"),

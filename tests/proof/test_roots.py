@@ -11,7 +11,6 @@ from symhaptic.proof.ball import largest_root
 from symhaptic.proof.roots import (
     NoSuchRoot,
     algebraic,
-    below_one,
     decimals,
     root_between,
     zero_between,
@@ -108,27 +107,21 @@ def test_decimals_are_cut_off_and_never_guessed():
                 decimals(unknown, 6)
 
 
-def test_bound_below_one_is_rounded_up():
-    assert below_one(arb("0.99951")) == "0.9996"
-    assert below_one(arb("0.5")) == "0.5001"
-    assert below_one(arb("0.99999")) == "0.999991"
-    with pytest.raises(NoSuchRoot, match="below 1"):
-        below_one(arb("1 +/- 1e-9"))
-
-
 def test_largest_root_with_coefficients_that_are_no_fractions():
     # (z - 1/e)(z + 1/2)
     polynomial = z**2 + (S.Half - sp.exp(-1)) * z - sp.exp(-1) / 2
-    assert largest_root(polynomial, z).overlaps(arb("0.5"))
-    assert largest_root(z**2 - pi, z).overlaps(arb.pi().sqrt())
+    assert largest_root(polynomial).overlaps(arb("0.5"))
+    assert largest_root(z**2 - pi).overlaps(arb.pi().sqrt())
 
 
 def test_page_does_not_print_a_bound_that_is_too_small():
     page = Page("test")
     page.inside("roots", z**2 - Rational(99951, 100000) ** 2)
     assert page.blocks[-1].lines[0][2] == "0.9996"
+    page.outside("roots", z**2 - Rational(100029, 100000) ** 2)
+    assert page.blocks[-1].lines[0][2] == "1.0002"
     with pytest.raises(FalseStep, match="not shown to be inside"):
-        page.inside("roots", z**2 - sp.exp(0), z)
+        page.inside("roots", z**2 - 1)
 
 
 def test_page_names_the_smallest_positive_root_only():

@@ -7,6 +7,9 @@ are equal.  That is left to :mod:`symhaptic.proof.normal`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from math import ceil, floor
 from typing import TypeAlias
 
 import sympy as sp
@@ -35,11 +38,11 @@ _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
 }
 
 
-Values: TypeAlias = Mapping[Expr, Expr | arb]
-"""What symbols stand for: exact numbers, or balls around real ones."""
+At: TypeAlias = Mapping[Expr, Expr | acb | arb]
+"""Values of symbols: exact numbers, or balls that contain them."""
 
 
-def ball(expr: Expr, at: Values | None = None, bits: int = 64) -> acb:
+def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
     """A ball that contains the value of ``expr`` where its symbols have the values ``at``.
 
     Raises :class:`Unsupported` for a function that it does not know.  A ball that is not
@@ -56,10 +59,10 @@ def ball(expr: Expr, at: Values | None = None, bits: int = 64) -> acb:
         ctx.prec = before
 
 
-def _ball(expr: Expr, at: Values) -> acb:
+def _ball(expr: Expr, at: At) -> acb:
     if expr in at:
         value = at[expr]
-        return acb(value) if isinstance(value, arb) else _ball(sp.sympify(value), {})
+        return acb(value) if isinstance(value, (acb, arb)) else _ball(sp.sympify(value), {})
     if expr.is_Rational:
         return acb(fmpq(int(expr.p), int(expr.q)))
     if expr is sp.I:
@@ -88,39 +91,64 @@ def _ball(expr: Expr, at: Values) -> acb:
     raise Unsupported(f"no ball for {type(expr).__name__}: {expr}")
 
 
-def rational_polynomial(expr: Expr) -> fmpq_poly:
-    """An expression in at most one symbol as a polynomial over the rationals.
+def largest_root(
+    polynomial: Expr,
+    at: Mapping[Expr, Expr] | None = None,
+    given: Mapping[Expr, Expr] | None = None,
+) -> arb:
+    """A ball that contains the largest modulus of the roots of a polynomial in one symbol.
 
-    >>> x = sp.Symbol("x")
-    >>> print(rational_polynomial((x - 1)*(x + sp.Rational(1, 2))))
-    x^2 + (-1/2)*x + (-1/2)
-    """
-    symbols = sorted(expr.free_symbols, key=str) or [sp.Dummy()]
-    coefficients = sp.Poly(expr, *symbols, domain=sp.QQ).all_coeffs()
-    return fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
+    Its other symbols have the values ``at``, or stand for expressions ``given`` in them;
+    python-flint isolates the roots of every polynomial whose coefficients lie in their balls.
+    Raises :class:`Unsupported` where roots are too close to be told apart.
 
-
-def largest_root(polynomial: Expr, variable: sp.Symbol | None = None) -> arb:
-    """A ball that contains the largest modulus of a polynomial's roots.
-
-    python-flint isolates the roots by certified balls.  The coefficients are rational numbers, or
-    any numbers without symbols where the ``variable`` is named and all roots are simple.
-
-    >>> z = sp.Symbol("z")
-    >>> bool(largest_root(z**2 - sp.Rational(1, 4)) < 0.51)
-    True
-    >>> bool(largest_root(z**2 - sp.exp(-2), z) < 0.37)
+    >>> x, y, z = sp.symbols("x y z")
+    >>> bool(largest_root(z**2 - y, {x: 2}, {y: sp.exp(-x)}) < 0.37)
     True
     """
-    if variable is None:
-        roots = [root for root, _ in rational_polynomial(polynomial).complex_roots()]
-    else:
-        coefficients = sp.Poly(polynomial, variable).all_coeffs()
-        roots = acb_poly([ball(c, bits=256) for c in reversed(coefficients)]).roots()
-    largest = abs(roots[0])
-    for root in roots[1:]:
-        largest = largest.max(abs(root))
+    point, meant = dict(at or {}), dict(given or {})
+    exponents = {s: v for s, v in point.items() if s in polynomial.free_symbols and v.is_Integer}
+    polynomial = polynomial.subs(exponents)
+    variable = sorted(polynomial.free_symbols - {*point, *meant}, key=str)
+    coefficients = sp.Poly(polynomial, *variable).all_coeffs()
+    if all(c.is_Rational for c in coefficients):
+        exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
+        return _largest([abs(root) for root, _ in exact.complex_roots()])
+    before = ctx.prec
+    for bits in PRECISIONS:
+        ctx.prec = bits
+        try:
+            values: At = {**point, **{s: _ball(v, point) for s, v in meant.items()}}
+            roots = acb_poly([_ball(c, values) for c in reversed(coefficients)]).complex_roots()
+            return _largest([abs(root) for root in roots])
+        except ValueError:  # not isolated at this precision
+            continue
+        finally:
+            ctx.prec = before
+    raise Unsupported(f"roots not isolated: {polynomial}")
+
+
+def _largest(sizes: list[arb]) -> arb:
+    largest = sizes[0]
+    for size in sizes[1:]:
+        largest = largest.max(size)
     return largest
+
+
+def bound(number: arb, above: bool) -> str:
+    """A decimal not below (or not above) a ball, of four places or as many as tell it from 1.
+
+    >>> bound(1 - arb(2)**-15, above=True), bound(1 + arb(2)**-3, above=False)
+    ('0.99996949', '1.1250')
+    """
+    mantissa, exponent = (number.upper() if above else number.lower()).man_exp()
+    exact = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    for places in (4, 8, 16):
+        scaled = exact * 10**places
+        whole = ceil(scaled) if above else floor(scaled)
+        if whole != 10**places:
+            break
+    return f"{Decimal(whole).scaleb(-places):f}"
 
 
 def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool | None:

@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
-from flint import arb, arb_poly, ctx, fmpq_mat, fmpq_poly, fmpz_poly
+from flint import arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 from sympy import Expr
 
-from symhaptic.proof.ball import ball, rational_polynomial
+from symhaptic.proof.ball import ball
 
 BITS = 256
 """Precision of the balls that are found here."""
@@ -31,6 +31,18 @@ class Algebraic:
     ball: arb
     positive_roots_below: int
     """How many positive roots of the minimal polynomial are smaller."""
+
+
+def rational_polynomial(expr: Expr) -> fmpq_poly:
+    """An expression in at most one symbol as a polynomial over the rationals.
+
+    >>> x = sp.Symbol("x")
+    >>> print(rational_polynomial((x - 1)*(x + sp.Rational(1, 2))))
+    x^2 + (-1/2)*x + (-1/2)
+    """
+    symbols = sorted(expr.free_symbols, key=str) or [sp.Dummy()]
+    coefficients = sp.Poly(expr, *symbols, domain=sp.QQ).all_coeffs()
+    return fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
 
 
 def root_between(polynomial: Expr, lower: Expr, upper: Expr) -> arb:
@@ -149,19 +161,3 @@ def decimals(value: arb, places: int = 24) -> str:
         raise NoSuchRoot(f"{value} is not known to {places} places")
     text = str(digits).rjust(places + 1, "0")
     return f"{text[:-places]}.{text[-places:]}"
-
-
-def below_one(value: arb, places: int = 4) -> str:
-    """A decimal number below 1 that is larger than a number in [0, 1): rounded up, never down.
-
-    >>> below_one(arb("0.99951"))
-    '0.9996'
-    """
-    if not value < 1:
-        raise NoSuchRoot(f"{value} is not known to be below 1")
-    with ctx.workprec(BITS):
-        while True:
-            digits = (value.upper() * arb(10) ** places).floor().unique_fmpz()
-            if digits is not None and digits + 1 < 10**places:
-                return f"0.{int(digits) + 1:0{places}}"
-            places += 1

@@ -1,0 +1,180 @@
+r"""The pieces of the explicit boundary that border the stable region.
+
+A point of the boundary curve has a pair of roots on the unit circle; it borders the stable region
+where all other roots lie inside, which the root count tells for every point on its own.  The
+pieces end in corners: where another root reaches the circle, or where the curve ends.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symhaptic.kernels import stability
+from symhaptic.kernels.arguments import Array
+from symhaptic.kernels.boundary import begin, end, point, tangent
+from symhaptic.kernels.plant import Device, device
+
+_PER_TURN = 96
+"""Samples per half turn of z^(d+1)."""
+
+_CLOSEST = 1e-6
+"""Samples crowd at 0, at pi and at the plant's own frequency down to this distance."""
+
+_ROUNDS = 6
+"""Searches for short pieces next to the ends of those found before."""
+
+_SECTIONS = 32
+"""Parts into which an interval is cut at each step of the search for its corner."""
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A plant and a delay: everything but the wall; ``steps`` is whole, or real (principal)."""
+
+    gamma: float
+    delta: float
+    delay: float
+    sheet: str = "exact"
+
+    @cached_property
+    def steps(self) -> float:
+        """Whole periods of the delay, all of it on the principal sheet."""
+        return self.delay if self.sheet == "principal" else float(np.floor(self.delay))
+
+    @cached_property
+    def device(self) -> Device:
+        """The sampled plant, behind the fraction of the delay."""
+        part = np.asarray(self.delay - self.steps)
+        return device(np.asarray(self.gamma), np.asarray(self.delta), part)
+
+    @property
+    def whole(self) -> bool:
+        """Whether no fraction of a period is left."""
+        return self.delay == self.steps
+
+    def curve(self, theta: Array) -> Array:
+        """(alpha, beta) of the boundary, one row per angle."""
+        return np.stack(point(self.device, theta, np.asarray(self.steps)), axis=-1)
+
+    def tangent(self, theta: Array) -> Array:
+        """Derivative of :meth:`curve` with respect to the angle."""
+        return np.stack(tangent(self.device, theta, np.asarray(self.steps)), axis=-1)
+
+    def others(self, theta: Array) -> Array:
+        """How many roots are outside besides the pair at exp(+-j theta)."""
+        alpha, beta = point(self.device, theta, np.asarray(self.steps))
+        return stability.count(
+            self.device,
+            stability.wall(alpha, beta),
+            np.asarray(self.steps),
+            self.whole,
+            self.sheet == "principal",
+            on_circle=4 * np.sin(theta / 2) ** 2,
+        )
+
+    def borders(self, theta: Array) -> NDArray[np.bool_]:
+        """Whether the boundary's point borders the stable region."""
+        alpha, _ = point(self.device, theta, np.asarray(self.steps))
+        return np.asarray((self.others(theta) == 0) & (alpha > -self.gamma))
+
+    # -- ends of the curve and the two lines ---------------------------------------------
+
+    @cached_property
+    def begin(self) -> Array:
+        """Limit of the curve at theta = 0: a double root at 1."""
+        return np.stack(begin(self.device, np.asarray(self.gamma), np.asarray(self.steps)))
+
+    @cached_property
+    def line(self) -> float | None:
+        """alpha + 2 beta of the walls with a root at -1; None where there are none."""
+        if self.steps != np.floor(self.steps) or self.device.numerator_at_minus_one == 0:
+            return None
+        sign = -1.0 if self.steps % 2 else 1.0
+        return sign * float(self.device.at_minus_one / self.device.numerator_at_minus_one)
+
+    @cached_property
+    def end(self) -> Array | None:
+        """Limit of the curve at theta = pi: a double root at -1; None where it is at infinity."""
+        return None if self.line is None else np.stack(end(self.device, np.asarray(self.steps)))
+
+    def samples(self) -> Array:
+        """Angles that meet every piece of the boundary worth drawing."""
+        count = int(_PER_TURN * (self.delay + 2))
+        own = np.sqrt(max(self.gamma - self.delta**2 / 4, 0.0))
+        away = np.geomspace(_CLOSEST, np.pi, 256)
+        angles = [np.linspace(0, np.pi, count + 1), away, np.pi - away, own + away, own - away]
+        every = np.unique(np.concatenate(angles))
+        return every[(every > 0) & (every < np.pi)]
+
+    @cached_property
+    def arcs(self) -> list[tuple[float, float]]:
+        """Intervals of theta on which the curve borders the stable region, rising; 0 and pi count.
+
+        Where one ends, another begins, at the angle of the root that reached the circle or where
+        the curve meets the line of a real root: short ones are looked for there.
+        """
+        angles, found = self.samples(), np.zeros(0)
+        corners = [self.meets(lambda alpha, beta: alpha + self.gamma)]
+        if self.line is not None:
+            line = self.line
+            corners.append(self.meets(lambda alpha, beta: alpha + 2 * beta - line))
+        for _ in range(_ROUNDS):
+            ends = flips(self.borders, angles)
+            if ends.size == found.size:
+                break
+            found = ends
+            angles = _around(angles, np.concatenate([*corners, self.partners(ends)]))
+        inside = bool(self.borders(angles[:1])[0])
+        marks = [0.0, *(float(end) for end in ends), float(np.pi)]
+        return [
+            (low, high)
+            for i, (low, high) in enumerate(itertools.pairwise(marks))
+            if (i % 2 == 0) == inside
+        ]
+
+    def partners(self, theta: Array) -> Array:
+        """The other angles at which |f| = |g| for the boundary's walls: those of their corners."""
+        v = stability.wall(*point(self.device, theta, np.asarray(self.steps)))
+        terms = stability.surplus(self.device, v)
+        found = stability.crossings(terms[:4], terms[4:], self.whole)
+        angles = [2 * np.arctan2(np.sqrt(c.y), np.sqrt(c.rest))[c.there] for c in found]
+        return np.concatenate([np.zeros(0), *angles])
+
+    def meets(self, line: Callable[[Array, Array], Array]) -> Array:
+        """Angles at which the curve crosses the line where ``line(alpha, beta)`` vanishes."""
+
+        def beyond(theta: Array) -> NDArray[np.bool_]:
+            return line(*point(self.device, theta, np.asarray(self.steps))) > 0
+
+        return flips(beyond, self.samples())
+
+
+def _around(angles: Array, corners: Array) -> Array:
+    """The angles and many more next to some of them."""
+    away = np.geomspace(1e-10, 0.1, 48)
+    more = corners[:, None] + np.concatenate([away, -away])
+    every = np.unique(np.concatenate([angles, more.ravel()]))
+    return every[(every > 0) & (every < np.pi)]
+
+
+def flips(test: Callable[[Array], NDArray[np.bool_]], angles: Array) -> Array:
+    """Where the test changes between neighbouring angles, to the last digit."""
+    found = test(angles)
+    at = np.flatnonzero(found[1:] != found[:-1])
+    low, high, first = angles[at], angles[at + 1], found[at]
+    while at.size:
+        parts = np.linspace(low, high, _SECTIONS + 1)  # one column per interval
+        if np.all((parts[1:-1] == low) | (parts[1:-1] == high)):
+            break
+        changed = test(parts.ravel()).reshape(parts.shape) != first
+        changed[-1] = True
+        step = np.maximum(np.argmax(changed, axis=0), 1)
+        columns = np.arange(at.size)
+        low, high = parts[step - 1, columns], parts[step, columns]
+    return np.asarray(high)
