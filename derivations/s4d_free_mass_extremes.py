@@ -95,16 +95,24 @@ def whole_delays(page, stiffness, bend):
         "root of $g=2C-(1-x^2)C'$ on the arc. Multiplication by $\\rho$ modulo $g$ has the "
         "characteristic polynomial $\\mu_d$, which turns out to be irreducible:"
     )
-    found, forms = [], []
-    for delay in DELAYS:
-        waves = chebyshevt(delay + 1, x)
-        turning = 2 * waves - (1 - x**2) * diff(waves, x)
-        quarter = (1 - x) / (1 + x) * waves
-        forms += [((stiffness / 4).subs(d, delay), quarter), (bend.subs(d, delay), turning)]
+    wave = cos(ANGLE)
+    page.same(
+        "in x, by the chain rule",
+        (stiffness / 4, bend),
+        ((1 - cos(theta)) / (1 + cos(theta)) * wave, 2 * wave + sin(theta) * diff(wave, theta)),
+    )
+    waves = [chebyshevt(delay + 1, x) for delay in DELAYS]
+    page.same(
+        "Chebyshev polynomials",
+        [wave.subs(d, delay) for delay in DELAYS],
+        [polynomial.subs(x, cos(theta)) for polynomial in waves],
+    )
+    found = []
+    for delay, polynomial in enumerate(waves):
+        turning = 2 * polynomial - (1 - x**2) * diff(polynomial, x)
         end = cos(pi / (2 * (delay + 1)))
+        quarter = (1 - x) / (1 + x) * polynomial
         found.append(roots.algebraic(quarter, turning, x, rho, end, S.One))
-    ours, theirs = zip(*forms, strict=True)
-    page.same("in x", ours, [form.subs(x, cos(theta)) for form in theirs])
     page.minimal(
         "Minimal polynomials",
         [(rf"\mu_{delay}(\rho)", number) for delay, number in enumerate(found)],
