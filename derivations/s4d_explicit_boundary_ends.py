@@ -120,10 +120,10 @@ def gap(page):
     scaled = waves.xreplace(given).subs({delta: h * delta, c: h * c}, simultaneous=True)
     page.show(
         "Short periods, $\\delta$ of order $T$ and $\\gamma$ of order $T^2$",
-        r"s_1-\delta-\tfrac12\gamma",
-        delta * gamma**2 / 720,
-        page.limits(scaled / h**7, h, S.Zero, (delta * gamma**3 / 720).xreplace(given)),
-        because="in leading order, that of $T^5$, as $n_1+n_0$ tends to 1",
+        r"\lim_{T\to0}\frac{720}{\delta\gamma^2}\bigl(s_1-\delta-\tfrac12\gamma\bigr)",
+        S.One,
+        page.limits(720 * scaled / (h**7 * delta * gamma**3).xreplace(given), h, S.Zero, S.One),
+        because="as $n_1+n_0$ and the exponential tend to 1",
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
