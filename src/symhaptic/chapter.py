@@ -21,10 +21,11 @@ from sympy import Expr
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.ball import largest_root
+from symhaptic.proof.ball import bound, largest_root
 from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
+from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
@@ -141,6 +142,28 @@ class Page:
         self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)
         return expr
 
+    def minimal(
+        self, title: str, numbers: Sequence[tuple[str, Algebraic]], because: str = ""
+    ) -> None:
+        """Minimal polynomials of numbers, each the smallest positive root of its own."""
+        for name, number in numbers:
+            if number.positive_roots_below:
+                raise FalseStep(f"{title}: {name} has a smaller positive root")
+        lines = [(name, "=", number.minimal) for name, number in numbers]
+        method = r"irreducible over $\mathbb{Q}$; balls around the roots"
+        self._equation(title, lines, "proved", method, because)
+
+    def enclosed(
+        self,
+        title: str,
+        values: Sequence[tuple[Expr | str, arb]],
+        because: str = "",
+        places: int = 24,
+    ) -> None:
+        """Positive numbers by their first decimals, which the balls around them settle."""
+        rows = [(name, "=", decimals(value, places) + r"\ldots") for name, value in values]
+        self._equation(title, rows, "enclosed", "ball arithmetic", because)
+
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
         self._proved("limit", limit(expr, variable, at), value)
@@ -204,7 +227,7 @@ class Page:
         largest = largest_root(polynomial, at, given)
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        self._roots(title, "<", largest.upper())
+        self._roots(title, "<", bound(largest, above=True))
         return Evidence("balls around the roots")
 
     def outside(
@@ -218,12 +241,11 @@ class Page:
         largest = largest_root(polynomial, at, given)
         if not largest > 1:
             raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
-        self._roots(title, ">", largest.lower())
+        self._roots(title, ">", bound(largest, above=False))
         return Witness(dict(at or {}), "balls around the roots")
 
-    def _roots(self, title: str, sign: str, bound: arb) -> None:
-        """The line that says on which side of 1 the largest root lies, four digits of it."""
-        size = bound.str(4, radius=False)
+    def _roots(self, title: str, sign: str, size: str) -> None:
+        """The line that says on which side of 1 the largest root lies."""
         self._equation(title, [(r"\max|z|", sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:

@@ -7,6 +7,9 @@ are equal.  That is left to :mod:`symhaptic.proof.normal`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from math import ceil, floor
 from typing import TypeAlias
 
 import sympy as sp
@@ -35,7 +38,7 @@ _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
 }
 
 
-At: TypeAlias = Mapping[Expr, Expr | acb]
+At: TypeAlias = Mapping[Expr, Expr | acb | arb]
 """Values of symbols: exact numbers, or balls that contain them."""
 
 
@@ -59,7 +62,7 @@ def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
 def _ball(expr: Expr, at: At) -> acb:
     if expr in at:
         value = at[expr]
-        return value if isinstance(value, acb) else _ball(sp.sympify(value), {})
+        return acb(value) if isinstance(value, (acb, arb)) else _ball(sp.sympify(value), {})
     if expr.is_Rational:
         return acb(fmpq(int(expr.p), int(expr.q)))
     if expr is sp.I:
@@ -130,6 +133,22 @@ def _largest(sizes: list[arb]) -> arb:
     for size in sizes[1:]:
         largest = largest.max(size)
     return largest
+
+
+def bound(number: arb, above: bool) -> str:
+    """A decimal not below (or not above) a ball, of four places or as many as tell it from 1.
+
+    >>> bound(1 - arb(2)**-15, above=True), bound(1 + arb(2)**-3, above=False)
+    ('0.99996949', '1.1250')
+    """
+    mantissa, exponent = (number.upper() if above else number.lower()).man_exp()
+    exact = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    for places in (4, 8, 16):
+        scaled = exact * 10**places
+        whole = ceil(scaled) if above else floor(scaled)
+        if whole != 10**places:
+            break
+    return f"{Decimal(whole).scaleb(-places):f}"
 
 
 def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool | None:

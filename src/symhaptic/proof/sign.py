@@ -1,10 +1,11 @@
 r"""Signs on a whole domain, by certificates that are checked exactly.
 
 A fact says that an expression is positive (or not negative) wherever the assumptions hold.
-New facts follow in five ways, each checked by the normal form:
+New facts follow in six ways, each checked by the normal form:
 
 * a sum of products of facts, with positive rational coefficients;
 * the sine of an angle that lies between 0 and pi;
+* the exponential of a real number;
 * two cases, one where some expression is positive and one where it is not;
 * integration: zero at the lower end of an interval, with a positive derivative on it;
 * division by a fact.
@@ -22,6 +23,7 @@ from sympy import Expr
 
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import conjugated
 from symhaptic.proof.series import limit
 
 
@@ -135,6 +137,13 @@ def cosine(angle: Fact, complement: Fact) -> Fact:
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi/2")
     rests = angle.rests | complement.rests
     return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests)
+
+
+def exponential(exponent: Expr) -> Fact:
+    """exp x > 0 for a real x."""
+    if not is_zero(conjugated(exponent) - exponent):
+        raise NotShown(f"{exponent} is not real")
+    return Fact(sp.exp(exponent), True, "an exponential")
 
 
 def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
