@@ -200,10 +200,10 @@ def report(
 
 @app.command()
 def trace(
-    gamma: Annotated[float, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m.")],
-    delta: Annotated[float, typer.Option("--delta", metavar="D", help="Damping b T/m.")],
+    gamma: Annotated[str, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m.")],
+    delta: Annotated[str, typer.Option("--delta", metavar="D", help="Damping b T/m.")],
     delay: Annotated[
-        float, typer.Option("--delay", metavar="d", help="Delay in periods, fractions exact.")
+        str, typer.Option("--delay", metavar="d", help="Delay in periods, fractions exact.")
     ],
     format: Annotated[TraceFormat, typer.Option("--format", help="What to write.")] = (
         TraceFormat.csv
@@ -214,6 +214,7 @@ def trace(
 ) -> None:
     """Trace the stable region of the (alpha, beta) plane."""
     from symhaptic import listing
+    from symhaptic.kernels.arguments import real
     from symhaptic.tracer import output as written
     from symhaptic.tracer.region import stable_region
 
@@ -221,7 +222,12 @@ def trace(
     if drawn and output is None:
         _usage(f"--format {format}: needs -o FILE; csv and json can be printed")
     try:
-        region = stable_region(gamma, delta, delay)
+        region = stable_region(
+            *(
+                float(real(name, text))
+                for name, text in (("gamma", gamma), ("delta", delta), ("delay", delay))
+            )
+        )
     except ValueError as wrong:
         _usage(f"--{wrong}")
     content: str | bytes
