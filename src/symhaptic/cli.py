@@ -223,10 +223,7 @@ def trace(
         _usage(f"--format {format}: needs -o FILE; csv and json can be printed")
     try:
         region = stable_region(
-            *(
-                float(real(name, text))
-                for name, text in (("gamma", gamma), ("delta", delta), ("delay", delay))
-            )
+            float(real("gamma", gamma)), float(real("delta", delta)), float(real("delay", delay))
         )
     except ValueError as wrong:
         _usage(f"--{wrong}")
