@@ -113,7 +113,8 @@ def stable_region(
     region's extent.  With ``sheet="principal"`` the region that the paper draws for a fractional
     delay.
 
-    Raises :class:`ValueError` for an impossible plant, delay or tolerance.
+    Raises :class:`ValueError` for an impossible plant or tolerance and for more than 100 000
+    periods: the time grows with the delay.
 
     >>> region = stable_region(0.0, 0.0, 0)
     >>> [round(float(x), 6) for x in region.max_stiffness]  # alpha = 4 (2 - r)(r - 1)/r, r = sqrt 2
