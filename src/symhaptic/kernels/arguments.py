@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -49,15 +50,20 @@ def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     return value
 
 
-def in_blocks(work: Callable[..., Array], *arrays: Array) -> Array:
-    """``work`` on flat pieces of the broadcast arrays, small enough for the cache."""
+def in_blocks(work: Callable[..., Sequence[Array] | Array], *arrays: Array) -> Array:
+    """The rows that ``work`` makes of the broadcast arrays, on pieces that fit the cache.
+
+    ``work`` gets flat pieces, of one element where an argument has but one.
+    """
     shape = np.broadcast_shapes(*(a.shape for a in arrays))
-    size = int(np.prod(shape))
-    if size <= _BLOCK:
-        return np.asarray(work(*(np.broadcast_to(a, shape) for a in arrays)))
+    size = math.prod(shape)
     flat = [a.reshape(1) if a.size == 1 else np.broadcast_to(a, shape).reshape(-1) for a in arrays]
-    pieces = [
-        work(*(a if a.size == 1 else a[begin : begin + _BLOCK] for a in flat))
-        for begin in range(0, size, _BLOCK)
-    ]
-    return np.concatenate(pieces, axis=-1).reshape(*pieces[0].shape[:-1], *shape)
+    found = np.empty((0, size))
+    for begin in range(0, max(size, 1), _BLOCK):
+        part = slice(begin, begin + _BLOCK)
+        rows = work(*(a if a.size == 1 else a[part] for a in flat))
+        if not begin:
+            found = np.empty((len(rows), size))
+        for row, values in zip(found, rows, strict=True):
+            row[part] = values
+    return found.reshape(len(found), *shape)
