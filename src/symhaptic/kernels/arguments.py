@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,12 +15,32 @@ _BLOCK = 8192
 """Elements worked on at a time: a dozen arrays of them fit the cache."""
 
 
-def real(name: str, values: ArrayLike) -> Array:
-    """The argument as a float64 array."""
+def real(name: str, values: ArrayLike | Fraction) -> Array:
+    """The argument as a float64 array; text, dates and complex numbers are no numbers here."""
     try:
-        return np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name}: {values!r} is not allowed; real numbers are") from None
+        array = np.asarray(values)
+        if array.dtype.kind in "biuf" or (array.dtype == object and all(map(_is_real, array.flat))):
+            return np.asarray(array, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise ValueError(f"{name}: {_shown(values)} is not allowed; real numbers are")
+
+
+def _is_real(value: object) -> bool:
+    return hasattr(value, "__float__") and not isinstance(value, np.complexfloating)
+
+
+def _shown(value: object) -> str:
+    """The value on one line that fits a message."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def single(name: str, values: Array) -> float:
+    """The argument as one number."""
+    if values.size != 1:
+        raise ValueError(f"{name}: {_shown(values)} is not allowed; one number is")
+    return float(values.reshape(())) + 0.0  # no negative zero
 
 
 def finite(name: str, values: ArrayLike) -> Array:
@@ -29,7 +50,7 @@ def finite(name: str, values: ArrayLike) -> Array:
     return array
 
 
-def nonnegative(name: str, values: ArrayLike) -> Array:
+def nonnegative(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as an array of finite numbers >= 0 or NaN."""
     array = real(name, values)
     refuse(name, array, (array < 0) | np.isinf(array), f"finite numbers {name} >= 0 are")
@@ -46,7 +67,8 @@ def refuse(name: str, values: Array, bad: NDArray[np.bool_], allowed: str) -> No
 def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     """The argument, which must be one of a few words."""
     if value not in allowed:
-        raise ValueError(f"{name}: {value!r} is not allowed; {' or '.join(map(repr, allowed))} is")
+        words = " or ".join(map(repr, allowed))
+        raise ValueError(f"{name}: {_shown(value)} is not allowed; {words} is")
     return value
 
 

@@ -57,6 +57,7 @@ def _half(k: Terms, at_two: Array) -> tuple[Array, NDArray[np.bool_], NDArray[np
     at = np.nonzero(there)
     some = k[0][at[1]], k[1][at[1]], k[2][at[1]], k[3][at[1]]
     y[at] = _newton(some, cuts[:-1][at], cuts[1:][at], rises[at])
+    there &= y > 0  # a root at the very end is none on the open half circle
     return y, rises, there
 
 

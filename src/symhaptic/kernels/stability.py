@@ -301,7 +301,9 @@ def characteristic_polynomial(
     >>> characteristic_polynomial(0.5, 1.0, 0.0, 0.0, 0).tolist()
     [1.0, -1.25, 1.25, -0.5]
     """
-    values = [float(x) for x in _arguments(alpha, beta, gamma, delta, delay)]
+    names = ("alpha", "beta", "gamma", "delta", "delay")
+    arrays = _arguments(alpha, beta, gamma, delta, delay)
+    values = [arguments.single(*pair) for pair in zip(names, arrays, strict=True)]
     if values[4] != np.floor(values[4]):
         raise ValueError(f"delay: {delay!r} is not allowed; whole numbers delay >= 0 are")
     n1, n0, a, e = (float(x) for x in discretize(values[2], values[3]))
