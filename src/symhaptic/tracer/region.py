@@ -121,12 +121,14 @@ def stable_region(
     [0.686292, 0.828427, 1.143718]
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    numbers = {}
     for name, value in (("gamma", gamma), ("delta", delta), ("delay", delay)):
         array = arguments.nonnegative(name, value)
         arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
+        numbers[name] = arguments.single(name, array)
     if not 1e-12 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-12 <= tolerance < 1 is")
-    loop = Loop(float(gamma), float(delta), float(delay), sheet)
+    loop = Loop(**numbers, sheet=sheet)
     pieces, error = _curves(loop, tolerance)
     ends = np.array([p.points[i] for p in pieces for i in (0, -1)]).reshape(-1, 2)
     near = _SAME * _size(pieces)
