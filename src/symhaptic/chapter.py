@@ -20,7 +20,7 @@ from sympy import Expr
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.ball import largest_root
+from symhaptic.proof.ball import bound, largest, roots
 from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
@@ -189,13 +189,29 @@ class Page:
         )
         return relation
 
-    def inside(self, title: str, polynomial: Expr) -> Evidence:
-        """All roots of a polynomial in z with rational coefficients lie inside the unit circle."""
-        largest = largest_root(polynomial)
-        if not largest < 1:
-            raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        bound = largest.upper().str(4, radius=False)
-        self._equation(title, [(r"\max|z|", "<", bound)], "proved", "balls around the roots", "")
+    def inside(self, title: str, polynomial: Expr, half: bool = False) -> Evidence:
+        """All roots of a polynomial with rational coefficients lie inside the unit circle.
+
+        With ``half`` only those with a positive real part are asked for: the principal sheet of
+        the square root.  A root that may lie there counts.
+        """
+        sizes = [abs(root) for root in roots(polynomial) if not (half and root.real < 0)]
+        size = largest(sizes)
+        if not size < 1:
+            raise FalseStep(f"{title}: a root is not shown to be inside, largest {size}")
+        return self._roots(title, "<", bound(size, above=True), half)
+
+    def outside(self, title: str, polynomial: Expr, half: bool = False) -> Evidence:
+        """Some root lies outside the unit circle, with ``half`` one with positive real part."""
+        sizes = [abs(root) for root in roots(polynomial) if not half or root.real > 0]
+        size = largest(sizes)
+        if not size > 1:
+            raise FalseStep(f"{title}: no root is shown to be outside, largest {size}")
+        return self._roots(title, ">", bound(size, above=False), half)
+
+    def _roots(self, title: str, sign: str, limit: str, half: bool) -> Evidence:
+        name = r"\max_{\Re\zeta>0}|\zeta|" if half else r"\max|z|"
+        self._equation(title, [(name, sign, limit)], "proved", "balls around the roots", "")
         return Evidence("balls around the roots")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:

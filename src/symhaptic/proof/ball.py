@@ -7,6 +7,9 @@ are equal.  That is left to :mod:`symhaptic.proof.normal`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from math import ceil, floor
 from typing import TypeAlias
 
 import sympy as sp
@@ -83,22 +86,42 @@ def _ball(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
     raise Unsupported(f"no ball for {type(expr).__name__}: {expr}")
 
 
-def largest_root(polynomial: Expr) -> arb:
-    """A ball that contains the largest modulus of a rational polynomial's roots.
+def roots(polynomial: Expr) -> list[acb]:
+    """Balls that contain the roots of a rational polynomial, one each.
 
     python-flint isolates the roots by certified balls.
 
     >>> z = sp.Symbol("z")
-    >>> bool(largest_root(z**2 - sp.Rational(1, 4)) < 0.51)
-    True
+    >>> [root.real.str(5, radius=False) for root in roots(4*z**2 - 1)]
+    ['-0.50000', '0.50000']
     """
     coefficients = sp.Poly(polynomial, *sorted(polynomial.free_symbols, key=str)).all_coeffs()
     exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
-    sizes = [abs(root) for root, _ in exact.complex_roots()]
-    largest = sizes[0]
+    return [root for root, _ in exact.complex_roots()]
+
+
+def largest(sizes: list[arb]) -> arb:
+    """A ball that contains the largest of some numbers."""
+    found = sizes[0]
     for size in sizes[1:]:
-        largest = largest.max(size)
-    return largest
+        found = found.max(size)
+    return found
+
+
+def bound(number: arb, above: bool) -> str:
+    """A decimal not below (or not above) a ball, of four places or as many as tell it from 1.
+
+    >>> bound(arb(3) / 7, above=True), bound(arb(65535) / 65536, above=True)
+    ('0.4286', '0.99998475')
+    """
+    mantissa, exponent = (number.upper() if above else number.lower()).man_exp()
+    exact = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    for places in (4, 8, 16):
+        scaled = exact * 10**places
+        whole = ceil(scaled) if above else floor(scaled)
+        if whole != 10**places:
+            break
+    return f"{Decimal(whole).scaleb(-places):f}"
 
 
 def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool | None:
