@@ -12,19 +12,71 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from symhaptic.formulas import Formula, formula
+    from symhaptic.kernels.boundary import stability_boundary
+    from symhaptic.kernels.extremum import Extremum
+    from symhaptic.kernels.passivity import (
+        is_passive,
+        max_passive_stiffness,
+        passivity_boundary,
+        passivity_margin,
+    )
+    from symhaptic.kernels.plant import discretize
+    from symhaptic.kernels.stability import characteristic_polynomial, is_stable, unstable_roots
     from symhaptic.proof.decide import prove
     from symhaptic.proof.verdict import Verdict
+    from symhaptic.scene import Scene
+    from symhaptic.tracer.extremes import max_stable_stiffness
+    from symhaptic.tracer.grid import grid_boundary
+    from symhaptic.tracer.margin import delay_margin
+    from symhaptic.tracer.region import Region, stable_region
 
 __version__ = "0.1.0"
 
 _HOME = {
+    "Extremum": "symhaptic.kernels.extremum",
     "Formula": "symhaptic.formulas",
-    "formula": "symhaptic.formulas",
-    "prove": "symhaptic.proof.decide",
+    "Region": "symhaptic.tracer.region",
+    "Scene": "symhaptic.scene",
     "Verdict": "symhaptic.proof.verdict",
+    "characteristic_polynomial": "symhaptic.kernels.stability",
+    "delay_margin": "symhaptic.tracer.margin",
+    "discretize": "symhaptic.kernels.plant",
+    "formula": "symhaptic.formulas",
+    "grid_boundary": "symhaptic.tracer.grid",
+    "is_passive": "symhaptic.kernels.passivity",
+    "is_stable": "symhaptic.kernels.stability",
+    "max_passive_stiffness": "symhaptic.kernels.passivity",
+    "max_stable_stiffness": "symhaptic.tracer.extremes",
+    "passivity_boundary": "symhaptic.kernels.passivity",
+    "passivity_margin": "symhaptic.kernels.passivity",
+    "prove": "symhaptic.proof.decide",
+    "stability_boundary": "symhaptic.kernels.boundary",
+    "stable_region": "symhaptic.tracer.region",
+    "unstable_roots": "symhaptic.kernels.stability",
 }
 
-__all__ = ["Formula", "Verdict", "formula", "prove"]
+__all__ = [
+    "Extremum",
+    "Formula",
+    "Region",
+    "Scene",
+    "Verdict",
+    "characteristic_polynomial",
+    "delay_margin",
+    "discretize",
+    "formula",
+    "grid_boundary",
+    "is_passive",
+    "is_stable",
+    "max_passive_stiffness",
+    "max_stable_stiffness",
+    "passivity_boundary",
+    "passivity_margin",
+    "prove",
+    "stability_boundary",
+    "stable_region",
+    "unstable_roots",
+]
 
 
 def __getattr__(name: str) -> Any:

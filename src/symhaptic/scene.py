@@ -5,8 +5,10 @@ A part that a scene leaves out is not set to zero: the model is derived without 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 from itertools import product
+from typing import NamedTuple
 
 
 @dataclass(frozen=True)
@@ -46,3 +48,111 @@ FULL = Parts()
 
 ALL = tuple(Parts(*choice) for choice in product((True, False), repeat=4))
 """All sixteen scenes, the full one first."""
+
+
+class Dimensionless(NamedTuple):
+    """The plant and the delay in units of the mass and the sampling period (Table I)."""
+
+    gamma: float
+    """k T^2/m."""
+    delta: float
+    """b T/m."""
+    delay: float
+    """t_d/T."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scene:
+    """A device in SI units; a part that is left out (``None``) is not modelled.
+
+    Raises :class:`ValueError` for a mass or period that is not positive, a negative damping,
+    stiffness or delay, and for anything infinite or NaN.
+
+    >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.001)
+    >>> scene.dimensionless
+    Dimensionless(gamma=0.0, delta=0.005, delay=1.0)
+    >>> scene.parts.name
+    'damping, virtual damping, delay'
+    """
+
+    mass: float
+    """m in kg, device and arm together."""
+    sampling_period: float
+    """T in s."""
+    damping: float | None = None
+    """b in Ns/m."""
+    stiffness: float | None = None
+    """k in N/m."""
+    delay: float | None = None
+    """t_d in s."""
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value is None:
+                continue
+            least = "> 0" if field.name in ("mass", "sampling_period") else ">= 0"
+            if not math.isfinite(value) or value < 0 or (least == "> 0" and value == 0):
+                raise ValueError(
+                    f"{field.name}: {value!r} is not allowed; finite numbers {least} are"
+                )
+
+    @property
+    def parts(self) -> Parts:
+        """What is in the loop."""
+        return Parts(
+            stiffness=self.stiffness is not None,
+            damping=self.damping is not None,
+            delay=self.delay is not None,
+        )
+
+    @property
+    def dimensionless(self) -> Dimensionless:
+        """gamma, delta and the delay in periods; 0 for what is not there."""
+        period = self.sampling_period
+        return Dimensionless(
+            gamma=(self.stiffness or 0.0) * period**2 / self.mass,
+            delta=(self.damping or 0.0) * period / self.mass,
+            delay=(self.delay or 0.0) / period,
+        )
+
+    def max_stable_stiffness(self) -> float:
+        """Largest stiffness in N/m of a stable wall, with the damping that allows it.
+
+        >>> scene = Scene(mass=0.1, sampling_period=0.001)  # 4 (2 - r)(r - 1)/r m/T^2, r = sqrt 2
+        >>> round(scene.max_stable_stiffness(), 3)
+        68629.15
+        """
+        from symhaptic.tracer.extremes import max_stable_stiffness
+
+        found = max_stable_stiffness(*self.dimensionless)
+        return float(found.alpha) * self.mass / self.sampling_period**2
+
+    def max_passive_stiffness(self) -> float:
+        """Largest stiffness in N/m of a passive wall, with the damping that allows it.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
+        >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
+        1000.0
+        """
+        from symhaptic.kernels.passivity import max_passive_stiffness
+
+        _, delta, delay = self.dimensionless
+        found = max_passive_stiffness(delta, delay)
+        return float(found.alpha) * self.mass / self.sampling_period**2
+
+    def delay_margin(self, K: float, B: float) -> float:
+        """Largest delay in s up to which the wall of stiffness ``K`` (N/m), ``B`` (Ns/m) is stable.
+
+        The scene's own delay does not count.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
+        >>> round(1000 * scene.delay_margin(K=1000.0, B=5.0), 3)  # ms
+        4.401
+        """
+        from symhaptic.tracer.margin import delay_margin
+
+        gamma, delta, _ = self.dimensionless
+        scale = self.sampling_period / self.mass
+        found = delay_margin(K * scale * self.sampling_period, B * scale, gamma, delta)
+        return float(found) * self.sampling_period

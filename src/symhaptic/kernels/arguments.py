@@ -50,7 +50,7 @@ def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
 
 
 def in_blocks(work: Callable[..., Array], *arrays: Array) -> Array:
-    """``work`` on flat pieces of the broadcast arrays, so that its temporaries stay in the cache."""
+    """``work`` on flat pieces of the broadcast arrays, small enough for the cache."""
     shape = np.broadcast_shapes(*(a.shape for a in arrays))
     size = int(np.prod(shape))
     if size <= _BLOCK:

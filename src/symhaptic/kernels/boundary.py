@@ -6,15 +6,16 @@ With :math:`Q=-z^{l+1}A/M` on the unit circle, :math:`\beta=\Im Q/\sin\theta` an
 
 from __future__ import annotations
 
+from functools import partial
+from typing import NamedTuple
+
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.plant import Device, device
 from symhaptic.kernels.stability import SHEETS
-
-Complex = NDArray[np.complex128]
 
 _SPLIT = 2.0**27 + 1
 """Veltkamp's factor: halves of a float64 whose products are exact."""
@@ -32,43 +33,81 @@ def _turned(steps: Array, theta: Array) -> tuple[Array, Array]:
     return np.cos(product) - error * np.sin(product), np.sin(product) + error * np.cos(product)
 
 
-def _quotient(x: Device, theta: Array, steps: Array) -> tuple[Complex, Complex]:
-    """Q on the unit circle, and its derivative with respect to theta."""
+class _Circle(NamedTuple):
+    """A/z and M/z at z = exp(j theta), by real and imaginary part, and the angle's functions."""
+
+    half_sine: Array
+    half_cosine: Array
+    sine: Array
+    above: Array
+    above_j: Array
+    below: Array
+    below_j: Array
+
+
+def _on_circle(x: Device, theta: Array) -> _Circle:
     half_sine, half_cosine = np.sin(theta / 2), np.cos(theta / 2)
-    sine, cosine = 2 * half_sine * half_cosine, (half_cosine - half_sine) * (
-        half_cosine + half_sine
-    )
+    sine = 2 * half_sine * half_cosine
     small = theta < np.pi / 2
-    y, rest = -2 * half_sine**2, 2 * half_cosine**2
+    part = np.where(small, -(half_sine**2), half_cosine**2) * 2
 
-    def on_circle(at_one: Array, at_minus_one: Array, slope: Array, height: Array) -> Complex:
-        real = np.where(small, at_one + slope * y, slope * rest - at_minus_one)
-        return real + 1j * (height * sine)
+    def real(at_one: Array, at_minus_one: Array, slope: Array) -> Array:
+        return np.asarray(np.where(small, at_one, -at_minus_one) + slope * part)
 
-    above = on_circle(x.at_one, x.at_minus_one, 1 + x.e, x.loss)  # A/z
-    below = on_circle(x.numerator_at_one, x.numerator_at_minus_one, x.m2 + x.m0, x.m2 - x.m0)
-    grows_above = -(1 + x.e) * sine + 1j * (x.loss * cosine)
-    grows_below = -(x.m2 + x.m0) * sine + 1j * ((x.m2 - x.m0) * cosine)
-    real, imaginary = _turned(steps + 1, theta)
-    turn = -(real + 1j * imaginary)
-    ratio = above / below
-    slope = 1j * (steps + 1) * ratio + (grows_above - ratio * grows_below) / below
-    return turn * ratio, turn * slope
+    return _Circle(
+        half_sine,
+        half_cosine,
+        sine,
+        real(x.at_one, x.at_minus_one, 1 + x.e),
+        x.loss * sine,
+        real(x.numerator_at_one, x.numerator_at_minus_one, x.m2 + x.m0),
+        (x.m2 - x.m0) * sine,
+    )
 
 
 def point(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
     """The wall with a root at exp(j theta), behind a whole delay (or a real one, principal)."""
-    q, _ = _quotient(x, theta, steps)
+    c = _on_circle(x, theta)
+    cosine, turn = _turned(steps + 1, theta)
+    size = c.below**2 + c.below_j**2
+    ratio = (c.above * c.below + c.above_j * c.below_j) / size
+    ratio_j = (c.above_j * c.below - c.above * c.below_j) / size
+    real, imaginary = ratio_j * turn - ratio * cosine, -ratio_j * cosine - ratio * turn
     # Re Q - beta (1 - cos theta) = Re Q - Im Q tan(theta/2)
-    return q.real - q.imag * np.tan(theta / 2), q.imag / np.sin(theta)
+    return real - imaginary * (c.half_sine / c.half_cosine), imaginary / c.sine
 
 
 def tangent(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
     """Derivatives of the boundary's alpha and beta with respect to theta."""
-    q, slope = _quotient(x, theta, steps)
-    half, sine = np.tan(theta / 2), np.sin(theta)
+    c = _on_circle(x, theta)
+    cosine = (c.half_cosine - c.half_sine) * (c.half_cosine + c.half_sine)
+    below = c.below + 1j * c.below_j
+    ratio = (c.above + 1j * c.above_j) / below
+    above_slope = 1j * (x.loss * cosine) - (1 + x.e) * c.sine
+    below_slope = 1j * ((x.m2 - x.m0) * cosine) - (x.m2 + x.m0) * c.sine
+    real, imaginary = _turned(steps + 1, theta)
+    turn = -(real + 1j * imaginary)
+    q = turn * ratio
+    slope = turn * (1j * (steps + 1) * ratio + (above_slope - ratio * below_slope) / below)
+    half = c.half_sine / c.half_cosine
     stiffness = slope.real - slope.imag * half - q.imag * (1 + half**2) / 2
-    return stiffness, (slope.imag - q.imag * np.cos(theta) / sine) / sine
+    return stiffness, (slope.imag - q.imag * cosine / c.sine) / c.sine
+
+
+def begin(x: Device, gamma: Array, steps: Array) -> tuple[Array, Array]:
+    """Limit of the boundary at theta = 0, where two roots meet at 1."""
+    turned = (2 * x.m2 + x.m1) / x.numerator_at_one - (steps + 2)
+    return -gamma, gamma * turned - x.loss / x.numerator_at_one
+
+
+def end(x: Device, steps: Array) -> tuple[Array, Array]:
+    """Limit at theta = pi for whole ``steps``, where two roots meet at -1; may be infinite."""
+    sign = np.where(steps % 2 == 0, 1.0, -1.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        line = sign * x.at_minus_one / x.numerator_at_minus_one  # alpha + 2 beta
+        lead = sign * ((steps + 2) * x.at_minus_one + 2 + x.a)
+        both = (lead + (x.m1 - 2 * x.m2) * line) / x.numerator_at_minus_one  # alpha + beta
+        return 2 * both - line, line - both
 
 
 def stability_boundary(
@@ -91,14 +130,14 @@ def stability_boundary(
 
     >>> alpha, beta = stability_boundary(1.0, 0.0, 0.0, 1)
     >>> round(float(alpha), 12), round(float(beta), 12)  # 4 tan(1/2)^2 cos 2, ...
-    (-0.49679194797, 1.241901466117)
+    (-0.496790118283, 1.241897955708)
     """
     arguments.one_of("sheet", sheet, SHEETS)
     th = arguments.real("theta", theta)
     arguments.refuse("theta", th, (th <= 0) | (th >= np.pi), "numbers 0 < theta < pi are")
     g, dl = arguments.nonnegative("gamma", gamma), arguments.nonnegative("delta", delta)
     dy = arguments.nonnegative("delay", delay)
-    alpha, beta = arguments.in_blocks(lambda *a: _pair(*a, sheet), th, g, dl, dy)
+    alpha, beta = arguments.in_blocks(partial(_pair, sheet=sheet), th, g, dl, dy)
     return alpha, beta
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
@@ -63,7 +63,7 @@ class _Motion(NamedTuple):
     delta: Array
     w: Array
     root: Array
-    swings: Array
+    swings: NDArray[np.bool_]
     plus: Array
     """(delta + c)/4 where c is real."""
     minus: Array
@@ -94,7 +94,7 @@ def _at_nyquist(x: _Motion) -> Array:
     grown = quarter * _exprel(-2 * quarter)
     swing = grown**2 + np.exp(-2 * quarter) * np.cos(x.root / 2) ** 2
     creep = (1 + np.exp(-2 * x.plus)) * (1 + np.exp(-2 * x.minus))
-    return np.where(x.swings, 4 * swing, creep)
+    return np.asarray(np.where(x.swings, 4 * swing, creep))
 
 
 def _sinhc_series(w: Array) -> Array:

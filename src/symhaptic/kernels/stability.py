@@ -155,9 +155,9 @@ def count(
     terms = surplus(x, v)
     near, far = terms[:4], terms[4:]
     found = crossings(near, far, whole)
-    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.a.shape))
+    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.m2.shape))
     nearest = None
-    if on_circle is not None:
+    if on_circle is not None and found:
         away = [np.where(c.there, np.abs(c.y - on_circle), np.inf) for c in found]
         nearest = np.argmin(np.stack(np.broadcast_arrays(*away)), axis=0)
     for i, crossing in enumerate(found):
@@ -187,7 +187,9 @@ def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
     return steps, part if np.any(part) else None
 
 
-def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+def _count(
+    alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array, sheet: str
+) -> Array:
     steps, part = split(delay, sheet)
     given = (gamma, delta) if part is None else (gamma, delta, part)
     plant = arguments.in_blocks(_device, *given)
@@ -232,7 +234,7 @@ def unstable_roots(
     Raises :class:`ValueError` for an infinite wall and an impossible plant or delay.
 
     >>> unstable_roots([0.5, 5.0], 1.0, 0.0, 0.0, 0).tolist()
-    [0, 1]
+    [0, 2]
     """
     arguments.one_of("sheet", sheet, SHEETS)
     values = _arguments(alpha, beta, gamma, delta, delay)

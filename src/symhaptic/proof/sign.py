@@ -1,11 +1,12 @@
 r"""Signs on a whole domain, by certificates that are checked exactly.
 
 A fact says that an expression is positive (or not negative) wherever the assumptions hold.
-New facts follow in six ways, each checked by the normal form:
+New facts follow in seven ways, each checked by the normal form:
 
 * a sum of products of facts, with positive rational coefficients;
 * the sine of an angle that lies between 0 and pi;
 * the sine of the larger of two angles between -pi/2 and pi/2 is the larger one;
+* the exponential of a real number;
 * two cases, one where some expression is positive and one where it is not;
 * integration: zero at the lower end of an interval, with a positive derivative on it;
 * division by a fact.
@@ -23,6 +24,7 @@ from sympy import Expr
 
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import conjugated
 from symhaptic.proof.series import limit
 
 
@@ -152,6 +154,13 @@ def chord(lower: Fact, upper: Fact, gap: Fact) -> Fact:
     rests = lower.rests | upper.rests | gap.rests
     expr = sp.sin(larger) - sp.sin(smaller)
     return Fact(expr, gap.strict, "the sine rises", rests)
+
+
+def exponential(exponent: Expr) -> Fact:
+    """exp x > 0 for a real x."""
+    if not is_zero(conjugated(exponent) - exponent):
+        raise NotShown(f"{exponent} is not real")
+    return Fact(sp.exp(exponent), True, "an exponential")
 
 
 def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from symhaptic.kernels import stability
 from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.boundary import point, tangent
+from symhaptic.kernels.boundary import begin, end, point, tangent
 from symhaptic.kernels.plant import Device, device
 
 _PER_TURN = 96
@@ -88,9 +88,7 @@ class Loop:
     @cached_property
     def begin(self) -> Array:
         """Limit of the curve at theta = 0: a double root at 1."""
-        x = self.device
-        turned = (2 * x.m2 + x.m1) / x.numerator_at_one - (self.steps + 2)
-        return np.array([-self.gamma, self.gamma * turned - x.loss / x.numerator_at_one])
+        return np.stack(begin(self.device, np.asarray(self.gamma), np.asarray(self.steps)))
 
     @cached_property
     def line(self) -> float | None:
@@ -103,12 +101,7 @@ class Loop:
     @cached_property
     def end(self) -> Array | None:
         """Limit of the curve at theta = pi: a double root at -1; None where it is at infinity."""
-        if self.line is None:
-            return None
-        x, sign = self.device, -1.0 if self.steps % 2 else 1.0
-        lead = sign * ((self.steps + 2) * x.at_minus_one + 2 + x.a)
-        both = float((lead + (x.m1 - 2 * x.m2) * self.line) / x.numerator_at_minus_one)
-        return np.array([both - (self.line - both), self.line - both])
+        return None if self.line is None else np.stack(end(self.device, np.asarray(self.steps)))
 
     def samples(self) -> Array:
         """Angles that meet every piece of the boundary worth drawing."""

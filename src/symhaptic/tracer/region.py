@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -191,7 +192,7 @@ def _distance(points: Array, begin: Array, end: Array) -> Array:
     length = np.sum(along**2, axis=1)
     share = np.sum((points - begin) * along, axis=1) / np.where(length == 0, 1.0, length)
     foot = begin + np.clip(share, 0, 1)[:, None] * along
-    return np.linalg.norm(points - foot, axis=1)
+    return np.asarray(np.linalg.norm(points - foot, axis=1))
 
 
 def _left_sides(loop: Loop, ends: Array, near: float) -> list[Piece]:
@@ -227,7 +228,7 @@ def _apart(values: list[float], near: float) -> list[float]:
 def _sides(loop: Loop, points: Array) -> list[Piece]:
     """The segments between neighbouring points that have stable walls beside them."""
     pieces = []
-    for one, two in zip(points, points[1:], strict=False):
+    for one, two in itertools.pairwise(points):
         across = np.array([two[1] - one[1], one[0] - two[0]]) * 1e-7
         middle = (one + two) / 2
         near = np.stack([middle + across, middle - across])
@@ -279,10 +280,10 @@ def _refined(loop: Loop, group: list[tuple[Piece, int]]) -> Array:
     """A corner to full precision: from a straight side, or where two angles give one wall."""
     for piece, j in group:
         if piece.angles is None:
-            return piece.points[j]
+            return np.asarray(piece.points[j])
     angles = np.array([piece.angles[j] for piece, j in group if piece.angles is not None])
     if len(angles) < 2 or angles[0] == 0 or angles[-1] == np.pi:
-        return group[0][0].points[group[0][1]]
+        return np.asarray(group[0][0].points[group[0][1]])
     pair = angles[:2]
     for _ in range(4):
         one, two = loop.curve(pair)
@@ -299,7 +300,8 @@ def farthest(loop: Loop, direction: Array) -> Array:
     best = np.full(3, np.nan)
     grid = loop.samples()
     for low, high in loop.arcs:
-        inner = grid[(grid > low) & (grid < high)]
+        inside = grid[(grid > low) & (grid < high)]
+        inner = np.unique(np.clip([low, *inside, high], grid[0], grid[-1]))
         rising = flips(lambda theta: loop.tangent(theta) @ direction > 0, inner)
         angles = [low, *rising, high]
         points = np.array([[*_point(loop, angle), angle] for angle in angles])

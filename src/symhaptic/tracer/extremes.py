@@ -1,0 +1,103 @@
+"""The largest stable stiffness, and the largest delay that a wall bears."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize.elementwise import find_root
+
+from symhaptic.kernels import arguments, stability
+from symhaptic.kernels.arguments import Array
+from symhaptic.kernels.boundary import end, point, tangent
+from symhaptic.kernels.extremum import Extremum
+from symhaptic.kernels.plant import Device, device
+from symhaptic.kernels.stability import SHEETS
+from symhaptic.tracer.arcs import Loop
+from symhaptic.tracer.region import farthest
+
+_GRID = np.linspace(0, 1, 25)[1:]
+"""Parts of the first half turn of z^(d+1) at which the first maximum of alpha is looked for."""
+
+
+def max_stable_stiffness(
+    gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+) -> Extremum:
+    r"""The rightmost point of the stable region: largest alpha = K T^2/m, with its beta and theta.
+
+    For the plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0 periods; arrays broadcast.  It
+    is a supremum: the wall there has roots on the unit circle, at exp(+-j theta).  Where the
+    spring's own frequency lies in the first half turn of the delay, sqrt(gamma) (d+1) <= pi, or
+    for d <= 1 up to the Nyquist frequency, it is the first maximum of the explicit boundary (the
+    end of the curve at theta = pi if there is none), found in a time that ignores the delay; that
+    this is the farthest piece rests on comparison with whole regions, not on a proof.  Elsewhere
+    every piece of the boundary is traced, one element after the other, which takes milliseconds
+    times the delay.  A loop that no wall keeps stable gives NaN.
+
+    Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
+
+    >>> alpha, beta, theta = max_stable_stiffness(0.0, 0.0, [0, 1])
+    >>> alpha.round(6).tolist()
+    [0.686292, 0.144469]
+    """
+    arguments.one_of("sheet", sheet, SHEETS)
+    g = arguments.nonnegative("gamma", gamma)
+    dl = arguments.nonnegative("delta", delta)
+    dy = arguments.nonnegative("delay", delay)
+    found = arguments.in_blocks(partial(_rightmost, sheet=sheet), g, dl, dy)
+    return Extremum(*found)
+
+
+def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+    shape = np.broadcast_shapes(gamma.shape, delta.shape, delay.shape)
+    g, dl, dy = (np.broadcast_to(a, shape).reshape(-1) for a in (gamma, delta, delay))
+    found = np.full((3, g.size), np.nan)
+    known = ~np.isnan(g + dl + dy)
+    simple = known & ((np.sqrt(g) * (dy + 1) <= np.pi) | ((dy <= 1) & (g <= np.pi**2)))
+    if np.any(simple):
+        found[:, simple] = _first_maximum(g[simple], dl[simple], dy[simple], sheet)
+    for i in np.flatnonzero(known & np.isnan(found[0])):
+        loop = Loop(float(g[i]), float(dl[i]), float(dy[i]), sheet)
+        found[:, i] = farthest(loop, np.array([1.0, 0.0]))
+    return found.reshape(3, *shape)
+
+
+def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+    """The first maximum of alpha along the curve; NaN where it does not border the region."""
+    steps, part = stability.split(delay, sheet)
+    x = device(gamma, delta, part)
+    whole = np.pi / (delay + 1)
+    low, high = np.full_like(whole, np.nan), np.full_like(whole, np.nan)
+    before, rose = np.zeros_like(whole), np.ones_like(whole, dtype=bool)
+    for share in _GRID[:-1] if np.all(delay == 0) else _GRID:
+        theta = np.minimum(share * whole, np.nextafter(np.pi, 0))
+        rises = tangent(x, theta, steps)[0] > 0
+        first = rose & ~rises & np.isnan(low)
+        low, high = np.where(first, before, low), np.where(first, theta, high)
+        before, rose = theta, rises
+    found = np.full((3, whole.size), np.nan)
+    inner = ~np.isnan(low)
+    if np.any(inner):
+        numbers = [np.broadcast_to(v, whole.shape)[inner] for v in x]
+        st = steps[inner]
+        low = np.maximum(low, high * 1e-3)[inner]
+        root = find_root(_rise, (low, high[inner]), args=(st, *numbers))
+        alpha, beta = point(Device(*numbers), root.x, st)
+        circle = 4 * np.sin(root.x / 2) ** 2
+        others = stability.count(
+            Device(*numbers),
+            stability.wall(alpha, beta),
+            st,
+            part is None,
+            sheet == "principal",
+            circle,
+        )
+        found[:, inner] = np.where(others == 0, [alpha, beta, root.x], np.nan)
+    last = ~inner & (delay == 0)
+    alpha, beta = end(x, steps)
+    return np.where(last & np.isfinite(alpha), [alpha, beta, np.full_like(alpha, np.pi)], found)
+
+
+def _rise(theta: Array, steps: Array, *numbers: Array) -> Array:
+    return tangent(Device(*numbers), theta, steps)[0]

@@ -1,0 +1,99 @@
+"""The paper's own method: a grid of walls, all zeros of each polynomial, and bisection.
+
+Kept to compare with: it needs no formula for the boundary, and its cost per point grows with the
+cube of the delay and with the digits asked for.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symhaptic.kernels import arguments
+from symhaptic.kernels.arguments import Array
+from symhaptic.kernels.plant import discretize
+
+_ROWS = 20000
+"""Companion matrices solved at a time."""
+
+
+def spectral_radius(
+    alpha: ArrayLike, beta: ArrayLike, gamma: float, delta: float, delay: int | Fraction
+) -> Array:
+    """Largest modulus of the zeros of the characteristic polynomial, by companion eigenvalues.
+
+    For a rational delay r/q the polynomial in z^(1/q), all of whose zeros count: the paper's
+    substitution taken literally.
+
+    >>> float(spectral_radius(0.5, 1.0, 0.0, 0.0, 0)) < 1
+    True
+    """
+    al, be = np.broadcast_arrays(arguments.finite("alpha", alpha), arguments.finite("beta", beta))
+    late = Fraction(delay)
+    if late < 0:
+        raise ValueError(f"delay: {delay!r} is not allowed; rational numbers delay >= 0 are")
+    q = late.denominator
+    n1, n0, a, e = (float(v) for v in discretize(gamma, delta))
+    degree = late.numerator + 3 * q
+    rows = np.zeros((al.size, degree + 1))
+    for power, number in ((0, 1.0), (q, -a), (2 * q, e)):
+        rows[:, power] += number
+    total, wall = (al + be).ravel(), -be.ravel()
+    rows[:, degree - 2 * q] += n1 * total
+    rows[:, degree - q] += n1 * wall + n0 * total
+    rows[:, degree] += n0 * wall
+    found = np.empty(al.size)
+    for begin in range(0, al.size, _ROWS):
+        some = rows[begin : begin + _ROWS]
+        companion = np.zeros((len(some), degree, degree))
+        companion[:, 0, :] = -some[:, 1:]
+        companion[:, np.arange(1, degree), np.arange(degree - 1)] = 1.0
+        found[begin : begin + _ROWS] = np.abs(np.linalg.eigvals(companion)).max(axis=1)
+    return found.reshape(al.shape)
+
+
+def grid_boundary(
+    gamma: float,
+    delta: float,
+    delay: int | Fraction,
+    alphas: ArrayLike,
+    betas: ArrayLike,
+    threshold: float = 1e-8,
+) -> Array:
+    """Points (alpha, beta) of the stability boundary, to within ``threshold`` along a grid line.
+
+    The grid's stability is computed at every node; between neighbours that differ, the interval
+    is halved until it is shorter than the threshold (Sec. IV-D of the paper).  All bisections run
+    side by side.
+
+    >>> points = grid_boundary(0.0, 0.0, 0, np.linspace(-0.1, 1, 23), np.linspace(-0.1, 2.1, 23))
+    >>> points.shape[1]
+    2
+    """
+    al, be = arguments.finite("alphas", alphas), arguments.finite("betas", betas)
+    if not threshold > 0:
+        raise ValueError(f"threshold: {threshold!r} is not allowed; numbers > 0 are")
+
+    def stable(points: Array) -> NDArray[np.bool_]:
+        radius = spectral_radius(points[..., 0], points[..., 1], gamma, delta, delay)
+        return np.asarray(radius < 1)
+
+    nodes = np.stack(np.meshgrid(al, be, indexing="ij"), axis=-1)
+    inside = stable(nodes)
+    pairs = []
+    for axis in (0, 1):
+        first, second = np.arange(nodes.shape[axis] - 1), np.arange(1, nodes.shape[axis])
+        one, two = inside.take(first, axis), inside.take(second, axis)
+        at = one != two
+        low, high = nodes.take(first, axis)[at], nodes.take(second, axis)[at]
+        swap = ~one[at][:, None]
+        pairs.append((np.where(swap, high, low), np.where(swap, low, high)))
+    good = np.concatenate([p[0] for p in pairs])
+    bad = np.concatenate([p[1] for p in pairs])
+    while good.size and np.abs(good - bad).max() > threshold:
+        middle = (good + bad) / 2
+        keeps = stable(middle)[:, None]
+        good, bad = np.where(keeps, middle, good), np.where(keeps, bad, middle)
+    return np.asarray((good + bad) / 2)
