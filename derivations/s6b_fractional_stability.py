@@ -5,7 +5,7 @@ of whole delays can be asked again: the polynomial, its roots at 1 and $-1$, and
 explicit curve.
 """
 
-from sympy import I, S, cos, sin, symbols
+from sympy import I, S, cos, exp, sin, symbols
 
 from symhaptic.model import fractional, loop, plant
 from symhaptic.model.passivity import on_circle, real_part
@@ -129,14 +129,12 @@ def derive(page):
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {m_2: free.m2, m_1: free.m1, m_0: free.m0, a: free.device.a, e: free.device.e}
-    slope = (boundary[beta] / boundary[alpha]).subs(numbers)
-    page.limit(
-        "A free mass: the slope at the origin",
-        slope,
-        theta,
-        S.Zero,
-        l + epsilon + S.Half,
-        name=r"\beta/\alpha",
-        because="the whole delay and half a period of hold: here the linear condition (25) is "
-        "right for fractional delays too",
+    shift = exp(-I * (l + epsilon + S.Half) * theta)
+    page.show(
+        "A free mass at low frequencies",
+        "Q",
+        r"\theta^2e^{j(\ell+\varepsilon+1/2)\theta}\,(1+O(\theta^2))",
+        page.limits((turned.subs(numbers) * shift / theta**2 - 1) / theta, theta, S.Zero, S.Zero),
+        because="so the boundary leaves the origin with $\\beta/\\alpha=d+\\frac12$: there the "
+        "linear condition (25) is right for fractional delays too",
     )

@@ -48,7 +48,7 @@ def derive(page):
         KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
         - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
         name="n",
-        because="where the bracket is $\\tfrac bT+\\Re\\{G(1/(z-1)+1-\\varepsilon)\\}$ times $T$",
+        because="that is $-T\\Re\\{G(1/(z-1)+1-\\varepsilon)\\}$",
     )
     need = passivity.dirichlet_form()
     page.show(
@@ -63,7 +63,8 @@ def derive(page):
         T**2 * force * force.xreplace({I: -I}),
         fractional.stiffness_squared(),
         name="T^2|H|^2",
-        because="it does not contain the delay",
+        because="on the unit circle the delay only turns it, so that the square of the modulus "
+        "does not contain it",
     )
     det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
     margin = b * (b - straight) - epsilon * rest * square / 4
@@ -76,9 +77,10 @@ def derive(page):
         "what a deviation $q$ gains at best",
         boxed=True,
     )
+    root = (u + sqrt(u**2 + w)) / 2
     page.step(
         "Solved for the damping",
-        margin.subs(b, (straight + sqrt(straight**2 + epsilon * rest * square)) / 2),
+        root * (root - u) - w / 4,
         S.Zero,
         name=r"\det\big|_{b=\frac12(n+\sqrt{n^2+\varepsilon(1-\varepsilon)T^2|H|^2})}",
         because="the other solution is not positive, since the product of both is not",
@@ -88,7 +90,8 @@ def derive(page):
         "Which angles count? With $\\psi=\\theta/2$ write $r^2=w^2+u^2\\cot^2\\psi$ for the wall "
         "$u=KT/(2b)$, $w=(B+KT/2)/b$, and $\\varrho^2=1-4\\varepsilon(1-\\varepsilon)\\sin^2\\psi$ "
         "for the delay. Both fall with $\\theta$ if $K\\ge0$. The size of the wall is "
-        "$T|H|=2br\\sin\\psi$, and $n=br\\varrho\\cos\\varphi$ with some phase $\\varphi$."
+        "$T|H|=2br\\sin\\psi$, and $n=br\\varrho\\cos\\varphi$ with some phase $\\varphi$; below, "
+        "$x$ stands for $\\varrho$."
     )
     wall_ = {K: 2 * b * u / T, B: b * (w - u)}
     page.step(
@@ -99,12 +102,12 @@ def derive(page):
     )
     need_ = r * (1 + x) / 2
     page.step(
-        "With the damping $\\tfrac12(1+\\varrho)\\,br$",
+        "With the damping $\\tfrac12(1+x)\\,br$",
         need_**2 - need_ * r * x * cos(phi) - (1 - x**2) * r**2 / 4,
         r**2 * x * (1 + x) * (1 - cos(phi)) / 2,
         name=r"\frac{1}{b^2}\Bigl(b(b-n)-\ldots\Bigr)",
         because="never negative, and zero in phase, $\\varphi=0$: beyond the first angle where "
-        "that happens no angle asks for more. (Here $x=\\varrho$.)",
+        "that happens no angle asks for more",
     )
     ends = [
         page.same("ends", fractional.margin().subs(epsilon, end), b * (b - need.subs(d, whole)))

@@ -16,14 +16,17 @@ HALF = Rational(1, 2)
 
 def derive(page):
     margin, rest = fractional.margin(), 1 - epsilon
-    page.say("The exact condition, $b(b-n)-\\tfrac14\\varepsilon(1-\\varepsilon)T^2|H|^2\\ge0$.")
+    page.say(
+        "A wall is passive if $D=b(b-n)-\\tfrac14\\varepsilon(1-\\varepsilon)T^2|H|^2$ is not "
+        "negative at any angle."
+    )
     low = page.limit(
         "Low frequencies",
         margin / b,
         theta,
         S.Zero,
         b + B - K * T * (l + epsilon + HALF) - epsilon * rest * (K * T) ** 2 / (4 * b),
-        name=r"\frac{1}{b}(\ldots)",
+        name="D/b",
         because="the condition (9), with the delay $d=\\ell+\\varepsilon$, and a term more: the "
         "lower part of the boundary is no line but an arc of a parabola, tangent to it at "
         "$(0,-b)$",
@@ -65,9 +68,9 @@ def without_stiffness(page, share):
         ),
     ):
         first, second = 2 * (rest * form(one)) ** 2, 2 * (epsilon * form(two)) ** 2
-        mixed = sin(one + two) ** 2 + 4 * form(one) ** 2 * form(two) ** 2
+        mixed = sin((2 * l + 3) * theta / 2) ** 2 + 4 * form(one) ** 2 * form(two) ** 2
         pair = share.subs({K: 0, B: damping}), first + second + epsilon * rest * mixed
-        page.step(title, *pair, name=r"\frac{1}{b^2}(\ldots)", because=because)
+        page.step(title, *pair, name="D/b^2", because=because)
         squares.append(pair)
     ends = page.limits(share.subs(K, 0), theta, S.Zero, 1 + B / b)
     page.state(

@@ -119,7 +119,7 @@ def stiff_spring(page):
         words = f"${latex(at[x])}$, ${latex(at[y])}$"
         true, read = (page.inside, page.outside) if stable else (page.outside, page.inside)
         apart.append(true(f"True, at $(x,y)=$ {words}", exact.subs(at)))
-        apart.append(read(f"In the paper, at {words}", letter.subs(at), half=True))
+        apart.append(read(f"On the principal sheet, at {words}", letter.subs(at), half=True))
     page.state(
         "fractional-principal",
         "for a stiff spring the principal sheet calls walls stable that are not, and others "

@@ -90,12 +90,10 @@ def stable_readings(axes: Axes) -> None:
         (principal.polygon, RED, "dashed", "principal sheet"),
         (both, "black", "dotted", "all sheets"),
     ):
-        for ring in getattr(polygon, "geoms", [polygon]):
-            x, y = np.asarray(ring.exterior.coords).T
-            if style == "solid":
-                axes.fill(x, y, color=colour, alpha=0.12, linewidth=0)
-            axes.plot(x, y, color=colour, linestyle=style, label=label)
-            label = None
+        x, y = np.asarray(polygon.exterior.coords).T
+        if style == "solid":
+            axes.fill(x, y, color=colour, alpha=0.12, linewidth=0)
+        axes.plot(x, y, color=colour, linestyle=style, label=label)
     axes.set_xlabel(r"virtual stiffness $\alpha$")
     axes.set_ylabel(r"virtual damping $\beta$")
     axes.legend(loc="upper right")
