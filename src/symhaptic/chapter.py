@@ -219,15 +219,18 @@ class Page:
         polynomial: Expr,
         at: Point | None = None,
         given: Mapping[Expr, Expr] | None = None,
+        half: bool = False,
     ) -> Evidence:
         """All roots of a polynomial in z lie inside the unit circle, its symbols at a point.
 
-        Symbols of the polynomial may stand for expressions ``given`` in those of the point.
+        Symbols of the polynomial may stand for expressions ``given`` in those of the point.  With
+        ``half`` only roots that may have a positive real part are asked for: where z stands for
+        the square root, that is the principal sheet.
         """
-        largest = largest_root(polynomial, at, given)
+        largest = largest_root(polynomial, at, given, lambda z: not (half and z.real < 0))
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        self._roots(title, "<", bound(largest, above=True))
+        self._roots(title, "<", bound(largest, above=True), half)
         return Evidence("balls around the roots")
 
     def outside(
@@ -236,17 +239,22 @@ class Page:
         polynomial: Expr,
         at: Point | None = None,
         given: Mapping[Expr, Expr] | None = None,
+        half: bool = False,
     ) -> Witness:
-        """A root of such a polynomial lies outside; what this contradicts is false at the point."""
-        largest = largest_root(polynomial, at, given)
+        """A root of such a polynomial lies outside; what this contradicts is false at the point.
+
+        With ``half`` it has a positive real part.
+        """
+        largest = largest_root(polynomial, at, given, lambda z: not half or z.real > 0)
         if not largest > 1:
             raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
-        self._roots(title, ">", bound(largest, above=False))
+        self._roots(title, ">", bound(largest, above=False), half)
         return Witness(dict(at or {}), "balls around the roots")
 
-    def _roots(self, title: str, sign: str, size: str) -> None:
+    def _roots(self, title: str, sign: str, size: str, half: bool) -> None:
         """The line that says on which side of 1 the largest root lies."""
-        self._equation(title, [(r"\max|z|", sign, size)], "proved", "balls around the roots", "")
+        name = r"\max_{\Re\zeta>0}|\zeta|" if half else r"\max|z|"
+        self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` does not change with the symbols: its derivatives are identically zero."""
@@ -281,7 +289,7 @@ class Page:
     def settle(
         self,
         id: str,
-        *grounds: Form | Evidence | Fact,
+        *grounds: Form | Evidence | Fact | Witness,
         definition: bool = False,
         given: Mapping[Expr, Expr] | None = None,
         provided: str | None = None,
@@ -306,11 +314,10 @@ class Page:
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
-        forms = [p for g in grounds if not isinstance(g, (Evidence, Fact)) for p in parts(g)]
+        proving = (Evidence, Fact, Witness)
+        forms = [p for g in grounds if not isinstance(g, proving) for p in parts(g)]
         proofs = [
-            g.method if isinstance(g, Evidence) else g.reason
-            for g in grounds
-            if isinstance(g, (Evidence, Fact))
+            g.reason if isinstance(g, Fact) else g.method for g in grounds if isinstance(g, proving)
         ]
         settlement = Settlement(
             derived=tuple(forms),

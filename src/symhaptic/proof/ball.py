@@ -95,8 +95,11 @@ def largest_root(
     polynomial: Expr,
     at: Mapping[Expr, Expr] | None = None,
     given: Mapping[Expr, Expr] | None = None,
+    keep: Callable[[acb], bool] = lambda root: True,
 ) -> arb:
     """A ball that contains the largest modulus of the roots of a polynomial in one symbol.
+
+    Of its roots only those are looked at whose ball is one to ``keep``.
 
     Its other symbols have the values ``at``, or stand for expressions ``given`` in them;
     python-flint isolates the roots of every polynomial whose coefficients lie in their balls.
@@ -113,14 +116,14 @@ def largest_root(
     coefficients = sp.Poly(polynomial, *variable).all_coeffs()
     if all(c.is_Rational for c in coefficients):
         exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
-        return _largest([abs(root) for root, _ in exact.complex_roots()])
+        return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
     before = ctx.prec
     for bits in PRECISIONS:
         ctx.prec = bits
         try:
             values: At = {**point, **{s: _ball(v, point) for s, v in meant.items()}}
             roots = acb_poly([_ball(c, values) for c in reversed(coefficients)]).complex_roots()
-            return _largest([abs(root) for root in roots])
+            return _largest([abs(root) for root in roots if keep(root)])
         except ValueError:  # not isolated at this precision
             continue
         finally:
@@ -129,8 +132,8 @@ def largest_root(
 
 
 def _largest(sizes: list[arb]) -> arb:
-    largest = sizes[0]
-    for size in sizes[1:]:
+    largest = arb(0)
+    for size in sizes:
         largest = largest.max(size)
     return largest
 
