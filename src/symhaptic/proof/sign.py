@@ -1,10 +1,11 @@
 r"""Signs on a whole domain, by certificates that are checked exactly.
 
 A fact says that an expression is positive (or not negative) wherever the assumptions hold.
-New facts follow in five ways, each checked by the normal form:
+New facts follow in six ways, each checked by the normal form:
 
 * a sum of products of facts, with positive rational coefficients;
 * the sine of an angle that lies between 0 and pi;
+* the exponential of a real number;
 * two cases, one where some expression is positive and one where it is not;
 * integration: zero at the lower end of an interval, with a positive derivative on it;
 * division by a fact.
@@ -135,6 +136,13 @@ def cosine(angle: Fact, complement: Fact) -> Fact:
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi/2")
     rests = angle.rests | complement.rests
     return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests)
+
+
+def exponential(exponent: Expr) -> Fact:
+    """exp x > 0 for a real x: made of symbols that stand for real numbers."""
+    if exponent.has(sp.I):
+        raise NotShown(f"{exponent} is not real")
+    return Fact(sp.exp(exponent), True, "an exponential")
 
 
 def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
