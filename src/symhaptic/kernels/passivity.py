@@ -289,9 +289,7 @@ def _stiffest(delta: Array, steps: Array, part: Array) -> Array:
     return np.stack(np.broadcast_arrays(2 * delta * u, delta * damping, 2 * psi + 0 * delta))
 
 
-def max_passive_stiffness(
-    delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
-) -> Extremum:
+def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 
     For whole delays and with ``sheet="principal"`` (11) of the paper, alpha =
