@@ -177,7 +177,8 @@ def passivity_margin(
     arguments.one_of("sheet", sheet, SHEETS)
     al, be = arguments.finite("alpha", alpha), arguments.finite("beta", beta)
     dl, dy = arguments.nonnegative("delta", delta), arguments.nonnegative("delay", delay)
-    return dl - arguments.in_blocks(_largest_need, al, be, *split(dy, sheet))
+    need = arguments.in_blocks(lambda *block: [_largest_need(*block)], al, be, *split(dy, sheet))
+    return np.asarray(dl - need[0])
 
 
 def is_passive(

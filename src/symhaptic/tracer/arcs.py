@@ -71,7 +71,7 @@ class Loop:
     def curve(self, theta: Array) -> Array:
         """(alpha, beta) of the boundary, one row per angle."""
         walls = arguments.in_blocks(
-            lambda angle: np.stack(point(self.device, angle, np.asarray(self.steps))), theta
+            lambda angle: point(self.device, angle, np.asarray(self.steps)), theta
         )
         return np.moveaxis(walls, 0, -1)
 
@@ -81,11 +81,11 @@ class Loop:
 
     def others(self, theta: Array) -> Array:
         """How many roots are outside besides the pair at exp(+-j theta)."""
-        return arguments.in_blocks(self._others, theta)
+        return np.asarray(arguments.in_blocks(self._others, theta)[0])
 
-    def _others(self, theta: Array) -> Array:
+    def _others(self, theta: Array) -> list[Array]:
         alpha, beta = point(self.device, theta, np.asarray(self.steps))
-        return stability.count(
+        found = stability.count(
             self.device,
             stability.wall(alpha, beta),
             np.asarray(self.steps),
@@ -93,6 +93,7 @@ class Loop:
             self.sheet == "principal",
             on_circle=4 * np.sin(theta / 2) ** 2,
         )
+        return [found]
 
     def borders(self, theta: Array) -> NDArray[np.bool_]:
         """Whether the boundary's point borders the stable region."""
