@@ -50,11 +50,10 @@ def derive(page):
     page.say(
         "It is so for every $n$. Up to a positive number the last minor is the resultant of $F$ "
         "and $G$. That is zero where they share a root $x$, where $p(z)=p(1/z)=0$, so it has every "
-        "factor $1-r_ir_k$, and the degrees agree. On the way out of the stable region "
-        "\\emph{only $p(1)$, $p(-1)$ and the last minor can be the first to vanish}: a root leaves "
-        "at 1, at $-1$ or with its conjugate, $r\\bar r=1$. As long as all roots are inside, every "
-        "inequality holds. The others tell the region from places with an even number of roots "
-        "outside."
+        "factor $1-r_ir_k$; the degrees agree, and both sides are 1 for $z^n$. On the way out of "
+        "the stable region \\emph{only $p(1)$, $p(-1)$ and the last minor can be the first to "
+        "vanish}: a root leaves at 1, at $-1$ or with its conjugate, $r\\bar r=1$. The others tell "
+        "the region from places with an even number of roots outside."
     )
 
 

@@ -332,6 +332,10 @@ def test_numbers_alone():
     assert sp.false in jury.criterion([1, 0, sp.Rational(3, 2)]).relations
 
 
+def test_a_delay_of_another_integer_type():
+    assert jury.inequalities(np.int64(2)) == jury.inequalities(2)
+
+
 @pytest.mark.parametrize(
     ("delay", "word"), [(-1, "-1"), (0.5, "0.5"), ("2", "'2'"), (True, "True"), (None, "None")]
 )

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import comb, gcd, lcm
+from numbers import Integral
 from typing import Any
 
 import sympy as sp
@@ -33,8 +34,8 @@ ANY = Sampled(n_1, n_0, a, e)
 class Criterion:
     """Polynomials that are all positive exactly where every root lies inside.
 
-    First the half planes, p(1) at their head, then the minors; the last one is the product of
-    1 - z_i z_j over all pairs of roots, times a power of a_n.
+    First the half planes, p(1) at their head, then the minors.  The last minor is the product of
+    1 - z_i z_j over all pairs of roots, up to a positive number.
     """
 
     symbols: tuple[Symbol, ...]
@@ -92,9 +93,9 @@ def coefficients(delay: int, device: Sampled = ANY) -> tuple[Expr, ...]:
     >>> coefficients(1, Sampled(n_1, n_0, 2, 1))[:2]
     (1, -2)
     """
-    if isinstance(delay, bool) or not isinstance(delay, int) or delay < 0:
+    if isinstance(delay, bool) or not isinstance(delay, Integral) or delay < 0:
         raise ValueError(f"delay: {delay!r} is no whole number of periods; 0, 1, 2, ... is allowed")
-    return tuple(sp.Poly(loop.closing(device).subs(d, delay), z).all_coeffs())
+    return tuple(sp.Poly(loop.closing(device).subs(d, int(delay)), z).all_coeffs())
 
 
 def criterion(coefficients: Sequence[Expr]) -> Criterion:
@@ -137,8 +138,7 @@ def halves(rising: Sequence[Any]) -> tuple[list[Any], list[Any]]:
     if n % 2:
         return _in_x(sums, -1), _in_x(differences, 1)
     # twice the middle coefficient stands for 1, and the difference there is zero
-    outer = _in_x(differences[1:], 0) if m else []
-    return _in_x([rising[m], *sums[1:]], 0, first=2), outer
+    return _in_x([rising[m], *sums[1:]], 0, first=2), _in_x(differences[1:], 0)
 
 
 def _in_x(coefficients: Sequence[Any], shift: int, first: int = 1) -> list[Any]:
