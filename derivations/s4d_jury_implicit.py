@@ -5,12 +5,11 @@ device, and find that it is quadratic in $\alpha$. For longer delays we show tha
 as the boundary whose every point is explicit.
 """
 
-from sympy import I, Rational, S, cos, sin, sqrt
+from sympy import Rational, S, sqrt
 
-from symhaptic.model import jury, plant
-from symhaptic.model.passivity import on_circle, real_part
+from symhaptic.model import boundary, jury, plant
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, alpha, beta, d, delta, e, n_0, n_1, theta, z
+from symhaptic.notation import a, alpha, beta, d, delta, e, n_0, n_1
 from symhaptic.proof.sign import assume, combined, quotient
 from symhaptic.report.figures import free_mass_inequalities
 from symhaptic.scene import Parts
@@ -95,10 +94,7 @@ def two_roads(page):
         "But the boundary stays explicit. Put the wall of a root at $e^{j\\theta}$ into the last "
         "minor, with any numbers of the device, for $d=0,1,2$:"
     )
-    turned = on_circle(-(z**d) / device.transfer)
-    real = real_part(turned)
-    damping = (turned - real) / (I * sin(theta))
-    stiffness = real - damping * (1 - cos(theta))
+    stiffness, damping = boundary.wall(device)
     for delay in range(3):
         minor = jury.criterion(jury.coefficients(delay)).expressions[-1]
         wall = {alpha: stiffness.subs(d, delay), beta: damping.subs(d, delay)}

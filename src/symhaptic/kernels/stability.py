@@ -6,7 +6,7 @@ equation in :math:`y=4\sin^2(\theta/2)` of degree two (three for a fractional de
 contain the delay.  Between its solutions one of f and g leads and takes the argument of p along,
 so that only the phase :math:`\Phi=\arg g-\arg f` at the solutions decides: where g stops or
 starts to lead, p has turned :math:`2\pi\,[\Phi/2\pi]` more or less than f, with the nearest whole
-number in the brackets.  Chapter s4d_counting derives this.
+number in the brackets.  Chapter s4d_roots_counted derives this.
 """
 
 from __future__ import annotations
