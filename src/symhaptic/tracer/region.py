@@ -123,7 +123,7 @@ def stable_region(
     arguments.one_of("sheet", sheet, SHEETS)
     numbers = {}
     for name, value in (("gamma", gamma), ("delta", delta), ("delay", delay)):
-        array = arguments.nonnegative(name, value)
+        array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
         arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
         numbers[name] = arguments.single(name, array)
     if not 1e-12 <= tolerance < 1:
