@@ -44,8 +44,8 @@ def derive(page):
     page.outside("With twice the mass", p, heavy, damped)
     page.say(
         "With more mass a wall comes closer to the line of the linear condition (25), which lies "
-        "inside the exact region at this place. For the damper see chapter "
-        "s4d\\_damping\\_grows."
+        "inside the exact region at this place. For the damper see the chapter on "
+        "damping."
     )
     page.settle(
         "s4d-all-stabilising",

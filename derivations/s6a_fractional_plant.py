@@ -92,9 +92,7 @@ def derive(page):
         "One function is enough",
         "n_0(\\gamma,\\delta)",
         r"e^{-\delta}\,n_1(\gamma,-\delta)",
-        page.same(
-            "backward", whole.n0.xreplace(given), (exp(-delta) * backward).xreplace(given)
-        ),
+        page.same("backward", whole.n0.xreplace(given), (exp(-delta) * backward).xreplace(given)),
         because="time runs backward: what is left of a force at the end of a period is what "
         "the mirrored motion, with negative damping, has at its beginning",
     )

@@ -20,7 +20,7 @@ PROVED = [
     "eq30",
     "s5a-proportional",
     "s5c-undamped-limit",
-    "own-counting",
+    "counting-ignores-delay",
 ]
 ENCLOSED = ["s3c-kmax-41", "s3c-kmax-27"]
 MISPRINTS = ["eq12", "s4a-delay-equivalent", "s3b-linear-in-T"]

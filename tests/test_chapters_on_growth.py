@@ -95,7 +95,7 @@ def test_a_witness_at_another_point_does_not_count():
 
 def test_the_pull_changes_its_sign_where_a_sign_is_changed(tmp_path):
     """A mutant of the chapter on damping: the derivative's sign turned."""
-    path = folder() / "s4d_damping_grows.py"
+    path = folder() / "s4d_parts_damping.py"
     text = path.read_text(encoding="utf-8")
     wrong = text.replace("dash(bottom) * top - bottom", "dash(bottom) * top + bottom")
     assert wrong != text

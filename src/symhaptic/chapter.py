@@ -46,7 +46,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Block:
-    """One element of a page: prose, an equation with its proof, or a figure."""
+    """One element of a page: prose, an equation with its proof, a table or a figure."""
 
     kind: str
     title: str = ""
@@ -60,6 +60,8 @@ class Block:
     draw: Callable[..., None] | None = None
     paper: str = ""
     """Number of the paper's equation that this one stands for."""
+    rows: tuple[tuple[Any, ...], ...] = ()
+    """Cells of a table, its head first."""
 
 
 @dataclass
@@ -270,6 +272,14 @@ class Page:
         for left, right in itertools.pairwise(forms):
             method = self._proved(what, left, right)
         return Evidence(method)
+
+    def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
+        """Columns of numbers or formulas as they were computed; text may hold formulas in $."""
+        for row in rows:
+            if len(row) != len(head):
+                raise ValueError(f"table: {len(row)} cells under {len(head)} heads: {row}")
+        cells = (tuple(head), *(tuple(row) for row in rows))
+        self.blocks.append(Block("table", text=caption, rows=cells))
 
     def figure(self, name: str, caption: str, draw: Callable[..., None]) -> None:
         """A plot: ``draw(axes)`` is called by the report, with Matplotlib's axes."""

@@ -214,7 +214,6 @@ def trace(
 ) -> None:
     """Trace the stable region of the (alpha, beta) plane."""
     from symhaptic import listing
-    from symhaptic.kernels.arguments import real
     from symhaptic.tracer import output as written
     from symhaptic.tracer.region import stable_region
 
@@ -223,7 +222,7 @@ def trace(
         _usage(f"--format {format}: needs -o FILE; csv and json can be printed")
     try:
         region = stable_region(
-            float(real("gamma", gamma)), float(real("delta", delta)), float(real("delay", delay))
+            _number("gamma", gamma), _number("delta", delta), _number("delay", delay)
         )
     except ValueError as wrong:
         _usage(f"--{wrong}")
@@ -239,6 +238,13 @@ def trace(
         typer.echo(content, nl=False)
     else:
         _replace(listing.replace, output, content)
+
+
+def _number(name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        _usage(f"--{name}: {text!r} is not allowed; a number is")
 
 
 def _replace(

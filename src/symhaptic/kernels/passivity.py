@@ -177,7 +177,8 @@ def passivity_margin(
     arguments.one_of("sheet", sheet, SHEETS)
     al, be = arguments.finite("alpha", alpha), arguments.finite("beta", beta)
     dl, dy = arguments.nonnegative("delta", delta), arguments.nonnegative("delay", delay)
-    return dl - arguments.in_blocks(_largest_need, al, be, *split(dy, sheet))
+    need = arguments.in_blocks(lambda *block: [_largest_need(*block)], al, be, *split(dy, sheet))
+    return np.asarray(dl - need[0])
 
 
 def is_passive(
@@ -289,9 +290,7 @@ def _stiffest(delta: Array, steps: Array, part: Array) -> Array:
     return np.stack(np.broadcast_arrays(2 * delta * u, delta * damping, 2 * psi + 0 * delta))
 
 
-def max_passive_stiffness(
-    delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
-) -> Extremum:
+def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 
     For whole delays and with ``sheet="principal"`` (11) of the paper, alpha =

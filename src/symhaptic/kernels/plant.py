@@ -189,6 +189,6 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
     return n1, n0, a, e
 
 
-def _four(gamma: Array, delta: Array) -> Array:
+def _four(gamma: Array, delta: Array) -> tuple[Array, Array, Array, Array]:
     x = device(gamma, delta)
-    return np.stack(np.broadcast_arrays(x.m2, x.m1, x.a, x.e))
+    return x.m2, x.m1, x.a, x.e

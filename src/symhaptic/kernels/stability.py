@@ -6,7 +6,7 @@ equation in :math:`y=4\sin^2(\theta/2)` of degree two (three for a fractional de
 contain the delay.  Between its solutions one of f and g leads and takes the argument of p along,
 so that only the phase :math:`\Phi=\arg g-\arg f` at the solutions decides: where g stops or
 starts to lead, p has turned :math:`2\pi\,[\Phi/2\pi]` more or less than f, with the nearest whole
-number in the brackets.  Chapter s4d_counting derives this.
+number in the brackets.  Chapter s4d_roots_counted derives this.
 """
 
 from __future__ import annotations
@@ -120,23 +120,50 @@ def _leads(c: Array, b: Array, a: Array, k: Array) -> NDArray[np.bool_]:
     return np.where(c != 0, c, np.where(b != 0, b, np.where(a != 0, a, k))) < 0
 
 
-def phase(x: Device, v: Wall, y: Array, rest: Array) -> tuple[Array, Array]:
-    """arg g - arg f without the delay's part, continuous in theta from 0 to pi, and theta.
+class Angle(NamedTuple):
+    """halves pi + rest: near a multiple of pi the rest keeps the digits that the sum would lose."""
+
+    halves: Array
+    rest: Array
+
+
+def _angle(height: Array, at_one: Array, at_minus_one: Array, c: Crossing, sine: Array) -> Angle:
+    """Angle of at_one (1 + cos)/2 - at_minus_one (1 - cos)/2 + j height sin, for height >= 0."""
+    real = at_one * c.rest - at_minus_one * c.y
+    back = real < 0
+    up = height * sine
+    side = np.where(height < 0, -1.0, 1.0)
+    return Angle(np.where(back, side, 0.0), np.arctan2(np.where(back, -up, up), np.abs(real)))
+
+
+def phase(x: Device, v: Wall, c: Crossing) -> Angle:
+    """arg g - arg f without the delay's part, continuous in theta from 0 to pi.
 
     Each factor, turned by a power of z, keeps to one half plane: the angle of A/z, of M/z and of
     the wall is an arctangent that never jumps.
     """
-    small = y < 2
-    part = np.where(small, -y, rest) / 2
-    sine = np.sqrt(y * rest) / 2
+    sine = 2 * np.sqrt(c.y * c.rest)
+    below = _angle(x.loss, x.at_one, x.at_minus_one, c, sine)
+    above = _angle(x.m2 - x.m0, x.numerator_at_one, x.numerator_at_minus_one, c, sine)
+    force = _angle(v.slope, v.alpha, v.at_minus_one, c, sine)
+    return Angle(above.halves + force.halves - below.halves, above.rest + force.rest - below.rest)
 
-    def angle(height: Array, at_one: Array, at_minus_one: Array, slope: Array) -> Array:
-        return np.arctan2(height * sine, np.where(small, at_one, -at_minus_one) + slope * part)
 
-    device_angle = angle(x.loss, x.at_one, x.at_minus_one, 1 + x.e)
-    top_angle = angle(x.m2 - x.m0, x.numerator_at_one, x.numerator_at_minus_one, x.m2 + x.m0)
-    wall_angle = angle(v.slope, v.alpha, v.at_minus_one, v.slope)
-    return top_angle + wall_angle - device_angle, 2 * np.arctan2(np.sqrt(y), np.sqrt(rest))
+def theta(c: Crossing) -> Angle:
+    """The crossing's angle."""
+    far = c.y > 2
+    half = np.arctan2(np.sqrt(np.where(far, c.rest, c.y)), np.sqrt(np.where(far, c.y, c.rest)))
+    return Angle(np.where(far, 1.0, 0.0), np.where(far, -2.0, 2.0) * half)
+
+
+def turns(bare: Angle, late: Angle, steps: Array) -> Array:
+    """The nearest whole number of turns in a phase behind a delay."""
+    halves = bare.halves - (steps + 2) * late.halves
+    rest = (bare.rest - (steps + 2) * late.rest) / (2 * np.pi)
+    even = np.floor(halves / 2)
+    left = halves / 2 - even
+    # at an odd number of half turns the sign of the rest decides, however small it is
+    return even + np.where(left == 0.5, np.floor(rest) + 1, np.rint(rest + left))
 
 
 def count(
@@ -160,13 +187,13 @@ def count(
     if on_circle is not None and found:
         away = [np.where(c.there, np.abs(c.y - on_circle), np.inf) for c in found]
         nearest = np.argmin(np.stack(np.broadcast_arrays(*away)), axis=0)
-    for i, crossing in enumerate(found):
-        bare, theta = phase(x, v, crossing.y, crossing.rest)
-        turns = (bare - (steps + 2) * theta) / (2 * np.pi)
+    for i, c in enumerate(found):
+        bare = phase(x, v, c)
         if nearest is not None:
-            turns += np.where(nearest == i, np.where(crossing.rises, 0.5, -0.5), 0.0)
-        sign = np.where(crossing.rises, -2, 2)
-        total += np.where(crossing.there, sign * np.rint(turns), 0.0)
+            shift = np.where(nearest == i, np.where(c.rises, 1.0, -1.0), 0.0)
+            bare = Angle(bare.halves + shift, bare.rest)
+        whole_turns = turns(bare, theta(c), steps)
+        total += np.where(c.there, np.where(c.rises, -2, 2) * whole_turns, 0.0)
     side = np.where(v.slope >= 0, 1.0, -1.0)
     begin = np.where(v.alpha > 0, 0.0, side)
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
@@ -192,16 +219,12 @@ def _count(
 ) -> Array:
     steps, part = split(delay, sheet)
     given = (gamma, delta) if part is None else (gamma, delta, part)
-    plant = arguments.in_blocks(_device, *given)
+    plant = arguments.in_blocks(device, *given)
 
-    def work(al: Array, be: Array, st: Array, *numbers: Array) -> Array:
-        return count(Device(*numbers), wall(al, be), st, part is None, sheet == "principal")
+    def work(al: Array, be: Array, st: Array, *numbers: Array) -> list[Array]:
+        return [count(Device(*numbers), wall(al, be), st, part is None, sheet == "principal")]
 
-    return arguments.in_blocks(work, alpha, beta, steps, *plant)
-
-
-def _device(gamma: Array, delta: Array, part: Array | None = None) -> Array:
-    return np.stack(np.broadcast_arrays(*device(gamma, delta, part)))
+    return np.asarray(arguments.in_blocks(work, alpha, beta, steps, *plant)[0])
 
 
 def _arguments(
@@ -278,7 +301,9 @@ def characteristic_polynomial(
     >>> characteristic_polynomial(0.5, 1.0, 0.0, 0.0, 0).tolist()
     [1.0, -1.25, 1.25, -0.5]
     """
-    values = [float(x) for x in _arguments(alpha, beta, gamma, delta, delay)]
+    names = ("alpha", "beta", "gamma", "delta", "delay")
+    arrays = _arguments(alpha, beta, gamma, delta, delay)
+    values = [arguments.single(*pair) for pair in zip(names, arrays, strict=True)]
     if values[4] != np.floor(values[4]):
         raise ValueError(f"delay: {delay!r} is not allowed; whole numbers delay >= 0 are")
     n1, n0, a, e = (float(x) for x in discretize(values[2], values[3]))

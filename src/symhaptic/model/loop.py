@@ -15,7 +15,11 @@ def characteristic(parts: Parts = FULL, split: Expr | None = None) -> Expr:
     Each scene's polynomial is made of its own sampled plant and its own wall.  ``split`` may
     name the difference of the plant's poles, sqrt(delta^2 - 4 gamma).
     """
-    device = plant.sampled(plant.normalised(parts), split=split)
+    return closing(plant.sampled(plant.normalised(parts), split=split), parts)
+
+
+def closing(device: plant.Sampled, parts: Parts = FULL) -> Expr:
+    """The same polynomial for a sampled plant whose numbers are given."""
     top, bottom = wall.normalised(parts)
     return device.denominator * bottom + device.numerator * top
 

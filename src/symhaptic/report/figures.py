@@ -10,8 +10,8 @@ import numpy as np
 import sympy as sp
 
 from symhaptic.model import boundary as boundary_of
-from symhaptic.model import passivity, plant
-from symhaptic.notation import T, b, d, theta
+from symhaptic.model import jury, passivity, plant
+from symhaptic.notation import T, alpha, b, beta, d, theta
 from symhaptic.paper.figures import DELAYS
 from symhaptic.scene import Parts
 
@@ -125,6 +125,26 @@ def free_mass(axes: Axes) -> None:
     axes.set_xlabel(r"virtual stiffness $\alpha$")
     axes.set_ylabel(r"virtual damping $\beta$")
     axes.legend(loc="upper right")
+
+
+def free_mass_inequalities(axes: Axes) -> None:
+    """Stability of a free mass with two periods of delay: each inequality, and all of them."""
+    free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
+    found = jury.criterion(jury.coefficients(2, free)).expressions
+    x, y = np.meshgrid(np.linspace(-0.6, 1, 400), np.linspace(-0.7, 1.4, 400))
+    values = [sp.lambdify((alpha, beta), e, "numpy")(x, y) * np.ones_like(x) for e in found]
+    axes.contourf(x, y, np.min(values, axis=0), levels=[0, np.inf], colors=[COLOURS[0]], alpha=0.25)
+    for i, value in enumerate(values):
+        last = i == len(values) - 1
+        colour, width = (COLOURS[0], 2.2) if last else (COLOURS[2 + i % 4], 0.9)
+        axes.contour(x, y, value, levels=[0], colors=[colour], linewidths=[width])
+    angles = np.linspace(0.02, np.pi - 0.02, 160)
+    stiffness, damping = _free_mass()(angles, 2)
+    axes.plot(np.real(stiffness), np.real(damping), "o", color="black", markersize=2)
+    axes.set_xlim(-0.6, 1)
+    axes.set_ylim(-0.7, 1.4)
+    axes.set_xlabel(r"virtual stiffness $\alpha$")
+    axes.set_ylabel(r"virtual damping $\beta$")
 
 
 def save(draw: Callable[[Axes], None], target: Path) -> None:

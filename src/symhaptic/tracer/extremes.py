@@ -33,7 +33,7 @@ def max_stable_stiffness(
     end of the curve at theta = pi if there is none), found in a time that ignores the delay; that
     this is the farthest piece rests on comparison with whole regions, not on a proof.  Elsewhere
     every piece of the boundary is traced, one element after the other, which takes milliseconds
-    times the delay.  A loop that no wall keeps stable gives NaN.
+    times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
 
     Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
 

@@ -49,7 +49,8 @@ def delay_margin(
         arguments.nonnegative("gamma", gamma),
         arguments.nonnegative("delta", delta),
     )
-    return arguments.in_blocks(_principal if sheet == "principal" else _exact, *values)
+    search = _principal if sheet == "principal" else _exact
+    return np.asarray(arguments.in_blocks(lambda *block: [search(*block)], *values)[0])
 
 
 def _exact(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
@@ -81,9 +82,10 @@ def _next_change(x: Device, v: Wall, steps: Array, whole: bool) -> Array:
     terms = stability.surplus(x, v)
     change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape), np.inf)
     for crossing in stability.crossings(terms[:4], terms[4:], whole):
-        bare, theta = stability.phase(x, v, crossing.y, crossing.rest)
-        turns = np.rint((bare - (steps + 2) * theta) / (2 * np.pi))
-        at = (bare - (2 * turns - 1) * np.pi) / theta - 2
+        bare, late = stability.phase(x, v, crossing), stability.theta(crossing)
+        odd = 2 * stability.turns(bare, late, steps) - 1
+        theta = late.halves * np.pi + late.rest
+        at = ((bare.halves - odd) * np.pi + bare.rest) / theta - 2
         change = np.minimum(change, np.where(crossing.there & crossing.rises, at, np.inf))
     return change
 

@@ -107,6 +107,7 @@ def derive(page):
         because="the surplus then has degree three, and the rest is the same",
     )
     page.state(
-        "own-counting", "the angles at which plant and wall are equally large ignore the delay"
+        "counting-ignores-delay",
+        "the angles at which plant and wall are equally large ignore the delay",
     )
-    page.settle("own-counting", ignores)
+    page.settle("counting-ignores-delay", ignores)
