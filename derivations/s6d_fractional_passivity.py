@@ -48,7 +48,7 @@ def derive(page):
         KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
         - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
         name="n",
-        because="that is $-T\\Re\\{G(1/(z-1)+1-\\varepsilon)\\}$",
+        because="what the wall takes from such a motion, times $T$ and with its sign reversed",
     )
     need = passivity.dirichlet_form()
     page.show(

@@ -36,7 +36,8 @@ def derive(page):
         16 * (fall**2 - 4 * bend * rest),
         (K * (B + 4) + B * (B + 12)) ** 2 - 16 * B * (16 - B**2),
         name=r"16\,(f_1^2-4f_0f_2)",
-        because="its zero is the upper part, $K=4\\sqrt{B(4-B)/(4+B)}-B(B+12)/(B+4)$",
+        because="zero on the upper part of the boundary, an explicit curve: "
+        "$K=4\\sqrt{B(4-B)/(4+B)}-B(B+12)/(B+4)$",
     )
     page.step(
         "Where the upper part ends",
