@@ -43,7 +43,8 @@ def _half(
             continue
         rises = below < above
         convex = 6 * k[3] * (low + high) / 2 + 2 * k[2] > 0
-        y = np.where(rises == convex, high, low)  # from here Newton never overshoots
+        falls = rises == convex
+        y = np.where(falls, high, low)  # from here Newton never overshoots
         y = np.where(there, y, 1.0)
         for _ in range(_STEPS):
             slope = _derivative(k, y)
@@ -51,8 +52,8 @@ def _half(
                 slope == 0, 1.0, slope
             )
             new = np.clip(y - step, np.where(there, low, 1.0), np.where(there, high, 1.0))
-            moved = np.abs(new - y) > 2e-16 * y
-            y = new
+            moved = np.where(falls, new < y, new > y)  # a step back is rounding
+            y = np.where(moved, new, y)
             if not np.any(moved):
                 break
         found.append((y, rises, there))
