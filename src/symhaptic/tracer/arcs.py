@@ -32,6 +32,10 @@ _ROUNDS = 6
 _SECTIONS = 32
 """Parts into which an interval is cut at each step of the search for its corner."""
 
+_TOUCHING = 1e-7
+"""Ends closer than this over d + 1 are one: where a root touches the circle and stays inside,
+rounding decides on either side within the square root of the unit roundoff."""
+
 
 @dataclass(frozen=True)
 class Loop:
@@ -125,7 +129,7 @@ class Loop:
             line = self.line
             corners.append(self.meets(lambda alpha, beta: alpha + 2 * beta - line))
         for _ in range(_ROUNDS):
-            ends = flips(self.borders, angles)
+            ends = _crossed(flips(self.borders, angles), _TOUCHING / (self.delay + 1))
             if ends.size == found.size:
                 break
             found = ends
@@ -153,6 +157,12 @@ class Loop:
             return line(*point(self.device, theta, np.asarray(self.steps))) > 0
 
         return flips(beyond, self.samples())
+
+
+def _crossed(ends: Array, near: float) -> Array:
+    """One end of each odd number of close ones; an even number is a touch and no end."""
+    groups = np.split(ends, np.flatnonzero(np.diff(ends) > near) + 1)
+    return np.array([group[group.size // 2] for group in groups if group.size % 2])
 
 
 def _around(angles: Array, corners: Array) -> Array:
