@@ -107,7 +107,8 @@ def crossings(near: tuple[Array, ...], far: tuple[Array, ...], whole: bool) -> l
         rising_far, falling_far = _quadratic(c_far, b_far, a, disc)
     found = []
     for y, rest, rises in ((falling, falling_far, np.False_), (rising, rising_far, np.True_)):
-        there = (y > 0) & (rest > 0)
+        # a root far away may be thrown to the other side by rounding, in one of the two
+        there = (y > 0) & (rest > 0) & (y < 5) & (rest < 5)
         small = y < 2
         y = np.where(there, np.where(small, y, 4 - rest), 2.0)
         rest = np.where(there, np.where(small, 4 - y, rest), 2.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import shapely
@@ -15,9 +15,7 @@ from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.extremum import Extremum
 from symhaptic.kernels.stability import SHEETS, is_stable
 from symhaptic.tracer.arcs import Loop, flips
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+from symhaptic.tracer.shape import Shape
 
 _ROUNDS = 30
 """Halvings of a chord at most."""
@@ -35,7 +33,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Region:
+class Region(Shape):
     """The walls (alpha, beta) that a device keeps stable, for one plant and one delay."""
 
     loop: Loop
@@ -45,16 +43,6 @@ class Region:
     """One row (alpha, beta) per corner."""
     error: float
     """No point of the outline is farther than this from the boundary."""
-
-    @property
-    def outline(self) -> tuple[Array, ...]:
-        """Closed rings, one row (alpha, beta) per point; one ring for each piece of the region."""
-        return tuple(np.asarray(p.exterior.coords) for p in _polygons(self.polygon))
-
-    @property
-    def area(self) -> float:
-        """Area in the (alpha, beta) plane, to within error times length of the outline."""
-        return float(self.polygon.area)
 
     @property
     def touches_left_bound(self) -> bool:
@@ -93,15 +81,6 @@ class Region:
         loop = self.loop
         return is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)
 
-    def plot(self, axes: Axes, **style: Any) -> None:
-        """Draw the outline on Matplotlib's axes; ``style`` as for a line, ``fill`` for the area."""
-        fill = style.pop("fill", None)
-        for ring in self.outline:
-            if fill is not None:
-                axes.fill(ring[:, 0], ring[:, 1], color=fill, linewidth=0)
-            (line,) = axes.plot(ring[:, 0], ring[:, 1], **style)
-            style = {**style, "color": line.get_color(), "label": None}
-
 
 def stable_region(
     gamma: float, delta: float, delay: float, sheet: str = "exact", tolerance: float = 1e-6
@@ -139,10 +118,6 @@ def stable_region(
         if is_stable(inner.x, inner.y, loop.gamma, loop.delta, loop.delay, loop.sheet):
             stable.append(face)
     return Region(loop, shapely.unary_union(stable), corners, error)
-
-
-def _polygons(polygon: Any) -> list[Any]:
-    return [p for p in getattr(polygon, "geoms", [polygon]) if not p.is_empty]
 
 
 # -- the sides ------------------------------------------------------------------------------
