@@ -172,7 +172,7 @@ def _distance(points: Array, begin: Array, end: Array) -> Array:
 
 def _left_sides(loop: Loop, ends: Array, near: float) -> list[Piece]:
     """The parts of the line of a root at 1, between the points where the curve meets it."""
-    angles = loop.meets(lambda alpha, beta: alpha + loop.gamma)
+    angles = loop.at_left
     touching = ends[np.abs(ends[:, 0] + loop.gamma) <= near, 1]
     betas = [float(loop.begin[1]), *loop.curve(angles)[:, 1], *touching]
     if loop.line is not None:
@@ -185,7 +185,7 @@ def _right_sides(loop: Loop, ends: Array, near: float) -> list[Piece]:
     if loop.line is None or loop.end is None:
         return []
     line = loop.line
-    angles = loop.meets(lambda alpha, beta: alpha + 2 * beta - line)
+    angles = loop.at_right
     touching = ends[np.abs(ends @ (1, 2) - line) <= near, 0]
     alphas = [-loop.gamma, float(loop.end[0]), *loop.curve(angles)[:, 0], *touching]
     return _sides(loop, np.array([[alpha, (line - alpha) / 2] for alpha in _apart(alphas, near)]))
@@ -277,7 +277,8 @@ def farthest(loop: Loop, direction: Array) -> Array:
     for low, high in loop.arcs:
         inside = grid[(grid > low) & (grid < high)]
         inner = np.unique(np.clip([low, *inside, high], grid[0], grid[-1]))
-        rising = flips(lambda theta: loop.tangent(theta) @ direction > 0, inner)
+        rises = loop.tangent(inner) @ direction > 0
+        rising = flips(lambda theta: loop.tangent(theta) @ direction > 0, inner, rises)
         angles = [low, *rising, high]
         points = np.array([[*_point(loop, angle), angle] for angle in angles])
         reach = points[:, :2] @ direction
