@@ -192,4 +192,4 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
 
 def _four(gamma: Array, delta: Array) -> tuple[Array, Array, Array, Array]:
     x = device(gamma, delta)
-    return x.m2, x.m1, x.a, x.e
+    return x.m2, x.m1, x.a, x.e + 0 * gamma  # NaN in gamma spoils this too

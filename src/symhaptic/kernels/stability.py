@@ -182,7 +182,7 @@ def count(
     terms = surplus(x, v)
     near, far = terms[:4], terms[4:]
     found = crossings(near, far, whole)
-    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.m2.shape))
+    total = np.zeros(np.broadcast_shapes(v.slope.shape, steps.shape, x.m2.shape))
     nearest = None
     if on_circle is not None and found:
         away = [np.where(c.there, np.abs(c.y - on_circle), np.inf) for c in found]
@@ -197,7 +197,7 @@ def count(
     side = np.where(v.slope >= 0, 1.0, -1.0)
     begin = np.where(v.alpha > 0, 0.0, side)
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
-    end += np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
+    end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
     if principal:
         end = 2 * np.rint(end / 2)
     total += np.where(_leads(*near), begin, 0.0)
