@@ -16,107 +16,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments, cubic
+from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
+from symhaptic.kernels.crossings import Crossing, Wall, crossings, surplus, wall
+from symhaptic.kernels.cubic import Terms
 from symhaptic.kernels.plant import Device, device, discretize
 
 SHEETS = ("exact", "principal")
 
 
-class Crossing(NamedTuple):
-    """A solution of |f| = |g| on the upper half circle, if it is one."""
-
-    y: Array
-    """4 sin(theta/2)^2."""
-    rest: Array
-    """4 - y, kept beside it for angles near pi."""
-    rises: NDArray[np.bool_]
-    """Whether |f|^2 - |g|^2 grows with y, that is whether g stops to lead."""
-    there: NDArray[np.bool_]
-
-
-class Wall(NamedTuple):
-    """The wall's part (alpha + beta) z - beta by what is needed of it."""
-
-    alpha: Array
-    beta: Array
-    slope: Array
-    """alpha + beta."""
-    at_minus_one: Array
-    """-(alpha + 2 beta) is its value at -1."""
-
-
-def wall(alpha: Array, beta: Array) -> Wall:
-    """The wall, with no negative zeros."""
-    return Wall(alpha + 0.0, beta + 0.0, alpha + beta + 0.0, alpha + 2 * beta)
-
-
-def surplus(x: Device, v: Wall) -> tuple[Array, ...]:
-    """|f|^2 - |g|^2 as a polynomial in y, and in 4 - y; constant term first."""
-    near = _surplus(
-        x.at_one, x.e, x.loss, x.numerator_at_one, x.m2, x.m0, v.alpha, v.slope * v.beta
-    )
-    far = _surplus(
-        x.at_minus_one,
-        x.e,
-        x.loss,
-        x.numerator_at_minus_one,
-        x.m2,
-        x.m0,
-        v.at_minus_one,
-        -v.slope * v.beta,
-    )
-    return (*near, *far)
-
-
-def _surplus(
-    at: Array, e: Array, loss: Array, top: Array, m2: Array, m0: Array, v: Array, vv: Array
-) -> tuple[Array, Array, Array, Array]:
-    """The four coefficients from the values at the end of the half circle.
-
-    |A|^2 = at^2 + (loss^2 - at (1 + e)) y + e y^2, likewise |M|^2, and |wall|^2 = v^2 + vv y.
-    """
-    m_linear, m_square = (m2 - m0) ** 2 - top * (m2 + m0), m2 * m0
-    scaled = top * v
-    constant = (at - scaled) * (at + scaled)
-    linear = loss**2 - at * (1 + e) - m_linear * v**2 - top**2 * vv
-    square = e - m_square * v**2 - m_linear * vv
-    return constant, linear, square, -m_square * vv
-
-
-def _quadratic(c: Array, b: Array, a: Array, disc: Array) -> tuple[Array, Array]:
-    """Roots (-b - s)/(2 a) and (-b + s)/(2 a), s = sqrt(disc), without cancellation."""
-    root = np.sqrt(disc)
-    upper = b >= 0
-    q = -(b + np.where(upper, root, -root)) / 2
-    one, two = q / a, c / q
-    return np.where(upper, one, two), np.where(upper, two, one)
-
-
-def crossings(near: tuple[Array, ...], far: tuple[Array, ...], whole: bool) -> list[Crossing]:
-    """Where |f| = |g| on the open upper half circle."""
-    if not whole:
-        return [Crossing(*c) for c in cubic.roots(near, far)]
-    c, b, a, _ = near
-    c_far, b_far, _, _ = far
-    # the discriminant is the same for y and for 4 - y; the smaller b rounds less
-    closer = np.abs(b) <= np.abs(b_far)
-    disc = np.where(closer, b * b - 4 * a * c, b_far * b_far - 4 * a * c_far)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        falling, rising = _quadratic(c, b, a, disc)
-        rising_far, falling_far = _quadratic(c_far, b_far, a, disc)
-    found = []
-    for y, rest, rises in ((falling, falling_far, np.False_), (rising, rising_far, np.True_)):
-        small = y < rest  # their sum is 4 but for rounding, and where both are far off the circle
-        there = (y > 0) & (rest > 0) & (np.where(small, y, rest) < 4)
-        y = np.where(there, np.where(small, y, 4 - rest), 2.0)
-        rest = np.where(there, np.where(small, 4 - y, rest), 2.0)
-        found.append(Crossing(y, rest, np.asarray(rises), there))
-    return found
-
-
-def _leads(c: Array, b: Array, a: Array, k: Array) -> NDArray[np.bool_]:
+def _leads(terms: Terms) -> NDArray[np.bool_]:
     """Whether g leads next to the end of the half circle: the first nonzero coefficient < 0."""
+    c, b, a, k = terms
     return np.where(c != 0, c, np.where(b != 0, b, np.where(a != 0, a, k))) < 0
 
 
@@ -127,12 +38,10 @@ class Angle(NamedTuple):
     rest: Array
 
 
-def _angle(height: Array, at_one: Array, at_minus_one: Array, c: Crossing, sine: Array) -> Angle:
-    """Angle of at_one (1 + cos)/2 - at_minus_one (1 - cos)/2 + j height sin, for height >= 0."""
-    real = at_one * c.rest - at_minus_one * c.y
+def _angle(real: Array, up: Array) -> Angle:
+    """Angle of real + j up where up keeps its sign, which is + for 0."""
     back = real < 0
-    up = height * sine
-    side = np.where(height < 0, -1.0, 1.0)
+    side = np.where(up < 0, -1.0, 1.0)
     return Angle(np.where(back, side, 0.0), np.arctan2(np.where(back, -up, up), np.abs(real)))
 
 
@@ -142,10 +51,11 @@ def phase(x: Device, v: Wall, c: Crossing) -> Angle:
     Each factor, turned by a power of z, keeps to one half plane: the angle of A/z, of M/z and of
     the wall is an arctangent that never jumps.
     """
-    sine = 2 * np.sqrt(c.y * c.rest)
-    below = _angle(x.loss, x.at_one, x.at_minus_one, c, sine)
-    above = _angle(x.m2 - x.m0, x.numerator_at_one, x.numerator_at_minus_one, c, sine)
-    force = _angle(v.slope, v.alpha, v.at_minus_one, c, sine)
+    sine = 2 * np.sqrt(c.y * c.rest)  # parts are those at the angle times 4
+    below = _angle(-2 * (1 + x.e) * c.off, x.loss * sine)
+    middle = x.numerator_at_one * c.rest - x.numerator_at_minus_one * c.y
+    above = _angle(middle, (x.m2 - x.m0) * sine)
+    force = _angle(v.alpha * c.rest - v.at_minus_one * c.y, v.slope * sine)
     return Angle(above.halves + force.halves - below.halves, above.rest + force.rest - below.rest)
 
 
@@ -180,8 +90,7 @@ def count(
     the phase there is an odd multiple of pi, which is rounded to the side that has them inside.
     """
     terms = surplus(x, v)
-    near, far = terms[:4], terms[4:]
-    found = crossings(near, far, whole)
+    found = crossings(terms, whole)
     total = np.zeros(np.broadcast_shapes(v.slope.shape, steps.shape, x.m2.shape))
     nearest = None
     if on_circle is not None and found:
@@ -200,8 +109,8 @@ def count(
     end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
     if principal:
         end = 2 * np.rint(end / 2)
-    total += np.where(_leads(*near), begin, 0.0)
-    total -= np.where(_leads(*far), end, 0.0)
+    total += np.where(_leads(terms.near), begin, 0.0)
+    total -= np.where(_leads(terms.far), end, 0.0)
     return total
 
 

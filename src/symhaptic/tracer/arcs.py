@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import begin, end, point, tangent
+from symhaptic.kernels.crossings import crossings, surplus, wall
 from symhaptic.kernels.plant import Device, device
 
 _PER_TURN = 96
@@ -91,7 +92,7 @@ class Loop:
         alpha, beta = point(self.device, theta, np.asarray(self.steps))
         found = stability.count(
             self.device,
-            stability.wall(alpha, beta),
+            wall(alpha, beta),
             np.asarray(self.steps),
             self.whole,
             self.sheet == "principal",
@@ -158,9 +159,8 @@ class Loop:
 
     def partners(self, theta: Array) -> Array:
         """The other angles at which |f| = |g| for the boundary's walls: those of their corners."""
-        v = stability.wall(*point(self.device, theta, np.asarray(self.steps)))
-        terms = stability.surplus(self.device, v)
-        found = stability.crossings(terms[:4], terms[4:], self.whole)
+        v = wall(*point(self.device, theta, np.asarray(self.steps)))
+        found = crossings(surplus(self.device, v), self.whole)
         angles = [2 * np.arctan2(np.sqrt(c.y), np.sqrt(c.rest))[c.there] for c in found]
         return np.concatenate([np.zeros(0), *angles])
 

@@ -11,6 +11,7 @@ from scipy.optimize.elementwise import find_root
 from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import end, point, tangent
+from symhaptic.kernels.crossings import wall
 from symhaptic.kernels.extremum import Extremum
 from symhaptic.kernels.plant import Device, device
 from symhaptic.kernels.stability import SHEETS
@@ -87,7 +88,7 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Arra
         circle = 4 * np.sin(root.x / 2) ** 2
         others = stability.count(
             Device(*numbers),
-            stability.wall(alpha, beta),
+            wall(alpha, beta),
             st,
             part is None,
             sheet == "principal",

@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
+from symhaptic.kernels.crossings import Wall, crossings, surplus, wall
 from symhaptic.kernels.plant import Device, device
-from symhaptic.kernels.stability import SHEETS, Wall, is_stable, wall
+from symhaptic.kernels.stability import SHEETS, is_stable
 
 _FRACTIONS = 32
 """Fractions of a period at which the loss is looked for before it is bisected."""
@@ -79,9 +80,8 @@ def _finished(
 
 def _next_change(x: Device, v: Wall, steps: Array, whole: bool) -> Array:
     """The real number of periods at which the next pair of roots leaves the circle."""
-    terms = stability.surplus(x, v)
     change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape), np.inf)
-    for crossing in stability.crossings(terms[:4], terms[4:], whole):
+    for crossing in crossings(surplus(x, v), whole):
         bare, late = stability.phase(x, v, crossing), stability.theta(crossing)
         odd = 2 * stability.turns(bare, late, steps) - 1
         theta = late.halves * np.pi + late.rest
