@@ -148,8 +148,8 @@ ALTERED = [
         "(4 - 4 * beta - beta) - (beta**2",
     ),
     ("s4d_jury_implicit", "sqrt(square**2 + 16", "sqrt(square**2 + 8"),
-    ("s4d_jury_implicit", "-(z**d) / device", "(z**d) / device"),
-    ("s4d_jury_implicit", "(1 - cos(theta))", "(1 + cos(theta))"),
+    ("s4d_jury_implicit", "Sampled(n_1, n_0, a, e)", "Sampled(n_1, n_0, e, a)"),
+    ("s4d_jury_implicit", "boundary.wall(device)", "boundary.wall(device, delay=d + 1)"),
 ]
 
 

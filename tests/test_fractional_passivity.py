@@ -54,9 +54,9 @@ def horizon(alpha, beta, delay, periods):
     place = np.vstack([np.zeros(2 * periods), np.cumsum(moves.sum(axis=1), axis=0)])[:count]
     before = np.vstack([np.zeros(2 * periods), place[:-1]])
     force = np.vstack([np.zeros((whole + 1, 2 * periods)), alpha * place + beta * (place - before)])
-    form = sum(
-        np.outer(force[k + i], moves[k, i]) for k in range(count) for i in (0, 1)
-    ) + np.diag(np.tile([1 / part, 1 / (1 - part)], periods))
+    form = sum(np.outer(force[k + i], moves[k, i]) for k in range(count) for i in (0, 1)) + np.diag(
+        np.tile([1 / part, 1 / (1 - part)], periods)
+    )
     back = np.ones(2 * periods) / np.sqrt(2 * periods)
     basis = np.linalg.svd(np.eye(2 * periods) - np.outer(back, back))[0][:, :-1]
     return np.linalg.eigvalsh(basis.T @ (form + form.T) @ basis / 2)[0]

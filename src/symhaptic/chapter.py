@@ -58,6 +58,8 @@ class Block:
     number: int = 0
     boxed: bool = False
     draw: Callable[..., None] | None = None
+    panels: tuple[int, int] = (1, 1)
+    height: float = 0.62
     paper: str = ""
     """Number of the paper's equation that this one stands for."""
     rows: tuple[tuple[Any, ...], ...] = ()
@@ -281,9 +283,22 @@ class Page:
         cells = (tuple(head), *(tuple(row) for row in rows))
         self.blocks.append(Block("table", text=caption, rows=cells))
 
-    def figure(self, name: str, caption: str, draw: Callable[..., None]) -> None:
-        """A plot: ``draw(axes)`` is called by the report, with Matplotlib's axes."""
-        self.blocks.append(Block("figure", title=name, text=caption, draw=draw))
+    def figure(
+        self,
+        name: str,
+        caption: str,
+        draw: Callable[..., None],
+        panels: tuple[int, int] = (1, 1),
+        height: float = 0.62,
+    ) -> None:
+        """A plot: ``draw(axes)`` is called by the report, with Matplotlib's axes.
+
+        ``panels`` are rows and columns, ``height`` is in widths of the text; ``draw`` gets the
+        array of axes where there are several panels.
+        """
+        self.blocks.append(
+            Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
+        )
 
     # -- statements ---------------------------------------------------------------------
 

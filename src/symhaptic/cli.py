@@ -229,7 +229,9 @@ def trace(
     content: str | bytes
     if drawn:
         try:
-            content = written.picture(region, format)
+            from symhaptic.report.region import picture
+
+            content = picture(region, format)
         except ModuleNotFoundError as missing:
             _usage(f"--format {format}: needs {missing.name}; pip install 'symhaptic[report]'")
     else:

@@ -15,6 +15,13 @@ _BLOCK = 8192
 """Elements worked on at a time: a dozen arrays of them fit the cache."""
 
 
+_LARGEST = 1e70
+"""Fourth powers of such numbers are floats: no sum or product of the formulas overflows."""
+
+LONGEST = 1e15
+"""Delays beyond have no fractions of a period in float64."""
+
+
 def real(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as a float64 array; text, dates and complex numbers are no numbers here."""
     try:
@@ -47,6 +54,7 @@ def finite(name: str, values: ArrayLike) -> Array:
     """The argument as an array of finite numbers or NaN."""
     array = real(name, values)
     refuse(name, array, np.isinf(array), "finite numbers are")
+    refuse(name, array, np.abs(array) > _LARGEST, f"numbers up to {_LARGEST} in size are")
     return array
 
 
@@ -54,6 +62,14 @@ def nonnegative(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as an array of finite numbers >= 0 or NaN."""
     array = real(name, values)
     refuse(name, array, (array < 0) | np.isinf(array), f"finite numbers {name} >= 0 are")
+    refuse(name, array, array > _LARGEST, f"numbers 0 <= {name} <= {_LARGEST} are")
+    return array
+
+
+def periods(name: str, values: ArrayLike | Fraction) -> Array:
+    """The argument as an array of delays >= 0 or NaN."""
+    array = nonnegative(name, values)
+    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST} are")
     return array
 
 

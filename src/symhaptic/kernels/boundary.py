@@ -142,7 +142,7 @@ def stability_boundary(
     th = arguments.real("theta", theta)
     arguments.refuse("theta", th, (th <= 0) | (th >= np.pi), "numbers 0 < theta < pi are")
     g, dl = arguments.nonnegative("gamma", gamma), arguments.nonnegative("delta", delta)
-    dy = arguments.nonnegative("delay", delay)
+    dy = arguments.periods("delay", delay)
     alpha, beta = arguments.in_blocks(partial(_pair, sheet=sheet), th, g, dl, dy)
     return alpha, beta
 

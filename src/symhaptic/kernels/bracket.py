@@ -28,8 +28,8 @@ def rising_root(
     already, ``high`` where it is not positive even there.  The root is found to the relative
     distance ``close``.
 
-    >>> round(float(rising_root(lambda x: x**2 - 2, np.array(1.0), np.array(2.0))), 9)
-    1.414213562
+    >>> round(float(rising_root(lambda x: x**2 - 2, np.array(1.0), np.array(2.0))), 12)
+    1.414213562373
     """
     b, a = np.broadcast_arrays(low, high)
     fb, fa = f(b), f(a)

@@ -20,7 +20,7 @@ def _value(k: Terms, y: Array) -> Array:
 
 def _cuts(k: Terms) -> Array:
     """0, the extrema and the inflection inside (0, 2), and 2, rising."""
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         root = np.sqrt(k[2] ** 2 - 3 * k[3] * k[1])
         q = -(k[2] + np.where(k[2] < 0, -root, root))
         inner = np.stack([q / (3 * k[3]), k[1] / q, -k[2] / (3 * k[3])])

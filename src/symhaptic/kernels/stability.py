@@ -107,8 +107,8 @@ def crossings(near: tuple[Array, ...], far: tuple[Array, ...], whole: bool) -> l
         rising_far, falling_far = _quadratic(c_far, b_far, a, disc)
     found = []
     for y, rest, rises in ((falling, falling_far, np.False_), (rising, rising_far, np.True_)):
-        there = (y > 0) & (rest > 0)
-        small = y < 2
+        small = y < rest  # their sum is 4 but for rounding, and where both are far off the circle
+        there = (y > 0) & (rest > 0) & (np.where(small, y, rest) < 4)
         y = np.where(there, np.where(small, y, 4 - rest), 2.0)
         rest = np.where(there, np.where(small, 4 - y, rest), 2.0)
         found.append(Crossing(y, rest, np.asarray(rises), there))
@@ -235,7 +235,7 @@ def _arguments(
         arguments.finite("beta", beta),
         arguments.nonnegative("gamma", gamma),
         arguments.nonnegative("delta", delta),
-        arguments.nonnegative("delay", delay),
+        arguments.periods("delay", delay),
     )
 
 

@@ -169,7 +169,7 @@ def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) 
                 from symhaptic.report.figures import save
 
                 say(f"figure {block.title}")
-                save(block.draw, folder / f"{block.title}.pdf")
+                save(block.draw, folder / f"{block.title}.pdf", block.panels, block.height)
 
 
 def differences(chapters: list[Chapter], target: Path) -> str:

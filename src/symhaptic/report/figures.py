@@ -147,15 +147,25 @@ def free_mass_inequalities(axes: Axes) -> None:
     axes.set_ylabel(r"virtual damping $\beta$")
 
 
-def save(draw: Callable[[Axes], None], target: Path) -> None:
-    """Draw a figure into a PDF that is the same from run to run."""
+def save(
+    draw: Callable[..., None],
+    target: Path,
+    panels: tuple[int, int] = (1, 1),
+    height: float = 0.62,
+) -> None:
+    """Draw a figure into a PDF that is the same from run to run.
+
+    ``panels`` are rows and columns; ``draw`` gets the axes, or the array of them where there are
+    several.  ``height`` is in widths of the text.
+    """
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
     with matplotlib.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(WIDTH, 0.62 * WIDTH), layout="constrained")
+        size = (WIDTH, height * WIDTH)
+        figure, axes = plt.subplots(*panels, figsize=size, layout="constrained")
         draw(axes)
         figure.savefig(target, metadata={"CreationDate": None, "Creator": None, "Producer": None})
         plt.close(figure)

@@ -35,6 +35,10 @@ _ROUNDS = 6
 _SECTIONS = 32
 """Parts into which an interval is cut at each step of the search for its corner."""
 
+_TOUCHING = 1e-7
+"""Ends closer than this over d + 1 are one: where a root touches the circle and stays inside,
+rounding decides on either side within the square root of the unit roundoff."""
+
 
 @dataclass(frozen=True)
 class Loop:
@@ -135,18 +139,16 @@ class Loop:
         Where one ends, another begins, at the angle of the root that reached the circle or where
         the curve meets the line of a real root: short ones are looked for there.
         """
-        angles, found = self.samples(), np.zeros(0)
-        corners = [self.meets(lambda alpha, beta: alpha + self.gamma)]
-        if self.line is not None:
-            line = self.line
-            corners.append(self.meets(lambda alpha, beta: alpha + 2 * beta - line))
+        angles, ends = self.samples(), np.zeros(0)
+        corners = np.concatenate([self.at_left, self.at_right])
         for _ in range(_ROUNDS):
-            ends = flips(self.borders, angles)
-            if ends.size == found.size:
+            bordering = self.borders(angles)
+            if np.count_nonzero(bordering[1:] != bordering[:-1]) == ends.size:
                 break
-            found = ends
-            angles = _around(angles, np.concatenate([*corners, self.partners(ends)]))
-        inside = bool(self.borders(angles[:1])[0])
+            ends = flips(self.borders, angles, bordering)
+            ends = _crossed(ends, _TOUCHING / (self.delay + 1))
+            angles = _around(angles, np.concatenate([corners, self.partners(ends)]))
+        inside = bool(bordering[0])
         marks = [0.0, *(float(end) for end in ends), float(np.pi)]
         return [
             (low, high)
@@ -162,6 +164,19 @@ class Loop:
         angles = [2 * np.arctan2(np.sqrt(c.y), np.sqrt(c.rest))[c.there] for c in found]
         return np.concatenate([np.zeros(0), *angles])
 
+    @cached_property
+    def at_left(self) -> Array:
+        """Angles at which the curve crosses the line of a root at 1."""
+        return self.meets(lambda alpha, beta: alpha + self.gamma)
+
+    @cached_property
+    def at_right(self) -> Array:
+        """Angles at which it crosses the line of a root at -1."""
+        line = self.line
+        if line is None:
+            return np.zeros(0)
+        return self.meets(lambda alpha, beta: alpha + 2 * beta - line)
+
     def meets(self, line: Callable[[Array, Array], Array]) -> Array:
         """Angles at which the curve crosses the line where ``line(alpha, beta)`` vanishes."""
 
@@ -169,7 +184,14 @@ class Loop:
             walls = self.curve(theta)
             return line(walls[..., 0], walls[..., 1]) > 0
 
-        return flips(beyond, self.samples())
+        angles = self.samples()
+        return flips(beyond, angles, beyond(angles))
+
+
+def _crossed(ends: Array, near: float) -> Array:
+    """One end of each odd number of close ones; an even number is a touch and no end."""
+    groups = np.split(ends, np.flatnonzero(np.diff(ends) > near) + 1)
+    return np.array([group[group.size // 2] for group in groups if group.size % 2])
 
 
 def _around(angles: Array, corners: Array) -> Array:
@@ -180,9 +202,10 @@ def _around(angles: Array, corners: Array) -> Array:
     return every[(every > 0) & (every < np.pi)]
 
 
-def flips(test: Callable[[Array], NDArray[np.bool_]], angles: Array) -> Array:
-    """Where the test changes between neighbouring angles, to the last digit."""
-    found = test(angles)
+def flips(
+    test: Callable[[Array], NDArray[np.bool_]], angles: Array, found: NDArray[np.bool_]
+) -> Array:
+    """Where the test, ``found`` at the angles, changes between neighbours, to the last digit."""
     at = np.flatnonzero(found[1:] != found[:-1])
     low, high, first = angles[at], angles[at + 1], found[at]
     while at.size:

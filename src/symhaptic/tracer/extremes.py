@@ -44,7 +44,7 @@ def max_stable_stiffness(
     arguments.one_of("sheet", sheet, SHEETS)
     g = arguments.nonnegative("gamma", gamma)
     dl = arguments.nonnegative("delta", delta)
-    dy = arguments.nonnegative("delay", delay)
+    dy = arguments.periods("delay", delay)
     found = arguments.in_blocks(partial(_rightmost, sheet=sheet), g, dl, dy)
     return Extremum(*found)
 

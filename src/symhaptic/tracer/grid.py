@@ -62,7 +62,7 @@ def spectral_radius(
 def _rational(delay: float | Fraction) -> Fraction:
     """The delay as a fraction that leaves a polynomial of reasonable degree."""
     allowed = f"rational numbers r/q >= 0 with r + 3 q <= {_DEGREE} are"
-    number = arguments.nonnegative("delay", delay)
+    number = arguments.periods("delay", delay)
     arguments.refuse("delay", number, np.isnan(number), allowed)
     one = arguments.single("delay", number)
     late = Fraction(delay) if isinstance(delay, int | Fraction) else Fraction(one)

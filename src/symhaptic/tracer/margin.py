@@ -31,11 +31,11 @@ def delay_margin(
     """Largest delay, in sampling periods, such that the loop is stable for every smaller one.
 
     Wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0; arrays broadcast.  0 where the
-    loop is not stable without delay, infinite where no delay destabilises it.  The time does not
-    grow with the margin.  The exact fractional delay is searched at 32 fractions of a period, for
-    all whole periods at once, and then bisected; an instability that lasts for less than 1/32 of
-    a period, and is over again, may be missed.  With ``sheet="principal"`` the paper's z^-d, in
-    closed form.
+    loop is not stable without delay, infinite where no delay up to 1e15 destabilises it.  The
+    time does not grow with the margin.  The exact fractional delay is searched at 32 fractions of
+    a period, for all whole periods at once, and then bisected; an instability that lasts for less
+    than 1/32 of a period, and is over again, may be missed.  With ``sheet="principal"`` the
+    paper's z^-d, in closed form.
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
 
@@ -108,7 +108,7 @@ def _first_lost(x: Device, v: Wall) -> Array:
         change = np.floor(_next_change(some, these, steps[left], False))
         steps[left] = np.where(leads[left], steps[left], change) + 1
         outside = np.zeros(left.size, dtype=bool)
-        finite = np.isfinite(steps[left])
+        finite = steps[left] <= arguments.LONGEST
         some, these = Device(*(a[finite] for a in some)), Wall(*(a[finite] for a in these))
         outside[finite] = stability.count(some, these, steps[left[finite]], False) != 0
         lost[left[outside]] = steps[left[outside]]

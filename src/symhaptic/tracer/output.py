@@ -1,8 +1,7 @@
-"""A stable region as text for other programs, and as a picture."""
+"""A stable region as text for other programs."""
 
 from __future__ import annotations
 
-import io
 import json
 from typing import Any
 
@@ -41,29 +40,3 @@ def json_text(region: Region) -> str:
 def _extremum(point: Extremum) -> dict[str, float | None]:
     values = {name: float(value) for name, value in point._asdict().items()}
     return {name: value if value == value else None for name, value in values.items()}
-
-
-def picture(region: Region, format: str) -> bytes:
-    """The region in the (alpha, beta) plane as a PNG or SVG file."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    from symhaptic.report.figures import COLOURS, STYLE, WIDTH
-
-    loop = region.loop
-    with matplotlib.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(WIDTH, 0.7 * WIDTH), layout="constrained")
-        region.plot(axes, color=COLOURS[0], fill="#E4EFE9")
-        axes.axhline(0, color="black", linewidth=0.4)
-        axes.set_xlabel(r"virtual stiffness $\alpha=KT^2/m$")
-        axes.set_ylabel(r"virtual damping $\beta=BT/m$")
-        axes.set_title(
-            rf"stable for $\gamma={loop.gamma:g}$, $\delta={loop.delta:g}$, $d={loop.delay:g}$"
-        )
-        file = io.BytesIO()
-        metadata = {"Date": None} if format == "svg" else {"Software": None}
-        figure.savefig(file, format=format, dpi=200, metadata=metadata)
-        plt.close(figure)
-    return file.getvalue()
