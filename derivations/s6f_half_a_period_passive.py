@@ -9,6 +9,7 @@ from sympy import Rational, S, cos, discriminant, expand, pi, sqrt
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
 from symhaptic.proof import sign
+from symhaptic.proof.roots import root_between
 from symhaptic.report.fractional_figures import largest_stiffness
 
 HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
@@ -39,21 +40,22 @@ def derive(page):
         because="zero on the upper part of the boundary, an explicit curve: "
         "$K=4\\sqrt{B(4-B)/(4+B)}-B(B+12)/(B+4)$",
     )
-    page.step(
+    end = page.step(
         "Where the upper part ends",
         double.subs(K, 0) / B,
         B**3 + 40 * B**2 + 144 * B - 256,
         name=r"\tfrac{16}{B}\,(f_1^2-4f_0f_2)\big|_{K=0}",
-        because="zero at $B=1.295\\ldots$",
     )
-    page.step(
+    tip = page.step(
         "Where it is farthest to the right",
         -discriminant(expand(double), B) / 2**22,
         K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
         name=r"\text{discriminant in }B",
-        because="zero where two values of $B$ fall together, at $K=1.175869\\ldots$ We bound it "
-        "from both sides",
+        because="zero where two values of $B$ fall together",
     )
+    one, two = S.One, Rational(2)
+    zeros = ((B, root_between(end, one, two)), (K, root_between(tip, one, two)))
+    page.enclosed("Their zeros", zeros, places=12, because="of the second we ask if it is a bound")
     below, above = Rational("1.175869"), Rational("1.175870")
     passive = everywhere(value.subs({K: below, B: Rational("0.324")}), x)
     page.positive("At $K=1.175869$, $B=0.324$", passive, r"\text{all }x", name="f(x)")
