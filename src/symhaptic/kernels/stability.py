@@ -108,7 +108,7 @@ def count(
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
     end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
     if principal:
-        end = 2 * np.rint(end / 2)
+        end = np.where(steps == np.floor(steps), end, 2 * np.rint(end / 2))
     total += np.where(_leads(terms.near), begin, 0.0)
     total -= np.where(_leads(terms.far), end, 0.0)
     return total
