@@ -21,6 +21,20 @@ PROVED = [
     "s5a-proportional",
     "s5c-undamped-limit",
     "counting-ignores-delay",
+    "fractional-plant",
+    "fractional-polynomial",
+    "fractional-boundary",
+    "fractional-half-mass",
+    "fractional-passivity",
+    "fractional-passive-is-stable",
+    "fractional-low-frequencies",
+    "fractional-limit-points",
+    "fractional-largest-stiffness",
+    "fractional-longer-delay",
+    "fractional-next-whole",
+    "fractional-literal",
+    "fractional-figures",
+    "fractional-principal",
 ]
 ENCLOSED = ["s3c-kmax-41", "s3c-kmax-27"]
 MISPRINTS = ["eq12", "s4a-delay-equivalent", "s3b-linear-in-T"]
