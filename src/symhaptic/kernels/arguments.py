@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,25 +15,61 @@ _BLOCK = 8192
 """Elements worked on at a time: a dozen arrays of them fit the cache."""
 
 
-def real(name: str, values: ArrayLike) -> Array:
-    """The argument as a float64 array."""
+_LARGEST = 1e70
+"""Fourth powers of such numbers are floats: no sum or product of the formulas overflows."""
+
+LONGEST = 1e15
+"""Delays beyond have no fractions of a period in float64."""
+
+
+def real(name: str, values: ArrayLike | Fraction) -> Array:
+    """The argument as a float64 array; text, dates and complex numbers are no numbers here."""
     try:
-        return np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name}: {values!r} is not allowed; real numbers are") from None
+        array = np.asarray(values)
+        if array.dtype.kind in "biuf" or (array.dtype == object and all(map(_is_real, array.flat))):
+            return np.asarray(array, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise ValueError(f"{name}: {_shown(values)} is not allowed; real numbers are")
+
+
+def _is_real(value: object) -> bool:
+    return hasattr(value, "__float__") and not isinstance(value, np.complexfloating)
+
+
+def _shown(value: object) -> str:
+    """The value on one line that fits a message."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def single(name: str, values: Array) -> float:
+    """The argument as one number."""
+    if values.size != 1:
+        raise ValueError(f"{name}: {_shown(values)} is not allowed; one number is")
+    return float(values.reshape(())) + 0.0  # no negative zero
 
 
 def finite(name: str, values: ArrayLike) -> Array:
     """The argument as an array of finite numbers or NaN."""
     array = real(name, values)
     refuse(name, array, np.isinf(array), "finite numbers are")
+    refuse(name, array, np.abs(array) > _LARGEST, f"numbers up to {_LARGEST} in size are")
     return array
 
 
-def nonnegative(name: str, values: ArrayLike) -> Array:
+def nonnegative(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as an array of finite numbers >= 0 or NaN."""
     array = real(name, values)
     refuse(name, array, (array < 0) | np.isinf(array), f"finite numbers {name} >= 0 are")
+    refuse(name, array, array > _LARGEST, f"numbers 0 <= {name} <= {_LARGEST} are")
+    return array
+
+
+def periods(name: str, values: ArrayLike | Fraction) -> Array:
+    """The argument as an array of delays >= 0 or NaN."""
+    array = nonnegative(name, values)
+    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST} are")
     return array
 
 
@@ -45,19 +83,25 @@ def refuse(name: str, values: Array, bad: NDArray[np.bool_], allowed: str) -> No
 def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     """The argument, which must be one of a few words."""
     if value not in allowed:
-        raise ValueError(f"{name}: {value!r} is not allowed; {' or '.join(map(repr, allowed))} is")
+        words = " or ".join(map(repr, allowed))
+        raise ValueError(f"{name}: {_shown(value)} is not allowed; {words} is")
     return value
 
 
-def in_blocks(work: Callable[..., Array], *arrays: Array) -> Array:
-    """``work`` on flat pieces of the broadcast arrays, small enough for the cache."""
+def in_blocks(work: Callable[..., Sequence[Array] | Array], *arrays: Array) -> Array:
+    """The rows that ``work`` makes of the broadcast arrays, on pieces that fit the cache.
+
+    ``work`` gets flat pieces, of one element where an argument has but one.
+    """
     shape = np.broadcast_shapes(*(a.shape for a in arrays))
-    size = int(np.prod(shape))
-    if size <= _BLOCK:
-        return np.asarray(work(*(np.broadcast_to(a, shape) for a in arrays)))
+    size = math.prod(shape)
     flat = [a.reshape(1) if a.size == 1 else np.broadcast_to(a, shape).reshape(-1) for a in arrays]
-    pieces = [
-        work(*(a if a.size == 1 else a[begin : begin + _BLOCK] for a in flat))
-        for begin in range(0, size, _BLOCK)
-    ]
-    return np.concatenate(pieces, axis=-1).reshape(*pieces[0].shape[:-1], *shape)
+    found = np.empty((0, size))
+    for begin in range(0, max(size, 1), _BLOCK):
+        part = slice(begin, begin + _BLOCK)
+        rows = work(*(a if a.size == 1 else a[part] for a in flat))
+        if not begin:
+            found = np.empty((len(rows), size))
+        for row, values in zip(found, rows, strict=True):
+            row[part] = values
+    return found.reshape(len(found), *shape)

@@ -21,24 +21,36 @@ _SPLIT = 2.0**27 + 1
 """Veltkamp's factor: halves of a float64 whose products are exact."""
 
 
-def _turned(steps: Array, theta: Array) -> tuple[Array, Array]:
-    """cos and sin of steps * theta, with the product's rounding error put back."""
-    product = steps * theta
-    big = _SPLIT * theta
-    high = big - (big - theta)
-    wide = _SPLIT * steps
-    most = wide - (wide - steps)
-    low, least = theta - high, steps - most
+def _halves(number: Array) -> tuple[Array, Array]:
+    big = _SPLIT * number
+    high = big - (big - number)
+    return high, number - high
+
+
+def _turn(steps: Array, theta: Array) -> tuple[Array, Array]:
+    """cos and sin of (steps + 1) theta, with the rounding of sum and product put back."""
+    count = steps + 1
+    product = count * theta
+    high, low = _halves(theta)
+    most, least = _halves(count)
     error = ((most * high - product) + most * low + least * high) + least * low
-    return np.cos(product) - error * np.sin(product), np.sin(product) + error * np.cos(product)
+    error = error + (steps - (count - 1)) * theta
+    half = np.tan(product / 2)  # one tangent instead of cosine and sine
+    square = half * half
+    whole = 1 / (1 + square)
+    cosine, sine = (1 - square) * whole, 2 * half * whole
+    return cosine - error * sine, sine + error * cosine
 
 
 class _Circle(NamedTuple):
-    """A/z and M/z at z = exp(j theta), by real and imaginary part, and the angle's functions."""
+    """A/z and M/z at z = exp(j theta), both times 1 + t^2 with t = tan(theta/2), by parts.
 
-    half_sine: Array
-    half_cosine: Array
-    sine: Array
+    Polynomials in t whose coefficients are the values at z = 1 and -1: no difference of cosines.
+    """
+
+    t: Array
+    grown: Array
+    """1 + t^2."""
     above: Array
     above_j: Array
     below: Array
@@ -46,52 +58,46 @@ class _Circle(NamedTuple):
 
 
 def _on_circle(x: Device, theta: Array) -> _Circle:
-    half_sine, half_cosine = np.sin(theta / 2), np.cos(theta / 2)
-    sine = 2 * half_sine * half_cosine
-    small = theta < np.pi / 2
-    part = np.where(small, -(half_sine**2), half_cosine**2) * 2
-
-    def real(at_one: Array, at_minus_one: Array, slope: Array) -> Array:
-        return np.asarray(np.where(small, at_one, -at_minus_one) + slope * part)
-
+    t = np.tan(theta / 2)
+    square, twice = t * t, t + t
     return _Circle(
-        half_sine,
-        half_cosine,
-        sine,
-        real(x.at_one, x.at_minus_one, 1 + x.e),
-        x.loss * sine,
-        real(x.numerator_at_one, x.numerator_at_minus_one, x.m2 + x.m0),
-        (x.m2 - x.m0) * sine,
+        t,
+        1 + square,
+        x.at_one - x.at_minus_one * square,
+        x.loss * twice,
+        x.numerator_at_one - x.numerator_at_minus_one * square,
+        (x.m2 - x.m0) * twice,
     )
 
 
 def point(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
     """The wall with a root at exp(j theta), behind a whole delay (or a real one, principal)."""
     c = _on_circle(x, theta)
-    cosine, turn = _turned(steps + 1, theta)
-    size = c.below**2 + c.below_j**2
+    cosine, sine = _turn(steps, theta)
+    size = c.below * c.below + c.below_j * c.below_j
     ratio = (c.above * c.below + c.above_j * c.below_j) / size
     ratio_j = (c.above_j * c.below - c.above * c.below_j) / size
-    real, imaginary = ratio_j * turn - ratio * cosine, -ratio_j * cosine - ratio * turn
-    # Re Q - beta (1 - cos theta) = Re Q - Im Q tan(theta/2)
-    return real - imaginary * (c.half_sine / c.half_cosine), imaginary / c.sine
+    real, imaginary = ratio_j * sine - ratio * cosine, -ratio_j * cosine - ratio * sine
+    # Im Q / sin theta, and Re Q - beta (1 - cos theta) = Re Q - Im Q t
+    return real - imaginary * c.t, imaginary * c.grown / (c.t + c.t)
 
 
 def tangent(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
     """Derivatives of the boundary's alpha and beta with respect to theta."""
     c = _on_circle(x, theta)
-    cosine = (c.half_cosine - c.half_sine) * (c.half_cosine + c.half_sine)
     below = c.below + 1j * c.below_j
     ratio = (c.above + 1j * c.above_j) / below
-    above_slope = 1j * (x.loss * cosine) - (1 + x.e) * c.sine
-    below_slope = 1j * ((x.m2 - x.m0) * cosine) - (x.m2 + x.m0) * c.sine
-    real, imaginary = _turned(steps + 1, theta)
+    # by t first: dt = (1 + t^2)/2 dtheta
+    above_slope = 2 * (1j * x.loss - x.at_minus_one * c.t)
+    below_slope = 2 * (1j * (x.m2 - x.m0) - x.numerator_at_minus_one * c.t)
+    real, imaginary = _turn(steps, theta)
     turn = -(real + 1j * imaginary)
     q = turn * ratio
-    slope = turn * (1j * (steps + 1) * ratio + (above_slope - ratio * below_slope) / below)
-    half = c.half_sine / c.half_cosine
-    stiffness = slope.real - slope.imag * half - q.imag * (1 + half**2) / 2
-    return stiffness, (slope.imag - q.imag * cosine / c.sine) / c.sine
+    by_t = (above_slope - ratio * below_slope) / below * (c.grown / 2)
+    slope = turn * (1j * (steps + 1) * ratio + by_t)
+    sine, cosine = 2 * c.t / c.grown, (1 - c.t) * (1 + c.t) / c.grown
+    stiffness = slope.real - slope.imag * c.t - q.imag * c.grown / 2
+    return stiffness, (slope.imag - q.imag * cosine / sine) / sine
 
 
 def begin(x: Device, gamma: Array, steps: Array) -> tuple[Array, Array]:
@@ -103,7 +109,7 @@ def begin(x: Device, gamma: Array, steps: Array) -> tuple[Array, Array]:
 def end(x: Device, steps: Array) -> tuple[Array, Array]:
     """Limit at theta = pi for whole ``steps``, where two roots meet at -1; may be infinite."""
     sign = np.where(steps % 2 == 0, 1.0, -1.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         line = sign * x.at_minus_one / x.numerator_at_minus_one  # alpha + 2 beta
         lead = sign * ((steps + 2) * x.at_minus_one + 2 + x.a)
         both = (lead + (x.m1 - 2 * x.m2) * line) / x.numerator_at_minus_one  # alpha + beta
@@ -136,12 +142,14 @@ def stability_boundary(
     th = arguments.real("theta", theta)
     arguments.refuse("theta", th, (th <= 0) | (th >= np.pi), "numbers 0 < theta < pi are")
     g, dl = arguments.nonnegative("gamma", gamma), arguments.nonnegative("delta", delta)
-    dy = arguments.nonnegative("delay", delay)
+    dy = arguments.periods("delay", delay)
     alpha, beta = arguments.in_blocks(partial(_pair, sheet=sheet), th, g, dl, dy)
     return alpha, beta
 
 
-def _pair(theta: Array, gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+def _pair(
+    theta: Array, gamma: Array, delta: Array, delay: Array, sheet: str
+) -> tuple[Array, Array]:
     steps = delay if sheet == "principal" else np.floor(delay)
     x = device(gamma, delta, None if sheet == "principal" else delay - steps)
-    return np.stack(np.broadcast_arrays(*point(x, theta, steps)))
+    return point(x, theta, steps)

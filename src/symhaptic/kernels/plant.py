@@ -83,9 +83,10 @@ def _at_rest(x: _Motion) -> Array:
     # |sinhc((delta + j y)/4)|^2 with y = 2 root, scaled by exp(-delta/2) = exp(-2 quarter)
     grown = quarter * _exprel(-2 * quarter)
     size = quarter**2 + x.root**2 / 4
-    swing = _quotient(grown**2 + np.exp(-2 * quarter) * np.sin(x.root / 2) ** 2, size)
+    still = size < 1e-200  # the squares have no digits left
+    swing = (grown**2 + np.exp(-2 * quarter) * np.sin(x.root / 2) ** 2) / np.where(still, 1.0, size)
     creep = _exprel(-2 * x.plus) * _exprel(-2 * x.minus)  # plus + minus is delta/2
-    return np.where(x.swings, swing, creep)
+    return np.where(x.swings, np.where(still, 1.0, swing), creep)
 
 
 def _at_nyquist(x: _Motion) -> Array:
@@ -128,7 +129,7 @@ def _slope(x: _Motion) -> Array:
     whole = np.where(creeps, x.root + x.delta / 2, 1.0)
     rho = np.where(creeps, x.gamma, 0.0) / whole
     d = np.where(creeps, x.delta, 1.0)
-    bracket = d * _exprel(-rho) + 2 * np.expm1(-d) + d * np.exp(-d) * _exprel(rho)
+    bracket = d * _exprel(-rho) * (1 + np.exp(rho - d)) + 2 * np.expm1(-d)
     creep = bracket / (2 * d * np.where(creeps, x.root, 1.0) * whole)
     # else the two points of the difference are gamma >= 1 apart
     odd = np.where(
@@ -136,7 +137,7 @@ def _slope(x: _Motion) -> Array:
         _sinhc_series(np.where(np.abs(x.w) <= _NEAR, x.w, 0.0)),
         _quotient(np.sin(x.root), x.root),
     )
-    apart = _quotient(_exprel(-x.delta) - np.exp(-x.delta / 2) * odd, x.gamma)
+    apart = (_exprel(-x.delta) - np.exp(-x.delta / 2) * odd) / np.maximum(x.gamma, 1.0)
     far = np.where(creeps, creep, apart)
     return np.where(near, np.exp(-x.delta / 2) * series, far)
 
@@ -189,6 +190,6 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
     return n1, n0, a, e
 
 
-def _four(gamma: Array, delta: Array) -> Array:
+def _four(gamma: Array, delta: Array) -> tuple[Array, Array, Array, Array]:
     x = device(gamma, delta)
-    return np.stack(np.broadcast_arrays(x.m2, x.m1, x.a, x.e))
+    return x.m2, x.m1, x.a, x.e + 0 * gamma  # NaN in gamma spoils this too

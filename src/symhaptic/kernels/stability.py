@@ -6,7 +6,7 @@ equation in :math:`y=4\sin^2(\theta/2)` of degree two (three for a fractional de
 contain the delay.  Between its solutions one of f and g leads and takes the argument of p along,
 so that only the phase :math:`\Phi=\arg g-\arg f` at the solutions decides: where g stops or
 starts to lead, p has turned :math:`2\pi\,[\Phi/2\pi]` more or less than f, with the nearest whole
-number in the brackets.  Chapter s4d_counting derives this.
+number in the brackets.  Chapter s4d_roots_counted derives this.
 """
 
 from __future__ import annotations
@@ -16,128 +16,64 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments, cubic
+from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
+from symhaptic.kernels.crossings import Crossing, Wall, crossings, surplus, wall
+from symhaptic.kernels.cubic import Terms
 from symhaptic.kernels.plant import Device, device, discretize
 
 SHEETS = ("exact", "principal")
 
 
-class Crossing(NamedTuple):
-    """A solution of |f| = |g| on the upper half circle, if it is one."""
-
-    y: Array
-    """4 sin(theta/2)^2."""
-    rest: Array
-    """4 - y, kept beside it for angles near pi."""
-    rises: NDArray[np.bool_]
-    """Whether |f|^2 - |g|^2 grows with y, that is whether g stops to lead."""
-    there: NDArray[np.bool_]
-
-
-class Wall(NamedTuple):
-    """The wall's part (alpha + beta) z - beta by what is needed of it."""
-
-    alpha: Array
-    beta: Array
-    slope: Array
-    """alpha + beta."""
-    at_minus_one: Array
-    """-(alpha + 2 beta) is its value at -1."""
-
-
-def wall(alpha: Array, beta: Array) -> Wall:
-    """The wall, with no negative zeros."""
-    return Wall(alpha + 0.0, beta + 0.0, alpha + beta + 0.0, alpha + 2 * beta)
-
-
-def surplus(x: Device, v: Wall) -> tuple[Array, ...]:
-    """|f|^2 - |g|^2 as a polynomial in y, and in 4 - y; constant term first."""
-    near = _surplus(
-        x.at_one, x.e, x.loss, x.numerator_at_one, x.m2, x.m0, v.alpha, v.slope * v.beta
-    )
-    far = _surplus(
-        x.at_minus_one,
-        x.e,
-        x.loss,
-        x.numerator_at_minus_one,
-        x.m2,
-        x.m0,
-        v.at_minus_one,
-        -v.slope * v.beta,
-    )
-    return (*near, *far)
-
-
-def _surplus(
-    at: Array, e: Array, loss: Array, top: Array, m2: Array, m0: Array, v: Array, vv: Array
-) -> tuple[Array, Array, Array, Array]:
-    """The four coefficients from the values at the end of the half circle.
-
-    |A|^2 = at^2 + (loss^2 - at (1 + e)) y + e y^2, likewise |M|^2, and |wall|^2 = v^2 + vv y.
-    """
-    m_linear, m_square = (m2 - m0) ** 2 - top * (m2 + m0), m2 * m0
-    scaled = top * v
-    constant = (at - scaled) * (at + scaled)
-    linear = loss**2 - at * (1 + e) - m_linear * v**2 - top**2 * vv
-    square = e - m_square * v**2 - m_linear * vv
-    return constant, linear, square, -m_square * vv
-
-
-def _quadratic(c: Array, b: Array, a: Array, disc: Array) -> tuple[Array, Array]:
-    """Roots (-b - s)/(2 a) and (-b + s)/(2 a), s = sqrt(disc), without cancellation."""
-    root = np.sqrt(disc)
-    upper = b >= 0
-    q = -(b + np.where(upper, root, -root)) / 2
-    one, two = q / a, c / q
-    return np.where(upper, one, two), np.where(upper, two, one)
-
-
-def crossings(near: tuple[Array, ...], far: tuple[Array, ...], whole: bool) -> list[Crossing]:
-    """Where |f| = |g| on the open upper half circle."""
-    if not whole:
-        return [Crossing(*c) for c in cubic.roots(near, far)]
-    c, b, a, _ = near
-    c_far, b_far, _, _ = far
-    # the discriminant is the same for y and for 4 - y; the smaller b rounds less
-    closer = np.abs(b) <= np.abs(b_far)
-    disc = np.where(closer, b * b - 4 * a * c, b_far * b_far - 4 * a * c_far)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        falling, rising = _quadratic(c, b, a, disc)
-        rising_far, falling_far = _quadratic(c_far, b_far, a, disc)
-    found = []
-    for y, rest, rises in ((falling, falling_far, np.False_), (rising, rising_far, np.True_)):
-        # a root far away may be thrown to the other side by rounding, in one of the two
-        there = (y > 0) & (rest > 0) & (y < 5) & (rest < 5)
-        small = y < 2
-        y = np.where(there, np.where(small, y, 4 - rest), 2.0)
-        rest = np.where(there, np.where(small, 4 - y, rest), 2.0)
-        found.append(Crossing(y, rest, np.asarray(rises), there))
-    return found
-
-
-def _leads(c: Array, b: Array, a: Array, k: Array) -> NDArray[np.bool_]:
+def _leads(terms: Terms) -> NDArray[np.bool_]:
     """Whether g leads next to the end of the half circle: the first nonzero coefficient < 0."""
+    c, b, a, k = terms
     return np.where(c != 0, c, np.where(b != 0, b, np.where(a != 0, a, k))) < 0
 
 
-def phase(x: Device, v: Wall, y: Array, rest: Array) -> tuple[Array, Array]:
-    """arg g - arg f without the delay's part, continuous in theta from 0 to pi, and theta.
+class Angle(NamedTuple):
+    """halves pi + rest: near a multiple of pi the rest keeps the digits that the sum would lose."""
+
+    halves: Array
+    rest: Array
+
+
+def _angle(real: Array, up: Array) -> Angle:
+    """Angle of real + j up where up keeps its sign, which is + for 0."""
+    back = real < 0
+    side = np.where(up < 0, -1.0, 1.0)
+    return Angle(np.where(back, side, 0.0), np.arctan2(np.where(back, -up, up), np.abs(real)))
+
+
+def phase(x: Device, v: Wall, c: Crossing) -> Angle:
+    """arg g - arg f without the delay's part, continuous in theta from 0 to pi.
 
     Each factor, turned by a power of z, keeps to one half plane: the angle of A/z, of M/z and of
     the wall is an arctangent that never jumps.
     """
-    small = y < 2
-    part = np.where(small, -y, rest) / 2
-    sine = np.sqrt(y * rest) / 2
+    sine = 2 * np.sqrt(c.y * c.rest)  # parts are those at the angle times 4
+    below = _angle(-2 * (1 + x.e) * c.off, x.loss * sine)
+    middle = x.numerator_at_one * c.rest - x.numerator_at_minus_one * c.y
+    above = _angle(middle, (x.m2 - x.m0) * sine)
+    force = _angle(v.alpha * c.rest - v.at_minus_one * c.y, v.slope * sine)
+    return Angle(above.halves + force.halves - below.halves, above.rest + force.rest - below.rest)
 
-    def angle(height: Array, at_one: Array, at_minus_one: Array, slope: Array) -> Array:
-        return np.arctan2(height * sine, np.where(small, at_one, -at_minus_one) + slope * part)
 
-    device_angle = angle(x.loss, x.at_one, x.at_minus_one, 1 + x.e)
-    top_angle = angle(x.m2 - x.m0, x.numerator_at_one, x.numerator_at_minus_one, x.m2 + x.m0)
-    wall_angle = angle(v.slope, v.alpha, v.at_minus_one, v.slope)
-    return top_angle + wall_angle - device_angle, 2 * np.arctan2(np.sqrt(y), np.sqrt(rest))
+def theta(c: Crossing) -> Angle:
+    """The crossing's angle."""
+    far = c.y > 2
+    half = np.arctan2(np.sqrt(np.where(far, c.rest, c.y)), np.sqrt(np.where(far, c.y, c.rest)))
+    return Angle(np.where(far, 1.0, 0.0), np.where(far, -2.0, 2.0) * half)
+
+
+def turns(bare: Angle, late: Angle, steps: Array) -> Array:
+    """The nearest whole number of turns in a phase behind a delay."""
+    halves = bare.halves - (steps + 2) * late.halves
+    rest = (bare.rest - (steps + 2) * late.rest) / (2 * np.pi)
+    even = np.floor(halves / 2)
+    left = halves / 2 - even
+    # at an odd number of half turns the sign of the rest decides, however small it is
+    return even + np.where(left == 0.5, np.floor(rest) + 1, np.rint(rest + left))
 
 
 def count(
@@ -154,28 +90,27 @@ def count(
     the phase there is an odd multiple of pi, which is rounded to the side that has them inside.
     """
     terms = surplus(x, v)
-    near, far = terms[:4], terms[4:]
-    found = crossings(near, far, whole)
-    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.m2.shape))
+    found = crossings(terms, whole)
+    total = np.zeros(np.broadcast_shapes(v.slope.shape, steps.shape, x.m2.shape))
     nearest = None
     if on_circle is not None and found:
         away = [np.where(c.there, np.abs(c.y - on_circle), np.inf) for c in found]
         nearest = np.argmin(np.stack(np.broadcast_arrays(*away)), axis=0)
-    for i, crossing in enumerate(found):
-        bare, theta = phase(x, v, crossing.y, crossing.rest)
-        turns = (bare - (steps + 2) * theta) / (2 * np.pi)
+    for i, c in enumerate(found):
+        bare = phase(x, v, c)
         if nearest is not None:
-            turns += np.where(nearest == i, np.where(crossing.rises, 0.5, -0.5), 0.0)
-        sign = np.where(crossing.rises, -2, 2)
-        total += np.where(crossing.there, sign * np.rint(turns), 0.0)
+            shift = np.where(nearest == i, np.where(c.rises, 1.0, -1.0), 0.0)
+            bare = Angle(bare.halves + shift, bare.rest)
+        whole_turns = turns(bare, theta(c), steps)
+        total += np.where(c.there, np.where(c.rises, -2, 2) * whole_turns, 0.0)
     side = np.where(v.slope >= 0, 1.0, -1.0)
     begin = np.where(v.alpha > 0, 0.0, side)
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
-    end += np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
+    end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
     if principal:
-        end = 2 * np.rint(end / 2)
-    total += np.where(_leads(*near), begin, 0.0)
-    total -= np.where(_leads(*far), end, 0.0)
+        end = np.where(steps == np.floor(steps), end, 2 * np.rint(end / 2))
+    total += np.where(_leads(terms.near), begin, 0.0)
+    total -= np.where(_leads(terms.far), end, 0.0)
     return total
 
 
@@ -193,16 +128,12 @@ def _count(
 ) -> Array:
     steps, part = split(delay, sheet)
     given = (gamma, delta) if part is None else (gamma, delta, part)
-    plant = arguments.in_blocks(_device, *given)
+    plant = arguments.in_blocks(device, *given)
 
-    def work(al: Array, be: Array, st: Array, *numbers: Array) -> Array:
-        return count(Device(*numbers), wall(al, be), st, part is None, sheet == "principal")
+    def work(al: Array, be: Array, st: Array, *numbers: Array) -> list[Array]:
+        return [count(Device(*numbers), wall(al, be), st, part is None, sheet == "principal")]
 
-    return arguments.in_blocks(work, alpha, beta, steps, *plant)
-
-
-def _device(gamma: Array, delta: Array, part: Array | None = None) -> Array:
-    return np.stack(np.broadcast_arrays(*device(gamma, delta, part)))
+    return np.asarray(arguments.in_blocks(work, alpha, beta, steps, *plant)[0])
 
 
 def _arguments(
@@ -213,7 +144,7 @@ def _arguments(
         arguments.finite("beta", beta),
         arguments.nonnegative("gamma", gamma),
         arguments.nonnegative("delta", delta),
-        arguments.nonnegative("delay", delay),
+        arguments.periods("delay", delay),
     )
 
 
@@ -279,7 +210,9 @@ def characteristic_polynomial(
     >>> characteristic_polynomial(0.5, 1.0, 0.0, 0.0, 0).tolist()
     [1.0, -1.25, 1.25, -0.5]
     """
-    values = [float(x) for x in _arguments(alpha, beta, gamma, delta, delay)]
+    names = ("alpha", "beta", "gamma", "delta", "delay")
+    arrays = _arguments(alpha, beta, gamma, delta, delay)
+    values = [arguments.single(*pair) for pair in zip(names, arrays, strict=True)]
     if values[4] != np.floor(values[4]):
         raise ValueError(f"delay: {delay!r} is not allowed; whole numbers delay >= 0 are")
     n1, n0, a, e = (float(x) for x in discretize(values[2], values[3]))

@@ -7,6 +7,9 @@ are equal.  That is left to :mod:`symhaptic.proof.normal`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from math import ceil, floor
 from typing import TypeAlias
 
 import sympy as sp
@@ -35,7 +38,7 @@ _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
 }
 
 
-At: TypeAlias = Mapping[Expr, Expr | acb]
+At: TypeAlias = Mapping[Expr, Expr | acb | arb]
 """Values of symbols: exact numbers, or balls that contain them."""
 
 
@@ -59,7 +62,7 @@ def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
 def _ball(expr: Expr, at: At) -> acb:
     if expr in at:
         value = at[expr]
-        return value if isinstance(value, acb) else _ball(sp.sympify(value), {})
+        return acb(value) if isinstance(value, (acb, arb)) else _ball(sp.sympify(value), {})
     if expr.is_Rational:
         return acb(fmpq(int(expr.p), int(expr.q)))
     if expr is sp.I:
@@ -92,8 +95,11 @@ def largest_root(
     polynomial: Expr,
     at: Mapping[Expr, Expr] | None = None,
     given: Mapping[Expr, Expr] | None = None,
+    keep: Callable[[acb], bool] = lambda root: True,
 ) -> arb:
     """A ball that contains the largest modulus of the roots of a polynomial in one symbol.
+
+    Of its roots only those are looked at whose ball is one to ``keep``.
 
     Its other symbols have the values ``at``, or stand for expressions ``given`` in them;
     python-flint isolates the roots of every polynomial whose coefficients lie in their balls.
@@ -110,14 +116,14 @@ def largest_root(
     coefficients = sp.Poly(polynomial, *variable).all_coeffs()
     if all(c.is_Rational for c in coefficients):
         exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
-        return _largest([abs(root) for root, _ in exact.complex_roots()])
+        return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
     before = ctx.prec
     for bits in PRECISIONS:
         ctx.prec = bits
         try:
             values: At = {**point, **{s: _ball(v, point) for s, v in meant.items()}}
             roots = acb_poly([_ball(c, values) for c in reversed(coefficients)]).complex_roots()
-            return _largest([abs(root) for root in roots])
+            return _largest([abs(root) for root in roots if keep(root)])
         except ValueError:  # not isolated at this precision
             continue
         finally:
@@ -126,10 +132,26 @@ def largest_root(
 
 
 def _largest(sizes: list[arb]) -> arb:
-    largest = sizes[0]
-    for size in sizes[1:]:
+    largest = arb(0)
+    for size in sizes:
         largest = largest.max(size)
     return largest
+
+
+def bound(number: arb, above: bool) -> str:
+    """A decimal not below (or not above) a ball, of four places or as many as tell it from 1.
+
+    >>> bound(1 - arb(2)**-15, above=True), bound(1 + arb(2)**-3, above=False)
+    ('0.99996949', '1.1250')
+    """
+    mantissa, exponent = (number.upper() if above else number.lower()).man_exp()
+    exact = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    for places in (4, 8, 16):
+        scaled = exact * 10**places
+        whole = ceil(scaled) if above else floor(scaled)
+        if whole != 10**places:
+            break
+    return f"{Decimal(whole).scaleb(-places):f}"
 
 
 def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool | None:

@@ -6,8 +6,7 @@ out as a ball that contains all its values there.  A piece that this does not de
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from itertools import count
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 from flint import acb, arb, ctx
@@ -26,8 +25,14 @@ Box = Mapping[sp.Symbol, tuple[Expr, Expr]]
 """Closed interval of each symbol; its ends are numbers."""
 
 
-def positive(expr: Expr, box: Box) -> Fact:
-    """``expr > 0`` everywhere in the box.
+Piece = dict[sp.Symbol, tuple[arb, arb]]
+
+Given = Callable[[Mapping[sp.Symbol, acb]], Mapping[sp.Symbol, acb]]
+"""Balls of further symbols, from balls of those of the box."""
+
+
+def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
+    """``expr > 0`` everywhere in the box; ``given`` finds balls of its other symbols there.
 
     Raises :class:`NotShown` where a piece has a value that is not positive, or where the pieces
     become too many.  The expression must be real there, and so written that balls see it: an
@@ -39,29 +44,32 @@ def positive(expr: Expr, box: Box) -> Fact:
     """
     expr = sp.sympify(expr)
     unbound = expr.free_symbols - set(box)
-    if unbound:
+    if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
+
+    def value(piece: Piece) -> acb:
+        values = {s: acb(low.union(high)) for s, (low, high) in piece.items()}
+        return ball(expr, {**values, **(given(values) if given else {})}, _BITS)
+
     before = ctx.prec
     ctx.prec = _BITS
     try:
-        start = {s: (_number(low), _number(high)) for s, (low, high) in box.items()}
-        pieces, decided = [start], 0
-        for tried in count(1):
+        pieces: list[Piece] = [{s: (_number(low), _number(high)) for s, (low, high) in box.items()}]
+        decided = 0
+        while pieces:
             piece = pieces.pop()
-            value = ball(expr, {s: _interval(*ends) for s, ends in piece.items()}, _BITS)
-            if value.is_finite() and value.real > 0:
+            found = value(piece)
+            if found.is_finite() and found.real > 0:
                 decided += 1
-                if not pieces:
-                    break
                 continue
-            if value.is_finite() and value.real <= 0:
-                where = ", ".join(
-                    f"{s} near {float(ends[0].mid()):.6g}" for s, ends in piece.items()
+            if found.is_finite() and found.real <= 0:
+                near = ", ".join(
+                    f"{s} near {float(low.mid()):.6g}" for s, (low, _) in piece.items()
                 )
-                raise NotShown(f"{expr} is not positive for {where}")
-            if tried >= _PIECES:
-                raise NotShown(f"{expr}: undecided after {tried} pieces")
-            pieces += _halved(piece)
+                raise NotShown(f"{expr} is not positive for {near}")
+            if decided + len(pieces) >= _PIECES:
+                raise NotShown(f"{expr}: undecided after {_PIECES} pieces")
+            pieces += _halved(piece, value)
     finally:
         ctx.prec = before
     domain = [(s - low, high - s) for s, (low, high) in box.items()]
@@ -74,13 +82,16 @@ def _number(value: Expr) -> arb:
     return ball(sp.sympify(value), None, _BITS).real
 
 
-def _interval(low: arb, high: arb) -> acb:
-    return acb(low.union(high))
+def _halved(piece: Piece, value: Callable[[Piece], acb]) -> list[Piece]:
+    """The piece cut across the symbol without whose width the value is known best."""
 
+    def left(symbol: sp.Symbol) -> float:
+        low, high = piece[symbol]
+        middle = ((low + high) / 2).mid()
+        found = value({**piece, symbol: (middle, middle)})
+        return float(found.real.rad()) if found.is_finite() else float("inf")
 
-def _halved(piece: dict[sp.Symbol, tuple[arb, arb]]) -> list[dict[sp.Symbol, tuple[arb, arb]]]:
-    """The piece cut across the symbol with the widest interval."""
-    widest = max(piece, key=lambda s: float((piece[s][1] - piece[s][0]).mid()))
-    low, high = piece[widest]
+    best = min(piece, key=left) if len(piece) > 1 else next(iter(piece))
+    low, high = piece[best]
     middle = ((low + high) / 2).mid()
-    return [{**piece, widest: (low, middle)}, {**piece, widest: (middle, high)}]
+    return [{**piece, best: (low, middle)}, {**piece, best: (middle, high)}]

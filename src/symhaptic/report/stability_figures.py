@@ -72,7 +72,11 @@ def origin(axes: Axes) -> None:
     plane(axes)
     axes.set_xlim(-0.0016, 0.0036)
     axes.set_ylim(-0.023, 0.008)
-    above = {"xytext": (0, 3), "textcoords": "offset points", "annotation_clip": False}
+    above: dict[str, Any] = {
+        "xytext": (0, 3),
+        "textcoords": "offset points",
+        "annotation_clip": False,
+    }
     for part in (0, 0.25, 0.5, 0.75, 1):
         axes.annotate(f"{part:g}", (-part * GAMMA, 0.008), ha="center", **above)
     axes.annotate(r"$1000\,\gamma=$", (-1.15 * GAMMA, 0.008), ha="right", **above)
@@ -82,7 +86,7 @@ def origin(axes: Axes) -> None:
 def key(axes: Axes, columns: int) -> None:
     """The legend below all panels."""
     handles, labels = axes.get_legend_handles_labels()
-    axes.figure.legend(  # type: ignore[union-attr]
+    axes.figure.legend(
         handles,
         labels,
         loc="outside lower center",

@@ -15,13 +15,17 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.kernels import stability
+from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import begin, end, point, tangent
+from symhaptic.kernels.crossings import crossings, surplus, wall
 from symhaptic.kernels.plant import Device, device
 
 _PER_TURN = 96
 """Samples per half turn of z^(d+1)."""
+
+_LONGEST = 1e5
+"""Periods of delay whose pieces are traced."""
 
 _CLOSEST = 1e-6
 """Samples crowd at 0, at pi and at the plant's own frequency down to this distance."""
@@ -46,6 +50,13 @@ class Loop:
     delay: float
     sheet: str = "exact"
 
+    def __post_init__(self) -> None:
+        if self.delay > _LONGEST:
+            raise ValueError(
+                f"delay: {self.delay!r} is not allowed; at most {_LONGEST:g} periods are, since "
+                "the boundary has a piece for every one of them"
+            )
+
     @cached_property
     def steps(self) -> float:
         """Whole periods of the delay, all of it on the principal sheet."""
@@ -64,7 +75,10 @@ class Loop:
 
     def curve(self, theta: Array) -> Array:
         """(alpha, beta) of the boundary, one row per angle."""
-        return np.stack(point(self.device, theta, np.asarray(self.steps)), axis=-1)
+        walls = arguments.in_blocks(
+            lambda angle: point(self.device, angle, np.asarray(self.steps)), theta
+        )
+        return np.moveaxis(walls, 0, -1)
 
     def tangent(self, theta: Array) -> Array:
         """Derivative of :meth:`curve` with respect to the angle."""
@@ -72,20 +86,23 @@ class Loop:
 
     def others(self, theta: Array) -> Array:
         """How many roots are outside besides the pair at exp(+-j theta)."""
+        return np.asarray(arguments.in_blocks(self._others, theta)[0])
+
+    def _others(self, theta: Array) -> list[Array]:
         alpha, beta = point(self.device, theta, np.asarray(self.steps))
-        return stability.count(
+        found = stability.count(
             self.device,
-            stability.wall(alpha, beta),
+            wall(alpha, beta),
             np.asarray(self.steps),
             self.whole,
             self.sheet == "principal",
             on_circle=4 * np.sin(theta / 2) ** 2,
         )
+        return [found]
 
     def borders(self, theta: Array) -> NDArray[np.bool_]:
         """Whether the boundary's point borders the stable region."""
-        alpha, _ = point(self.device, theta, np.asarray(self.steps))
-        return np.asarray((self.others(theta) == 0) & (alpha > -self.gamma))
+        return np.asarray((self.others(theta) == 0) & (self.curve(theta)[..., 0] > -self.gamma))
 
     # -- ends of the curve and the two lines ---------------------------------------------
 
@@ -142,9 +159,8 @@ class Loop:
 
     def partners(self, theta: Array) -> Array:
         """The other angles at which |f| = |g| for the boundary's walls: those of their corners."""
-        v = stability.wall(*point(self.device, theta, np.asarray(self.steps)))
-        terms = stability.surplus(self.device, v)
-        found = stability.crossings(terms[:4], terms[4:], self.whole)
+        v = wall(*point(self.device, theta, np.asarray(self.steps)))
+        found = crossings(surplus(self.device, v), self.whole)
         angles = [2 * np.arctan2(np.sqrt(c.y), np.sqrt(c.rest))[c.there] for c in found]
         return np.concatenate([np.zeros(0), *angles])
 
@@ -165,7 +181,8 @@ class Loop:
         """Angles at which the curve crosses the line where ``line(alpha, beta)`` vanishes."""
 
         def beyond(theta: Array) -> NDArray[np.bool_]:
-            return line(*point(self.device, theta, np.asarray(self.steps))) > 0
+            walls = self.curve(theta)
+            return line(walls[..., 0], walls[..., 1]) > 0
 
         angles = self.samples()
         return flips(beyond, angles, beyond(angles))

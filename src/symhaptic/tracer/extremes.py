@@ -11,6 +11,7 @@ from scipy.optimize.elementwise import find_root
 from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import end, point, tangent
+from symhaptic.kernels.crossings import wall
 from symhaptic.kernels.extremum import Extremum
 from symhaptic.kernels.plant import Device, device
 from symhaptic.kernels.stability import SHEETS
@@ -33,7 +34,7 @@ def max_stable_stiffness(
     end of the curve at theta = pi if there is none), found in a time that ignores the delay; that
     this is the farthest piece rests on comparison with whole regions, not on a proof.  Elsewhere
     every piece of the boundary is traced, one element after the other, which takes milliseconds
-    times the delay.  A loop that no wall keeps stable gives NaN.
+    times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
 
     Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
 
@@ -44,7 +45,7 @@ def max_stable_stiffness(
     arguments.one_of("sheet", sheet, SHEETS)
     g = arguments.nonnegative("gamma", gamma)
     dl = arguments.nonnegative("delta", delta)
-    dy = arguments.nonnegative("delay", delay)
+    dy = arguments.periods("delay", delay)
     found = arguments.in_blocks(partial(_rightmost, sheet=sheet), g, dl, dy)
     return Extremum(*found)
 
@@ -87,7 +88,7 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Arra
         circle = 4 * np.sin(root.x / 2) ** 2
         others = stability.count(
             Device(*numbers),
-            stability.wall(alpha, beta),
+            wall(alpha, beta),
             st,
             part is None,
             sheet == "principal",

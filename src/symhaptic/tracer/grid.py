@@ -15,49 +15,66 @@ from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.plant import discretize
 
-_ROWS = 20000
-"""Companion matrices solved at a time."""
+_ENTRIES = 4_000_000
+"""Numbers in the companion matrices that are solved at a time: 32 MB."""
+
+_DEGREE = 2000
+"""The largest degree for which a companion matrix is made."""
 
 
 def spectral_radius(
-    alpha: ArrayLike, beta: ArrayLike, gamma: float, delta: float, delay: int | Fraction
+    alpha: ArrayLike, beta: ArrayLike, gamma: float, delta: float, delay: float | Fraction
 ) -> Array:
     """Largest modulus of the zeros of the characteristic polynomial, by companion eigenvalues.
 
     For a rational delay r/q the polynomial in z^(1/q), all of whose zeros count: the paper's
-    substitution taken literally.
+    substitution taken literally.  Its degree r + 3 q is at most 2000.  NaN gives NaN.
+
+    Raises :class:`ValueError` for an infinite wall and an impossible plant or delay.
 
     >>> float(spectral_radius(0.5, 1.0, 0.0, 0.0, 0)) < 1
     True
     """
     al, be = np.broadcast_arrays(arguments.finite("alpha", alpha), arguments.finite("beta", beta))
-    late = Fraction(delay)
-    if late < 0:
-        raise ValueError(f"delay: {delay!r} is not allowed; rational numbers delay >= 0 are")
-    q = late.denominator
-    n1, n0, a, e = (float(v) for v in discretize(gamma, delta))
-    degree = late.numerator + 3 * q
+    late = _rational(delay)
+    q, degree = late.denominator, late.numerator + 3 * late.denominator
+    g = arguments.single("gamma", arguments.nonnegative("gamma", gamma))
+    dl = arguments.single("delta", arguments.nonnegative("delta", delta))
+    n1, n0, a, e = (float(v) for v in discretize(g, dl))
     rows = np.zeros((al.size, degree + 1))
-    for power, number in ((0, 1.0), (q, -a), (2 * q, e)):
-        rows[:, power] += number
+    rows[:, [0, q, 2 * q]] = 1.0, -a, e
     total, wall = (al + be).ravel(), -be.ravel()
     rows[:, degree - 2 * q] += n1 * total
     rows[:, degree - q] += n1 * wall + n0 * total
     rows[:, degree] += n0 * wall
-    found = np.empty(al.size)
-    for begin in range(0, al.size, _ROWS):
-        some = rows[begin : begin + _ROWS]
-        companion = np.zeros((len(some), degree, degree))
-        companion[:, 0, :] = -some[:, 1:]
+    found = np.full(al.size, np.nan)
+    known = np.flatnonzero(np.isfinite(rows).all(axis=1))
+    at_once = max(_ENTRIES // degree**2, 1)
+    for begin in range(0, known.size, at_once):
+        some = known[begin : begin + at_once]
+        companion = np.zeros((some.size, degree, degree))
+        companion[:, 0, :] = -rows[some, 1:]
         companion[:, np.arange(1, degree), np.arange(degree - 1)] = 1.0
-        found[begin : begin + _ROWS] = np.abs(np.linalg.eigvals(companion)).max(axis=1)
+        found[some] = np.abs(np.linalg.eigvals(companion)).max(axis=1)
     return found.reshape(al.shape)
+
+
+def _rational(delay: float | Fraction) -> Fraction:
+    """The delay as a fraction that leaves a polynomial of reasonable degree."""
+    allowed = f"rational numbers r/q >= 0 with r + 3 q <= {_DEGREE} are"
+    number = arguments.periods("delay", delay)
+    arguments.refuse("delay", number, np.isnan(number), allowed)
+    one = arguments.single("delay", number)
+    late = Fraction(delay) if isinstance(delay, int | Fraction) else Fraction(one)
+    if late.numerator + 3 * late.denominator > _DEGREE:
+        raise ValueError(f"delay: {delay} is not allowed; {allowed}")
+    return late
 
 
 def grid_boundary(
     gamma: float,
     delta: float,
-    delay: int | Fraction,
+    delay: float | Fraction,
     alphas: ArrayLike,
     betas: ArrayLike,
     threshold: float = 1e-8,
@@ -73,6 +90,8 @@ def grid_boundary(
     2
     """
     al, be = arguments.finite("alphas", alphas), arguments.finite("betas", betas)
+    for name, values in (("alphas", al), ("betas", be)):
+        arguments.refuse(name, values, np.isnan(values), "finite numbers are")
     if not threshold > 0:
         raise ValueError(f"threshold: {threshold!r} is not allowed; numbers > 0 are")
 
@@ -94,6 +113,8 @@ def grid_boundary(
     bad = np.concatenate([p[1] for p in pairs])
     while good.size and np.abs(good - bad).max() > threshold:
         middle = (good + bad) / 2
+        if np.all((middle == good) | (middle == bad)):
+            break
         keeps = stable(middle)[:, None]
         good, bad = np.where(keeps, middle, good), np.where(keeps, bad, middle)
     return np.asarray((good + bad) / 2)

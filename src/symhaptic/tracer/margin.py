@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
+from symhaptic.kernels.crossings import Wall, crossings, surplus, wall
 from symhaptic.kernels.plant import Device, device
-from symhaptic.kernels.stability import SHEETS, Wall, is_stable, wall
+from symhaptic.kernels.stability import SHEETS, is_stable
 
 _FRACTIONS = 32
 """Fractions of a period at which the loss is looked for before it is bisected."""
@@ -31,11 +32,11 @@ def delay_margin(
     """Largest delay, in sampling periods, such that the loop is stable for every smaller one.
 
     Wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0; arrays broadcast.  0 where the
-    loop is not stable without delay, infinite where no delay destabilises it.  The time does not
-    grow with the margin.  The exact fractional delay is searched at 32 fractions of a period, for
-    all whole periods at once, and then bisected; an instability that lasts for less than 1/32 of
-    a period, and is over again, may be missed.  With ``sheet="principal"`` the paper's z^-d, in
-    closed form.
+    loop is not stable without delay, infinite where no delay up to 1e15 destabilises it.  The
+    time does not grow with the margin.  The exact fractional delay is searched at 32 fractions of
+    a period, for all whole periods at once, and then bisected; an instability that lasts for less
+    than 1/32 of a period, and is over again, may be missed.  With ``sheet="principal"`` the
+    paper's z^-d, in closed form.
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
 
@@ -49,7 +50,8 @@ def delay_margin(
         arguments.nonnegative("gamma", gamma),
         arguments.nonnegative("delta", delta),
     )
-    return arguments.in_blocks(_principal if sheet == "principal" else _exact, *values)
+    search = _principal if sheet == "principal" else _exact
+    return np.asarray(arguments.in_blocks(lambda *block: [search(*block)], *values)[0])
 
 
 def _exact(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
@@ -78,12 +80,12 @@ def _finished(
 
 def _next_change(x: Device, v: Wall, steps: Array, whole: bool) -> Array:
     """The real number of periods at which the next pair of roots leaves the circle."""
-    terms = stability.surplus(x, v)
     change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape), np.inf)
-    for crossing in stability.crossings(terms[:4], terms[4:], whole):
-        bare, theta = stability.phase(x, v, crossing.y, crossing.rest)
-        turns = np.rint((bare - (steps + 2) * theta) / (2 * np.pi))
-        at = (bare - (2 * turns - 1) * np.pi) / theta - 2
+    for crossing in crossings(surplus(x, v), whole):
+        bare, late = stability.phase(x, v, crossing), stability.theta(crossing)
+        odd = 2 * stability.turns(bare, late, steps) - 1
+        theta = late.halves * np.pi + late.rest
+        at = ((bare.halves - odd) * np.pi + bare.rest) / theta - 2
         change = np.minimum(change, np.where(crossing.there & crossing.rises, at, np.inf))
     return change
 
@@ -94,7 +96,7 @@ def _leads_at_minus_one(x: Device, v: Wall) -> NDArray[np.bool_]:
 
 def _first_lost(x: Device, v: Wall) -> Array:
     """The first whole number of periods at which a root is outside; infinite if there is none."""
-    shape = np.broadcast_shapes(v.alpha.shape, x.m2.shape)
+    shape = np.broadcast_shapes(v.slope.shape, x.m2.shape)
     x = Device(*(np.broadcast_to(a, shape).reshape(-1) for a in x))
     v = Wall(*(np.broadcast_to(a, shape).reshape(-1) for a in v))
     steps = np.zeros(v.alpha.shape)
@@ -106,7 +108,7 @@ def _first_lost(x: Device, v: Wall) -> Array:
         change = np.floor(_next_change(some, these, steps[left], False))
         steps[left] = np.where(leads[left], steps[left], change) + 1
         outside = np.zeros(left.size, dtype=bool)
-        finite = np.isfinite(steps[left])
+        finite = steps[left] <= arguments.LONGEST
         some, these = Device(*(a[finite] for a in some)), Wall(*(a[finite] for a in these))
         outside[finite] = stability.count(some, these, steps[left[finite]], False) != 0
         lost[left[outside]] = steps[left[outside]]

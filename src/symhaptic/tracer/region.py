@@ -92,19 +92,22 @@ def stable_region(
     region's extent.  With ``sheet="principal"`` the region that the paper draws for a fractional
     delay.
 
-    Raises :class:`ValueError` for an impossible plant, delay or tolerance.
+    Raises :class:`ValueError` for an impossible plant or tolerance and for more than 100 000
+    periods: the time grows with the delay.
 
     >>> region = stable_region(0.0, 0.0, 0)
     >>> [round(float(x), 6) for x in region.max_stiffness]  # alpha = 4 (2 - r)(r - 1)/r, r = sqrt 2
     [0.686292, 0.828427, 1.143718]
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    numbers = {}
     for name, value in (("gamma", gamma), ("delta", delta), ("delay", delay)):
-        array = arguments.nonnegative(name, value)
+        array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
         arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
+        numbers[name] = arguments.single(name, array)
     if not 1e-12 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-12 <= tolerance < 1 is")
-    loop = Loop(float(gamma), float(delta), float(delay), sheet)
+    loop = Loop(**numbers, sheet=sheet)
     pieces, error = _curves(loop, tolerance)
     ends = np.array([p.points[i] for p in pieces for i in (0, -1)]).reshape(-1, 2)
     near = _SAME * _size(pieces)
