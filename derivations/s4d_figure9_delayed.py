@@ -70,5 +70,5 @@ def derive(page):
         height=0.5,
     )
     page.settle(
-        "fig9", root, *facts, *inside, note="for $d=2$ the spring takes over 1 % of the width"
+        "fig9", root, *facts, *inside, note="for $d=2$ the spring takes over a percent of the width"
     )
