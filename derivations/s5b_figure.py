@@ -37,8 +37,8 @@ def derive(page):
         stiffness.subs(quarter),
         tan(theta / 2) * need / size,
         name=alpha,
-        because="the passive bound with $\\Re\\{A/((z-1)N)\\}$ for $\\delta$, which is more, by the "
-        "energy of two chapters before",
+        because="the passive bound with $\\Re\\{A/((z-1)N)\\}$ for $\\delta$, which is more, by "
+        "the energy of chapter s5a\\_passive\\_is\\_stable",
     )
     bare = plant.numbers(S.Zero, delta)
     page.limit(
