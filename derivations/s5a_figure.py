@@ -5,9 +5,9 @@ and seven delays, two of them fractions of a period. For whole delays passive wa
 the chapter before. What do the curves for $d=\tfrac14$ and $d=\tfrac12$ say?
 """
 
-from sympy import I, S, cos, sin
+from sympy import S, cos
 
-from symhaptic.model import passivity
+from symhaptic.model import boundary, passivity
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import B, K, T, a, d, e, n_0, n_1, theta, z
 from symhaptic.report.stability_figures import passive_and_stable
@@ -15,9 +15,7 @@ from symhaptic.report.stability_figures import passive_and_stable
 
 def derive(page):
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
-    turned = on_circle(-(z**d) * bottom / top)
-    damping = (turned - real_part(turned)) / (I * sin(theta))
-    stiffness = real_part(turned) - damping * (1 - cos(theta))
+    stiffness, damping = boundary.solved(on_circle(-(z**d) * bottom / top))
     page.say(
         "Take a point $(\\alpha,\\beta)$ of the explicit boundary, whose root is "
         "$z=e^{j\\theta}$, and ask for the damping that passivity wants at this same angle:"
@@ -48,9 +46,10 @@ def derive(page):
     page.say(
         "A force that is really held back by a fraction of a period has other boundaries, the "
         "solid ones here. They leave the paper's by 1.6 % of the largest stiffness for "
-        "$d=\\tfrac14$, by 0.3 % for $d=\\tfrac12$, always to the left. We have no proof that the "
-        "walls of (27) lie inside them. Of $4\\cdot10^5$ walls on its border none was found "
-        "unstable; such a count could only have refuted it."
+        "$d=\\tfrac14$ and by 0.3 % for $d=\\tfrac12$. All walls of (27) seem to lie inside: of "
+        "$4\\cdot10^5$ on its border none was found unstable. That is no proof; such a count could "
+        "only have refuted it. The walls of (27) for the next whole delay do lie inside, by the "
+        "chapters on fractional delays."
     )
     page.figure(
         "fig11",

@@ -4,10 +4,10 @@ Fig. 12 of the paper draws both over the delay, and the ratio $\eta$ of the pass
 one. Stable walls are stiffer, but the ratio comes close to one. What happens there, and beyond?
 """
 
-from sympy import I, Poly, Rational, S, cos, exp, pi, sin, symbols, tan
+from sympy import Poly, Rational, S, cos, exp, pi, sin, symbols, tan
 
-from symhaptic.model import passivity, plant
-from symhaptic.model.passivity import on_circle, real_part
+from symhaptic.model import boundary, passivity, plant
+from symhaptic.model.passivity import on_circle
 from symhaptic.notation import K, T, a, alpha, d, delta, e, n_0, n_1, phi, theta, z
 from symhaptic.proof.sign import number
 from symhaptic.report.stability_figures import largest_stiffnesses
@@ -27,9 +27,7 @@ def derive(page):
         because="so $\\alpha\\le2\\delta\\tan\\frac\\theta2$, and (11) is the wall that attains it",
     )
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
-    turned = on_circle(-(z**d) * bottom / top)
-    damping = (turned - real_part(turned)) / (I * sin(theta))
-    stiffness = real_part(turned) - damping * (1 - cos(theta))
+    stiffness, _ = boundary.solved(on_circle(-(z**d) * bottom / top))
     size = n_1**2 + n_0**2 + 2 * n_1 * n_0 * cos(theta)
     need = (1 + a - e) * n_1 + (1 - a - e) * n_0 + 2 * (n_0 - e * n_1) * cos(theta)
     tip = page.step(
@@ -37,8 +35,8 @@ def derive(page):
         stiffness.subs(quarter),
         tan(theta / 2) * need / size,
         name=alpha,
-        because="the passive bound with $\\Re\\{A/((z-1)N)\\}$ for $\\delta$, which is more, by "
-        "the energy of chapter s5a\\_passive\\_is\\_stable",
+        because="the passive bound with $\\Re\\{A/((z-1)N)\\}$ for $\\delta$, more by the "
+        "energy of a passive wall",
     )
     bare = plant.numbers(S.Zero, delta)
     page.limit(
