@@ -26,6 +26,8 @@ PROVED = [
     "fig9",
     "fig11",
     "fig12",
+    "fig13",
+    "s5c-robust-vanishes",
     "counting-ignores-delay",
     "fractional-plant",
     "fractional-polynomial",
