@@ -5,10 +5,10 @@ criteria grow with the delay. But the characteristic polynomial is affine in $\a
 and that is enough: on the unit circle one complex equation fixes both.
 """
 
-from sympy import I, Ne, S, cos, sin, symbols, tan
+from sympy import Ne, S, cos, sin, symbols, tan
 
-from symhaptic.model import loop, plant
-from symhaptic.model.passivity import on_circle, real_part
+from symhaptic.model import boundary, loop, plant
+from symhaptic.model.passivity import on_circle
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, theta, z
 from symhaptic.scene import FULL, Parts
 
@@ -18,7 +18,7 @@ def derive(page):
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
     page.say("With $A=z^2-az+e$ and $N=n_1z+n_0$, a root of the polynomial is a point where")
-    q = -(z**d) * bottom / top
+    q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
         "The wall that a root needs",
         polynomial / (z * top),
@@ -26,21 +26,28 @@ def derive(page):
         name=r"\frac{p_1(z)}{zN(z)}",
         because="vanishes: $\\alpha+\\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
-    turned = on_circle(q)
-    real, imaginary = real_part(turned), (turned - real_part(turned)) / I
-    # the real numbers a, e, n_1, n_0 leave j in the exponentials only
     page.say(
         "On the unit circle, $z=e^{j\\theta}$, real and imaginary part are two real equations."
     )
-    damping = imaginary / sin(theta)
-    stiffness = real - damping * (1 - cos(theta))
-    page.step(
-        "Both solved",
-        on_circle(polynomial).subs({alpha: stiffness, beta: damping}),
-        S.Zero,
-        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
-        r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because="for every real $d$ on the principal sheet, and every plant",
+    stiffness, damping = boundary.solved(on_circle(q))
+    solved = page.same(
+        "both solved", on_circle(polynomial).subs({alpha: stiffness, beta: damping}), S.Zero
+    )
+    page.show(
+        "Damping on the boundary",
+        beta,
+        r"\frac{\Im Q}{\sin\theta}",
+        solved,
+        because="for every plant, and for every real $d$ on the principal sheet",
+        boxed=True,
+    )
+    page.show(
+        "Stiffness on the boundary",
+        alpha,
+        r"\Re Q-\beta(1-\cos\theta)",
+        solved,
+        because="with both, $p_1(e^{j\\theta})$ vanishes identically",
+        boxed=True,
     )
     page.say(
         "No grid and no iteration: each angle gives one point of the boundary. The other pieces "
@@ -89,8 +96,8 @@ def derive(page):
     device = plant.sampled(plant.normalised(FULL), split=c)
     general = {a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}
     given = {gamma: (delta**2 - c**2) / 4}
-    boundary = {alpha: stiffness.subs(general), beta: damping.subs(general)}
-    residual = on_circle(loop.characteristic(FULL, split=c)).subs(boundary).xreplace(given)
+    walls = {alpha: stiffness.subs(general), beta: damping.subs(general)}
+    residual = on_circle(loop.characteristic(FULL, split=c)).subs(walls).xreplace(given)
     page.settle(
         "s4d-explicit-only-undelayed",
         page.same("the boundary of every plant and every delay", residual, S.Zero),

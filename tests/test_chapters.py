@@ -20,6 +20,29 @@ PROVED = [
     "eq30",
     "s5a-proportional",
     "s5c-undamped-limit",
+    "s4d-gamma-invisible",
+    "fig7",
+    "fig8",
+    "fig9",
+    "fig11",
+    "fig12",
+    "fig13",
+    "s5c-robust-vanishes",
+    "counting-ignores-delay",
+    "fractional-plant",
+    "fractional-polynomial",
+    "fractional-boundary",
+    "fractional-half-mass",
+    "fractional-passivity",
+    "fractional-passive-is-stable",
+    "fractional-low-frequencies",
+    "fractional-limit-points",
+    "fractional-largest-stiffness",
+    "fractional-longer-delay",
+    "fractional-next-whole",
+    "fractional-literal",
+    "fractional-figures",
+    "fractional-principal",
 ]
 ENCLOSED = ["s3c-kmax-41", "s3c-kmax-27"]
 MISPRINTS = ["eq12", "s4a-delay-equivalent", "s3b-linear-in-T"]
@@ -44,10 +67,15 @@ QUALIFIED = [
     "s3c-lower-part",
     "s4d-degree",
     "s4d-left-bound",
+    "s4d-quadratic-in-period",
+    "s4d-damping-bound",
+    "s4d-delta-grows",
     "s5a-subset",
     "s5c-robust-subset",
+    "s6-sampling",
+    "s6-mass",
 ]
-REFUTED = ["s4d-explicit-only-undelayed"]
+REFUTED = ["s4d-explicit-only-undelayed", "s4d-all-stabilising", "s4d-delay-shrinks"]
 EXTERNAL = ["s3-unilateral"]
 EXPECTED = {
     id: kind

@@ -27,6 +27,8 @@ SETTLED = {
     "s4d_left_bound_delayed": ["s4d-left-bound"],
     "s5c_nyquist": ["eq28", "eq29", "eq30"],
     "s5a_normalised_boundary": ["eq27"],
+    "s6d_fractional_passivity": ["fractional-passivity"],
+    "s6e_fractional_region": ["fractional-low-frequencies"],
 }
 
 # Two formulas of the text are too short for fifteen; the numbers count by hand what can be changed:

@@ -29,6 +29,15 @@ def test_importing_the_package_loads_nothing_symbolic():
     assert python(code) == "[]"
 
 
+def test_the_numeric_functions_load_nothing_symbolic():
+    code = (
+        "import sys, symhaptic; "
+        "symhaptic.stable_region, symhaptic.max_stable_stiffness, symhaptic.is_passive; "
+        "print([m for m in ('sympy', 'flint', 'mpmath', 'matplotlib') if m in sys.modules])"
+    )
+    assert python(code) == "[]"
+
+
 def test_every_public_name_loads_when_used():
     code = "import symhaptic; print(all(getattr(symhaptic, n) for n in symhaptic.__all__))"
     assert python(code) == "True"
@@ -44,11 +53,17 @@ def imports(path: Path) -> set[str]:
     return found
 
 
+SYMBOLIC = (
+    *("sympy", "flint", "mpmath"),
+    *("symhaptic.model", "symhaptic.paper", "symhaptic.proof", "symhaptic.report"),
+)
 FORBIDDEN = {
     # folder: what its files may not import (the project's rules of flow)
     "model": ("symhaptic.paper", "symhaptic.proof", "symhaptic.report", "symhaptic.chapter"),
     "paper": ("symhaptic.model", "symhaptic.proof", "symhaptic.report", "symhaptic.chapter"),
     "proof": ("symhaptic.model", "symhaptic.report", "symhaptic.chapter"),
+    "kernels": (*SYMBOLIC, "scipy", "symhaptic.tracer"),
+    "tracer": SYMBOLIC,
 }
 
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from symhaptic.formulas import Formula, formula
     from symhaptic.kernels.boundary import stability_boundary
     from symhaptic.kernels.extremum import Extremum
+    from symhaptic.kernels.linear import linear_limit
     from symhaptic.kernels.passivity import (
         is_passive,
         max_passive_stiffness,
@@ -45,6 +46,7 @@ _HOME = {
     "grid_boundary": "symhaptic.tracer.grid",
     "is_passive": "symhaptic.kernels.passivity",
     "is_stable": "symhaptic.kernels.stability",
+    "linear_limit": "symhaptic.kernels.linear",
     "max_passive_stiffness": "symhaptic.kernels.passivity",
     "max_stable_stiffness": "symhaptic.tracer.extremes",
     "passivity_boundary": "symhaptic.kernels.passivity",
@@ -68,6 +70,7 @@ __all__ = [
     "grid_boundary",
     "is_passive",
     "is_stable",
+    "linear_limit",
     "max_passive_stiffness",
     "max_stable_stiffness",
     "passivity_boundary",

@@ -15,17 +15,19 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
+from flint import arb
 from sympy import Expr
 
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.ball import largest_root
+from symhaptic.proof.ball import bound, largest_root
 from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
+from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.series import limit
-from symhaptic.proof.settle import Settlement, Truth
+from symhaptic.proof.settle import Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
@@ -44,7 +46,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Block:
-    """One element of a page: prose, an equation with its proof, or a figure."""
+    """One element of a page: prose, an equation with its proof, a table or a figure."""
 
     kind: str
     title: str = ""
@@ -56,8 +58,12 @@ class Block:
     number: int = 0
     boxed: bool = False
     draw: Callable[..., None] | None = None
+    panels: tuple[int, int] = (1, 1)
+    height: float = 0.62
     paper: str = ""
     """Number of the paper's equation that this one stands for."""
+    rows: tuple[tuple[Any, ...], ...] = ()
+    """Cells of a table, its head first."""
 
 
 @dataclass
@@ -129,16 +135,38 @@ class Page:
         self,
         title: str,
         name: Expr | str,
-        expr: Expr,
+        expr: Expr | str,
         proof: Evidence,
         because: str = "",
         boxed: bool = False,
         paper: str = "",
-    ) -> Expr:
+    ) -> Expr | str:
         """``name = expr``, proved by evidence found before, such as :meth:`same`."""
         lines = [(name, "=", expr)]
         self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)
         return expr
+
+    def minimal(
+        self, title: str, numbers: Sequence[tuple[str, Algebraic]], because: str = ""
+    ) -> None:
+        """Minimal polynomials of numbers, each the smallest positive root of its own."""
+        for name, number in numbers:
+            if number.positive_roots_below:
+                raise FalseStep(f"{title}: {name} has a smaller positive root")
+        lines = [(name, "=", number.minimal) for name, number in numbers]
+        method = r"irreducible over $\mathbb{Q}$; balls around the roots"
+        self._equation(title, lines, "proved", method, because)
+
+    def enclosed(
+        self,
+        title: str,
+        values: Sequence[tuple[Expr | str, arb]],
+        because: str = "",
+        places: int = 24,
+    ) -> None:
+        """Positive numbers by their first decimals, which the balls around them settle."""
+        rows = [(name, "=", decimals(value, places) + r"\ldots") for name, value in values]
+        self._equation(title, rows, "enclosed", "ball arithmetic", because)
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
@@ -189,14 +217,48 @@ class Page:
         )
         return relation
 
-    def inside(self, title: str, polynomial: Expr) -> Evidence:
-        """All roots of a polynomial in z with rational coefficients lie inside the unit circle."""
-        largest = largest_root(polynomial)
+    def inside(
+        self,
+        title: str,
+        polynomial: Expr,
+        at: Point | None = None,
+        given: Mapping[Expr, Expr] | None = None,
+        half: bool = False,
+    ) -> Evidence:
+        """All roots of a polynomial in z lie inside the unit circle, its symbols at a point.
+
+        Symbols of the polynomial may stand for expressions ``given`` in those of the point.  With
+        ``half`` only roots that may have a positive real part are asked for: where z stands for
+        the square root, that is the principal sheet.
+        """
+        largest = largest_root(polynomial, at, given, lambda z: not (half and z.real < 0))
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        bound = largest.upper().str(4, radius=False)
-        self._equation(title, [(r"\max|z|", "<", bound)], "proved", "balls around the roots", "")
+        self._roots(title, "<", bound(largest, above=True), half)
         return Evidence("balls around the roots")
+
+    def outside(
+        self,
+        title: str,
+        polynomial: Expr,
+        at: Point | None = None,
+        given: Mapping[Expr, Expr] | None = None,
+        half: bool = False,
+    ) -> Witness:
+        """A root of such a polynomial lies outside; what this contradicts is false at the point.
+
+        With ``half`` it has a positive real part.
+        """
+        largest = largest_root(polynomial, at, given, lambda z: not half or z.real > 0)
+        if not largest > 1:
+            raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
+        self._roots(title, ">", bound(largest, above=False), half)
+        return Witness(dict(at or {}), "balls around the roots")
+
+    def _roots(self, title: str, sign: str, size: str, half: bool) -> None:
+        """The line that says on which side of 1 the largest root lies."""
+        name = r"\max_{\Re\zeta>0}|\zeta|" if half else r"\max|z|"
+        self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` does not change with the symbols: its derivatives are identically zero."""
@@ -213,9 +275,30 @@ class Page:
             method = self._proved(what, left, right)
         return Evidence(method)
 
-    def figure(self, name: str, caption: str, draw: Callable[..., None]) -> None:
-        """A plot: ``draw(axes)`` is called by the report, with Matplotlib's axes."""
-        self.blocks.append(Block("figure", title=name, text=caption, draw=draw))
+    def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
+        """Columns of numbers or formulas as they were computed; text may hold formulas in $."""
+        for row in rows:
+            if len(row) != len(head):
+                raise ValueError(f"table: {len(row)} cells under {len(head)} heads: {row}")
+        cells = (tuple(head), *(tuple(row) for row in rows))
+        self.blocks.append(Block("table", text=caption, rows=cells))
+
+    def figure(
+        self,
+        name: str,
+        caption: str,
+        draw: Callable[..., None],
+        panels: tuple[int, int] = (1, 1),
+        height: float = 0.62,
+    ) -> None:
+        """A plot: ``draw(axes)`` is called by the report, with Matplotlib's axes.
+
+        ``panels`` are rows and columns, ``height`` is in widths of the text; ``draw`` gets the
+        array of axes where there are several panels.
+        """
+        self.blocks.append(
+            Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
+        )
 
     # -- statements ---------------------------------------------------------------------
 
@@ -231,7 +314,7 @@ class Page:
     def settle(
         self,
         id: str,
-        *grounds: Form | Evidence | Fact,
+        *grounds: Form | Evidence | Fact | Witness,
         definition: bool = False,
         given: Mapping[Expr, Expr] | None = None,
         provided: str | None = None,
@@ -256,11 +339,10 @@ class Page:
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
-        forms = [p for g in grounds if not isinstance(g, (Evidence, Fact)) for p in parts(g)]
+        proving = (Evidence, Fact, Witness)
+        forms = [p for g in grounds if not isinstance(g, proving) for p in parts(g)]
         proofs = [
-            g.method if isinstance(g, Evidence) else g.reason
-            for g in grounds
-            if isinstance(g, (Evidence, Fact))
+            g.reason if isinstance(g, Fact) else g.method for g in grounds if isinstance(g, proving)
         ]
         settlement = Settlement(
             derived=tuple(forms),

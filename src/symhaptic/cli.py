@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -34,6 +34,15 @@ class ReportFormat(StrEnum):
 
     tex = "tex"
     pdf = "pdf"
+
+
+class TraceFormat(StrEnum):
+    """What `trace` writes."""
+
+    csv = "csv"
+    json = "json"
+    png = "png"
+    svg = "svg"
 
 
 Derivations = Annotated[
@@ -143,13 +152,7 @@ def verify(
     if output is None:
         typer.echo(text, nl=False)
     else:
-        try:
-            listing.replace(output, text)
-        except OSError as wrong:
-            _usage(
-                f"-o {output}: cannot write there ({wrong.strerror}); a file in a folder that "
-                "exists is allowed"
-            )
+        _replace(listing.replace, output, text)
     if surprises or (strict and undecided):
         raise typer.Exit(1)
 
@@ -193,6 +196,70 @@ def report(
     typer.echo(f"wrote {output / ('book.pdf' if pdf else 'book.tex')}")
     if not pdf and format is None:
         typer.echo(f"no PDF: {build.NO_TEX}", err=True)
+
+
+@app.command()
+def trace(
+    gamma: Annotated[str, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m.")],
+    delta: Annotated[str, typer.Option("--delta", metavar="D", help="Damping b T/m.")],
+    delay: Annotated[
+        str, typer.Option("--delay", metavar="d", help="Delay in periods, fractions exact.")
+    ],
+    format: Annotated[TraceFormat, typer.Option("--format", help="What to write.")] = (
+        TraceFormat.csv
+    ),
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+    ] = None,
+) -> None:
+    """Trace the stable region of the (alpha, beta) plane."""
+    from symhaptic import listing
+    from symhaptic.tracer import output as written
+    from symhaptic.tracer.region import stable_region
+
+    drawn = format in (TraceFormat.png, TraceFormat.svg)
+    if drawn and output is None:
+        _usage(f"--format {format}: needs -o FILE; csv and json can be printed")
+    plant = _number("gamma", gamma), _number("delta", delta)
+    periods = _number("delay", delay)
+    try:
+        region = stable_region(*plant, periods)
+    except ValueError as wrong:
+        _usage(f"--{wrong}")
+    content: str | bytes
+    if drawn:
+        try:
+            from symhaptic.report.region import picture
+
+            content = picture(region, format)
+        except ModuleNotFoundError as missing:
+            _usage(f"--format {format}: needs {missing.name}; pip install 'symhaptic[report]'")
+    else:
+        content = (written.json_text if format is TraceFormat.json else written.csv_text)(region)
+    if output is None:
+        typer.echo(content, nl=False)
+    else:
+        _replace(listing.replace, output, content)
+
+
+def _number(name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    _usage(f"--{name}: {text!r} is not allowed; a number is")
+
+
+def _replace(
+    replace: Callable[[Path, str | bytes], None], output: Path, content: str | bytes
+) -> None:
+    try:
+        replace(output, content)
+    except OSError as wrong:
+        _usage(
+            f"-o {output}: cannot write there ({wrong.strerror}); a file in a folder that exists "
+            "is allowed"
+        )
 
 
 def _close(id: str, known: Iterable[str]) -> str:

@@ -172,3 +172,9 @@ def test_a_point_where_one_side_is_undefined_refutes_nothing():
     # does not see that sqrt(x) sqrt(x) in the exponent is x
     left = exp(sqrt(x) * (sqrt(x) + 1)) * (x**2 - 1) / (x - 1)
     assert prove(left, (x + 1) * exp(x + sqrt(x))).kind in ("proved", "undecided")
+
+
+def test_a_lone_symbol_is_a_side_like_any_other():
+    # SymPy counts a symbol among the truth values as well
+    assert prove(a / (1 - exp(-a)) * (1 - exp(-a)), a)
+    assert prove(a, x).kind == Kind.REFUTED

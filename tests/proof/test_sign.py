@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 from sympy import Rational, S, cos, pi, sin
 
+from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.sign import (
     Fact,
     Interval,
@@ -12,6 +13,7 @@ from symhaptic.proof.sign import (
     combined,
     cosine,
     either,
+    exponential,
     integrated,
     number,
     quotient,
@@ -51,6 +53,16 @@ def test_sine_lies_below_its_angle():
     second = integrated(x - sin(x), up, first)
     assert second.strict
     assert second.rests == {(x, True), (pi - x, True)}
+
+
+def test_exponential_of_a_real_number():
+    assert exponential(-x * y).relation == (sp.exp(-x * y) > 0)
+    with pytest.raises(NotShown, match="not real"):
+        exponential(sp.I * pi)  # it is -1
+    with pytest.raises(Unsupported, match="c, which is complex"):
+        exponential(sp.Symbol("c"))  # may be imaginary, by the notation
+    with pytest.raises(Unsupported, match="need not be real"):
+        exponential(sp.sqrt(x))
 
 
 def test_cosine_is_positive_up_to_a_right_angle():

@@ -110,7 +110,7 @@ def begin(x: Device, gamma: Array, steps: Array) -> tuple[Array, Array]:
 def end(x: Device, steps: Array) -> tuple[Array, Array]:
     """Limit at theta = pi for whole ``steps``, where two roots meet at -1; may be infinite."""
     sign = np.where(steps % 2 == 0, 1.0, -1.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         line = sign * x.at_minus_one / x.numerator_at_minus_one  # alpha + 2 beta
         lead = sign * ((steps + 2) * x.at_minus_one + 2 + x.a)
         both = (lead + (x.m1 - 2 * x.m2) * line) / x.numerator_at_minus_one  # alpha + beta

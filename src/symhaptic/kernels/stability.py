@@ -6,7 +6,7 @@ equation in :math:`y=4\sin^2(\theta/2)` of degree two (three for a fractional de
 contain the delay.  Between its solutions one of f and g leads and takes the argument of p along,
 so that only the phase :math:`\Phi=\arg g-\arg f` at the solutions decides: where g stops or
 starts to lead, p has turned :math:`2\pi\,[\Phi/2\pi]` more or less than f, with the nearest whole
-number in the brackets.  Chapter s4d_counting derives this.
+number in the brackets.  Chapter s4d_roots_counted derives this.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.crossings import Crossing, Wall, crossings, surplus, wall
 from symhaptic.kernels.cubic import Terms
-from symhaptic.kernels.plant import Device, device, discretize
+from symhaptic.kernels.plant import Device, device, discretize, stuck
 
 SHEETS = ("exact", "principal")
 
@@ -91,7 +91,7 @@ def count(
     """
     terms = surplus(x, v)
     found = crossings(terms, whole)
-    total = np.zeros(np.broadcast_shapes(v.alpha.shape, steps.shape, x.m2.shape))
+    total = np.zeros(np.broadcast_shapes(v.slope.shape, steps.shape, x.m2.shape))
     nearest = None
     if on_circle is not None and found:
         y, rest = 4 * np.sin(on_circle / 2) ** 2, 4 * np.cos(on_circle / 2) ** 2
@@ -110,7 +110,7 @@ def count(
     side = np.where(v.slope >= 0, 1.0, -1.0)
     begin = np.where(v.alpha > 0, 0.0, side)
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
-    end += np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
+    end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
     if principal:
         end = np.where(steps == np.floor(steps), end, 2 * np.rint(end / 2))
     total += np.where(_leads(terms.near), begin, 0.0)
@@ -143,13 +143,15 @@ def _count(
 def _arguments(
     alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike
 ) -> tuple[Array, Array, Array, Array, Array]:
-    return (
+    values = (
         arguments.finite("alpha", alpha),
         arguments.finite("beta", beta),
         arguments.nonnegative("gamma", gamma),
         arguments.nonnegative("delta", delta),
         arguments.periods("delay", delay),
     )
+    arguments.together(*values)
+    return values
 
 
 def unstable_roots(
@@ -189,8 +191,9 @@ def is_stable(
 ) -> NDArray[np.bool_]:
     """Whether all characteristic roots lie inside the unit circle; see :func:`unstable_roots`.
 
-    On the line alpha = -gamma a root lies at 1, and an undamped device without a wall keeps on
-    swinging: neither is stable, and NaN is not either.
+    On the line alpha = -gamma a root lies at 1, an undamped device without a wall keeps on
+    swinging, and one that makes whole half swings in a period does so with every wall: none of
+    them is stable, and NaN is not either.
 
     >>> is_stable([0.03, 0.003], 0.05, 0.001, 0.02, 5).tolist()
     [False, True]
@@ -198,7 +201,7 @@ def is_stable(
     al, be, g, dl, _ = _arguments(alpha, beta, gamma, delta, delay)
     swings = (al == 0) & (be == 0) & (dl == 0)
     count = unstable_roots(al, be, g, dl, delay, sheet)
-    return np.asarray((count == 0) & (al > -g) & ~swings)
+    return np.asarray((count == 0) & (al > -g) & ~swings & ~stuck(g, dl))
 
 
 def characteristic_polynomial(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sympy import Expr
 
 from symhaptic.model import plant, wall
-from symhaptic.notation import T, m
+from symhaptic.notation import T, a, alpha, beta, d, e, m, n_0, n_1, z
 from symhaptic.scene import FULL, Parts
 
 
@@ -15,7 +15,11 @@ def characteristic(parts: Parts = FULL, split: Expr | None = None) -> Expr:
     Each scene's polynomial is made of its own sampled plant and its own wall.  ``split`` may
     name the difference of the plant's poles, sqrt(delta^2 - 4 gamma).
     """
-    device = plant.sampled(plant.normalised(parts), split=split)
+    return closing(plant.sampled(plant.normalised(parts), split=split), parts)
+
+
+def closing(device: plant.Sampled, parts: Parts = FULL) -> Expr:
+    """The same polynomial for a sampled plant whose numbers are given."""
     top, bottom = wall.normalised(parts)
     return device.denominator * bottom + device.numerator * top
 
@@ -25,3 +29,14 @@ def closed(parts: Parts = FULL, split: Expr | None = None) -> Expr:
     device = plant.sampled(plant.normalised(parts), split=split)
     top, bottom = wall.normalised(parts)
     return T**2 / m * device.transfer / (1 + device.transfer * top / bottom)
+
+
+def named() -> Expr:
+    """The characteristic polynomial with the plant's numbers by name: a, e, n_1 and n_0."""
+    return z ** (d + 1) * (z**2 - a * z + e) + (n_1 * z + n_0) * ((alpha + beta) * z - beta)
+
+
+def numbers(parts: Parts = FULL) -> dict[Expr, Expr]:
+    """What the names a, e, n_1 and n_0 stand for."""
+    device = plant.sampled(plant.normalised(parts))
+    return {a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}

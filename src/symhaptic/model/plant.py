@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Matrix
 
-from symhaptic.notation import b, delta, gamma, k, m, s, t, z
+from symhaptic.notation import a, b, delta, e, gamma, k, m, n_0, n_1, s, t, z
 from symhaptic.scene import Parts
 
 
@@ -132,3 +132,11 @@ def sampled(plant: Plant, period: Expr = sp.S.One, split: Expr | None = None) ->
         a=phi[0, 0] + phi[1, 1],
         e=sp.exp(-period * (plant.damping or 0) / plant.mass),
     )
+
+
+def numbers(stiffness: Expr, damping: Expr) -> dict[Expr, Expr]:
+    """n_1, n_0, a and e of given gamma and delta; a part that is zero is not modelled."""
+    found = sampled(normalised(Parts(stiffness=stiffness != 0, damping=damping != 0)))
+    values = {gamma: stiffness, delta: damping}
+    four = {n_1: found.n1, n_0: found.n0, a: found.a, e: found.e}
+    return {name: sp.sympify(value).subs(values) for name, value in four.items()}

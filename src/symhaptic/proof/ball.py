@@ -7,10 +7,13 @@ are equal.  That is left to :mod:`symhaptic.proof.normal`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from math import ceil, floor
 from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, arb, ctx, fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_poly
 from sympy import Expr
 
 from symhaptic.proof.normal import Field, is_zero
@@ -35,7 +38,11 @@ _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
 }
 
 
-def ball(expr: Expr, at: Mapping[Expr, Expr] | None = None, bits: int = 64) -> acb:
+At: TypeAlias = Mapping[Expr, Expr | acb | arb]
+"""Values of symbols: exact numbers, or balls that contain them."""
+
+
+def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
     """A ball that contains the value of ``expr`` where its symbols have the values ``at``.
 
     Raises :class:`Unsupported` for a function that it does not know.  A ball that is not
@@ -52,9 +59,10 @@ def ball(expr: Expr, at: Mapping[Expr, Expr] | None = None, bits: int = 64) -> a
         ctx.prec = before
 
 
-def _ball(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
+def _ball(expr: Expr, at: At) -> acb:
     if expr in at:
-        return _ball(sp.sympify(at[expr]), {})
+        value = at[expr]
+        return acb(value) if isinstance(value, (acb, arb)) else _ball(sp.sympify(value), {})
     if expr.is_Rational:
         return acb(fmpq(int(expr.p), int(expr.q)))
     if expr is sp.I:
@@ -83,22 +91,67 @@ def _ball(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
     raise Unsupported(f"no ball for {type(expr).__name__}: {expr}")
 
 
-def largest_root(polynomial: Expr) -> arb:
-    """A ball that contains the largest modulus of a rational polynomial's roots.
+def largest_root(
+    polynomial: Expr,
+    at: Mapping[Expr, Expr] | None = None,
+    given: Mapping[Expr, Expr] | None = None,
+    keep: Callable[[acb], bool] = lambda root: True,
+) -> arb:
+    """A ball that contains the largest modulus of the roots of a polynomial in one symbol.
 
-    python-flint isolates the roots by certified balls.
+    Of its roots only those are looked at whose ball is one to ``keep``.
 
-    >>> z = sp.Symbol("z")
-    >>> bool(largest_root(z**2 - sp.Rational(1, 4)) < 0.51)
+    Its other symbols have the values ``at``, or stand for expressions ``given`` in them;
+    python-flint isolates the roots of every polynomial whose coefficients lie in their balls.
+    Raises :class:`Unsupported` where roots are too close to be told apart.
+
+    >>> x, y, z = sp.symbols("x y z")
+    >>> bool(largest_root(z**2 - y, {x: 2}, {y: sp.exp(-x)}) < 0.37)
     True
     """
-    coefficients = sp.Poly(polynomial, *sorted(polynomial.free_symbols, key=str)).all_coeffs()
-    exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
-    sizes = [abs(root) for root, _ in exact.complex_roots()]
-    largest = sizes[0]
-    for size in sizes[1:]:
+    point, meant = dict(at or {}), dict(given or {})
+    exponents = {s: v for s, v in point.items() if s in polynomial.free_symbols and v.is_Integer}
+    polynomial = polynomial.subs(exponents)
+    variable = sorted(polynomial.free_symbols - {*point, *meant}, key=str)
+    coefficients = sp.Poly(polynomial, *variable).all_coeffs()
+    if all(c.is_Rational for c in coefficients):
+        exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
+        return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
+    before = ctx.prec
+    for bits in PRECISIONS:
+        ctx.prec = bits
+        try:
+            values: At = {**point, **{s: _ball(v, point) for s, v in meant.items()}}
+            roots = acb_poly([_ball(c, values) for c in reversed(coefficients)]).complex_roots()
+            return _largest([abs(root) for root in roots if keep(root)])
+        except ValueError:  # not isolated at this precision
+            continue
+        finally:
+            ctx.prec = before
+    raise Unsupported(f"roots not isolated: {polynomial}")
+
+
+def _largest(sizes: list[arb]) -> arb:
+    largest = arb(0)
+    for size in sizes:
         largest = largest.max(size)
     return largest
+
+
+def bound(number: arb, above: bool) -> str:
+    """A decimal not below (or not above) a ball, of four places or as many as tell it from 1.
+
+    >>> bound(1 - arb(2)**-15, above=True), bound(1 + arb(2)**-3, above=False)
+    ('0.99996949', '1.1250')
+    """
+    mantissa, exponent = (number.upper() if above else number.lower()).man_exp()
+    exact = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    for places in (4, 8, 16):
+        scaled = exact * 10**places
+        whole = ceil(scaled) if above else floor(scaled)
+        if whole != 10**places:
+            break
+    return f"{Decimal(whole).scaleb(-places):f}"
 
 
 def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool | None:

@@ -10,7 +10,6 @@ from typing import TypeAlias
 import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
-from sympy.logic.boolalg import Boolean
 
 from symhaptic.latex import latex
 from symhaptic.proof.ball import Value, differs_from_zero, value_at
@@ -76,7 +75,7 @@ def _compare(left: Expr, right: Expr) -> Comparison:
     try:
         if isinstance(left, Relational) and isinstance(right, Relational):
             return _relations(left, right)
-        if isinstance(left, Boolean) or isinstance(right, Boolean):
+        if not (isinstance(left, Expr) and isinstance(right, Expr)):
             if left == right:
                 return Comparison(True, "identical")
             return _told_apart(left, right)

@@ -18,9 +18,18 @@ from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import UNSETTLED, Kind, Verdict
 
-Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | None
-"""What holds at a counterexample: a form to evaluate there, a fact (true), or a relation with
-the fact that contradicts it (false)."""
+
+@dataclass(frozen=True)
+class Witness:
+    """Something that a statement in words excludes was proved to happen at a point."""
+
+    at: Mapping[Expr, Expr]
+    method: str
+
+
+Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | Witness | None
+"""What holds at a counterexample: a form to evaluate there, a fact (true), a relation with the
+fact that contradicts it (false), or a witness (false)."""
 
 DIGITS = 30
 """Decimals given of a constant."""
@@ -168,6 +177,10 @@ class Settlement:
             if self.truth.expr in {expr for expr, _ in self.truth.rests}:
                 raise Unfounded("an assumption is not a fact")
             theirs = True
+        elif isinstance(self.truth, Witness):
+            if any(point.get(s) != v for s, v in self.truth.at.items()):
+                raise Unfounded("the witness stands at another point")
+            theirs = False
         elif isinstance(self.truth, tuple) and isinstance(self.truth[-1], Fact):
             relation, fact = self.truth
             if not compare(relation, -fact.expr > 0).equal:

@@ -1,10 +1,12 @@
 r"""Signs on a whole domain, by certificates that are checked exactly.
 
 A fact says that an expression is positive (or not negative) wherever the assumptions hold.
-New facts follow in five ways, each checked by the normal form:
+New facts follow in seven ways, each checked by the normal form:
 
 * a sum of products of facts, with positive rational coefficients;
 * the sine of an angle that lies between 0 and pi;
+* the sine of the larger of two angles between -pi/2 and pi/2 is the larger one;
+* the exponential of a real number;
 * two cases, one where some expression is positive and one where it is not;
 * integration: zero at the lower end of an interval, with a positive derivative on it;
 * division by a fact.
@@ -22,6 +24,7 @@ from sympy import Expr
 
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import conjugated
 from symhaptic.proof.series import limit
 
 
@@ -135,6 +138,29 @@ def cosine(angle: Fact, complement: Fact) -> Fact:
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi/2")
     rests = angle.rests | complement.rests
     return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests)
+
+
+def chord(lower: Fact, upper: Fact, gap: Fact) -> Fact:
+    """sin x - sin y > 0, because y + pi/2 >= 0, pi/2 - x >= 0 and x - y > 0, in this order.
+
+    >>> x = sp.Symbol("x")
+    >>> up, down = assume(x), assume(sp.pi/2 - x)
+    >>> chord(number(sp.pi/2), down, up).relation
+    sin(x) > 0
+    """
+    if not is_zero(lower.expr + upper.expr + gap.expr - sp.pi):
+        raise NotShown(f"{lower.expr}, {gap.expr} and {upper.expr} do not add up to pi")
+    larger, smaller = sp.pi / 2 - upper.expr, lower.expr - sp.pi / 2
+    rests = lower.rests | upper.rests | gap.rests
+    expr = sp.sin(larger) - sp.sin(smaller)
+    return Fact(expr, gap.strict, "the sine rises", rests)
+
+
+def exponential(exponent: Expr) -> Fact:
+    """exp x > 0 for a real x."""
+    if not is_zero(conjugated(exponent) - exponent):
+        raise NotShown(f"{exponent} is not real")
+    return Fact(sp.exp(exponent), True, "an exponential")
 
 
 def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:

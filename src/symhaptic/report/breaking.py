@@ -149,9 +149,12 @@ def _product(expr: Expr, limit: float) -> list[str] | None:
         ]
     longest = max(sums, key=lambda f: width(latex(f)))
     rest = [f for f in top if f is not longest]
-    front = (
-        latex(sp.Mul(*rest, *(1 / f for f in bottom), evaluate=False)) if (rest or bottom) else ""
-    )
+    front = ""
+    if rest or bottom:
+        before = sp.Mul(*rest, *(1 / f for f in bottom), evaluate=False)
+        front = latex(before)
+        if before.is_Add:  # a sum keeps its brackets
+            front = rf"\left({front}\right)" if r"\frac" in front else f"({front})"
     if bottom and not rest:
         front = latex(1 / sp.Mul(*bottom))
     room = limit - width(front) - 1.5

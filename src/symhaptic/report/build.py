@@ -169,7 +169,7 @@ def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) 
                 from symhaptic.report.figures import save
 
                 say(f"figure {block.title}")
-                save(block.draw, folder / f"{block.title}.pdf")
+                save(block.draw, folder / f"{block.title}.pdf", block.panels, block.height)
 
 
 def differences(chapters: list[Chapter], target: Path) -> str:
@@ -217,4 +217,6 @@ def typeset(folder: Path, say: Callable[[str], None]) -> None:
         raise ReportError(f"latexmk failed in {files[-1] if files else 'book'}.tex: {first}")
     bad = re.findall(r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*)$", log, re.MULTILINE)
     if bad:
-        raise ReportError(f"{len(bad)} bad lines in the typeset report, the first: {bad[0]}")
+        opened = re.findall(r"\(\./(\w+)\.tex", log[: log.index(bad[0])])
+        where = f"{opened[-1] if opened else 'book'}.tex"
+        raise ReportError(f"{len(bad)} bad lines in the report, the first in {where}: {bad[0]}")

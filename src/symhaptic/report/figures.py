@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
-from symhaptic.model import passivity
-from symhaptic.notation import T, b, d, theta
+from symhaptic.model import boundary as boundary_of
+from symhaptic.model import jury, passivity, plant
+from symhaptic.notation import T, alpha, b, beta, d, theta
 from symhaptic.paper.figures import DELAYS
+from symhaptic.scene import Parts
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -102,15 +104,71 @@ def largest_stiffness(axes: Axes) -> None:
     axes.set_ylabel(r"largest passive stiffness $K_{\max}T/b$")
 
 
-def save(draw: Callable[[Axes], None], target: Path) -> None:
-    """Draw a figure into a PDF that is the same from run to run."""
+@cache
+def _free_mass() -> Any:
+    """(alpha, beta) of a free mass's boundary over theta and d."""
+    device = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
+    return sp.lambdify((theta, d), boundary_of.wall(device), "numpy")
+
+
+def free_mass(axes: Axes) -> None:
+    """Stable walls of a free mass for five whole delays, with the stiffest of each."""
+    for colour, delay in zip(COLOURS, (0, 1, 2, 4, 8), strict=False):
+        angles = np.linspace(0, np.pi / (2 * (delay + 1)), 2001)[1:]
+        x, y = (np.real(side) for side in _free_mass()(angles, delay))
+        x, y = np.append(x, 0), np.append(y, 0)
+        axes.fill(x, y, color=colour, alpha=0.12, linewidth=0)
+        axes.plot(np.append(x, x[0]), np.append(y, y[0]), color=colour, label=f"$d = {delay}$")
+        axes.plot(x.max(), y[x.argmax()], "o", color=colour, markersize=3)
+    axes.set_xlim(-0.01, 0.72)
+    axes.set_ylim(-0.02, 2.05)
+    axes.set_xlabel(r"virtual stiffness $\alpha$")
+    axes.set_ylabel(r"virtual damping $\beta$")
+    axes.legend(loc="upper right")
+
+
+def free_mass_inequalities(axes: Axes) -> None:
+    """Stability of a free mass with two periods of delay: each inequality, and all of them."""
+    free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
+    found = jury.criterion(jury.coefficients(2, free)).expressions
+    x, y = np.meshgrid(np.linspace(-0.6, 1, 400), np.linspace(-0.7, 1.4, 400))
+    values = [sp.lambdify((alpha, beta), e, "numpy")(x, y) * np.ones_like(x) for e in found]
+    axes.contourf(x, y, np.min(values, axis=0), levels=[0, np.inf], colors=[COLOURS[0]], alpha=0.25)
+    kinds = [("half planes", COLOURS[2], 0.9)] * 4
+    kinds += [("first minor", COLOURS[6], 0.9), ("last minor", COLOURS[0], 2.2)]
+    for value, (label, colour, width) in zip(values, kinds, strict=True):
+        axes.contour(x, y, value, levels=[0], colors=[colour], linewidths=[width])
+        if label not in axes.get_legend_handles_labels()[1]:
+            axes.plot([], [], color=colour, linewidth=width, label=label)
+    angles = np.linspace(0.02, np.pi - 0.02, 60)
+    stiffness, damping = (np.real(side) for side in _free_mass()(angles, 2))
+    axes.plot(stiffness, damping, "o", color="black", markersize=2, label="explicit boundary")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4)
+    axes.set_xlim(-0.6, 1)
+    axes.set_ylim(-0.7, 1.4)
+    axes.set_xlabel(r"virtual stiffness $\alpha$")
+    axes.set_ylabel(r"virtual damping $\beta$")
+
+
+def save(
+    draw: Callable[..., None],
+    target: Path,
+    panels: tuple[int, int] = (1, 1),
+    height: float = 0.62,
+) -> None:
+    """Draw a figure into a PDF that is the same from run to run.
+
+    ``panels`` are rows and columns; ``draw`` gets the axes, or the array of them where there are
+    several.  ``height`` is in widths of the text.
+    """
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
     with matplotlib.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(WIDTH, 0.62 * WIDTH), layout="constrained")
+        size = (WIDTH, height * WIDTH)
+        figure, axes = plt.subplots(*panels, figsize=size, layout="constrained")
         draw(axes)
         figure.savefig(target, metadata={"CreationDate": None, "Creator": None, "Producer": None})
         plt.close(figure)

@@ -36,6 +36,8 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
         elif block.kind in ("equation", "result"):
             steps += block.kind == "equation"
             out += _equation(block, number, steps)
+        elif block.kind == "table":
+            out += _table(block)
         elif block.kind == "figure":
             out += _figure(block)
     if chapter.page.settled:
@@ -134,6 +136,23 @@ def _rows(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
 
 def _text(side: Any) -> str:
     return side if isinstance(side, str) else latex(side)
+
+
+def _table(block: Block) -> list[str]:
+    head, *rows = (
+        " & ".join(prose(c) if isinstance(c, str) else f"${latex(c)}$" for c in row) + r" \\"
+        for row in block.rows
+    )
+    return [
+        "\\begin{center}",
+        f"\\begin{{tabular}}{{@{{}}*{{{len(block.rows[0])}}}{{r}}@{{}}}}\\toprule",
+        head,
+        "\\midrule",
+        *rows,
+        f"\\bottomrule\\end{{tabular}}\\\\[4pt]{{\\footnotesize {prose(block.text)}\\par}}",
+        "\\end{center}",
+        "",
+    ]
 
 
 def _figure(block: Block) -> list[str]:

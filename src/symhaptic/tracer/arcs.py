@@ -16,14 +16,17 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.kernels import stability
+from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import begin, end, point, tangent
 from symhaptic.kernels.crossings import crossings, surplus, wall
-from symhaptic.kernels.plant import Device, device
+from symhaptic.kernels.plant import Device, device, stuck
 
 _PER_TURN = 96
 """Samples per half turn of z^(d+1)."""
+
+_LONGEST = 1e5
+"""Periods of delay whose pieces are traced."""
 
 _CLOSEST = 1e-6
 """Samples crowd at 0, at pi and at the plant's own frequency down to this distance."""
@@ -34,6 +37,10 @@ _ROUNDS = 6
 _SECTIONS = 32
 """Parts into which an interval is cut at each step of the search for its corner."""
 
+_TOUCHING = 1e-7
+"""Ends closer than this over d + 1 are one: where a root touches the circle and stays inside,
+rounding decides on either side within the square root of the unit roundoff."""
+
 
 @dataclass(frozen=True)
 class Loop:
@@ -43,6 +50,13 @@ class Loop:
     delta: float
     delay: float
     sheet: str = "exact"
+
+    def __post_init__(self) -> None:
+        if self.delay > _LONGEST:
+            raise ValueError(
+                f"delay: {self.delay!r} is not allowed; at most {_LONGEST:g} periods are, since "
+                "the boundary has a piece for every one of them"
+            )
 
     @cached_property
     def steps(self) -> float:
@@ -62,7 +76,10 @@ class Loop:
 
     def curve(self, theta: Array) -> Array:
         """(alpha, beta) of the boundary, one row per angle."""
-        return np.stack(point(self.device, theta, np.asarray(self.steps)), axis=-1)
+        walls = arguments.in_blocks(
+            lambda angle: point(self.device, angle, np.asarray(self.steps)), theta
+        )
+        return np.moveaxis(walls, 0, -1)
 
     def tangent(self, theta: Array) -> Array:
         """Derivative of :meth:`curve` with respect to the angle."""
@@ -70,8 +87,11 @@ class Loop:
 
     def others(self, theta: Array) -> Array:
         """How many roots are outside besides the pair at exp(+-j theta)."""
+        return np.asarray(arguments.in_blocks(self._others, theta)[0])
+
+    def _others(self, theta: Array) -> list[Array]:
         alpha, beta = point(self.device, theta, np.asarray(self.steps))
-        return stability.count(
+        found = stability.count(
             self.device,
             wall(alpha, beta),
             np.asarray(self.steps),
@@ -79,10 +99,11 @@ class Loop:
             self.sheet == "principal",
             on_circle=theta,
         )
+        return [found]
 
     def borders(self, theta: Array) -> NDArray[np.bool_]:
         """Whether the boundary's point borders the stable region."""
-        alpha, beta = point(self.device, theta, np.asarray(self.steps))
+        alpha, beta = np.moveaxis(self.curve(theta), -1, 0)
         inside = (self.others(theta) == 0) & (alpha > -self.gamma)
         return np.asarray(inside & self._possible(alpha, beta))
 
@@ -135,18 +156,18 @@ class Loop:
         Where one ends, another begins, at the angle of the root that reached the circle or where
         the curve meets the line of a real root: short ones are looked for there.
         """
-        angles, found = self.samples(), np.zeros(0)
-        corners = [self.meets(lambda alpha, beta: alpha + self.gamma)]
-        if self.line is not None:
-            line = self.line
-            corners.append(self.meets(lambda alpha, beta: alpha + 2 * beta - line))
+        if stuck(np.asarray(self.gamma), np.asarray(self.delta)):
+            return []
+        angles, ends = self.samples(), np.zeros(0)
+        corners = np.concatenate([self.at_left, self.at_right])
         for _ in range(_ROUNDS):
-            ends = flips(self.borders, angles)
-            if ends.size == found.size:
+            bordering = self.borders(angles)
+            if np.count_nonzero(bordering[1:] != bordering[:-1]) == ends.size:
                 break
-            found = ends
-            angles = _around(angles, np.concatenate([*corners, self.partners(ends)]))
-        inside = bool(self.borders(angles[:1])[0])
+            ends = flips(self.borders, angles, bordering)
+            ends = _crossed(ends, _TOUCHING / (self.delay + 1))
+            angles = _around(angles, np.concatenate([corners, self.partners(ends)]))
+        inside = bool(bordering[0])
         marks = [0.0, *(float(end) for end in ends), float(np.pi)]
         return [
             (low, high)
@@ -161,13 +182,34 @@ class Loop:
         angles = [2 * np.arctan2(np.sqrt(c.y), np.sqrt(c.rest))[c.there] for c in found]
         return np.concatenate([np.zeros(0), *angles])
 
+    @cached_property
+    def at_left(self) -> Array:
+        """Angles at which the curve crosses the line of a root at 1."""
+        return self.meets(lambda alpha, beta: alpha + self.gamma)
+
+    @cached_property
+    def at_right(self) -> Array:
+        """Angles at which it crosses the line of a root at -1."""
+        line = self.line
+        if line is None:
+            return np.zeros(0)
+        return self.meets(lambda alpha, beta: alpha + 2 * beta - line)
+
     def meets(self, line: Callable[[Array, Array], Array]) -> Array:
         """Angles at which the curve crosses the line where ``line(alpha, beta)`` vanishes."""
 
         def beyond(theta: Array) -> NDArray[np.bool_]:
-            return line(*point(self.device, theta, np.asarray(self.steps))) > 0
+            walls = self.curve(theta)
+            return line(walls[..., 0], walls[..., 1]) > 0
 
-        return flips(beyond, self.samples())
+        angles = self.samples()
+        return flips(beyond, angles, beyond(angles))
+
+
+def _crossed(ends: Array, near: float) -> Array:
+    """One end of each odd number of close ones; an even number is a touch and no end."""
+    groups = np.split(ends, np.flatnonzero(np.diff(ends) > near) + 1)
+    return np.array([group[group.size // 2] for group in groups if group.size % 2])
 
 
 def _around(angles: Array, corners: Array) -> Array:
@@ -178,9 +220,10 @@ def _around(angles: Array, corners: Array) -> Array:
     return every[(every > 0) & (every < np.pi)]
 
 
-def flips(test: Callable[[Array], NDArray[np.bool_]], angles: Array) -> Array:
-    """Where the test changes between neighbouring angles, to the last digit."""
-    found = test(angles)
+def flips(
+    test: Callable[[Array], NDArray[np.bool_]], angles: Array, found: NDArray[np.bool_]
+) -> Array:
+    """Where the test, ``found`` at the angles, changes between neighbours, to the last digit."""
     at = np.flatnonzero(found[1:] != found[:-1])
     low, high, first = angles[at], angles[at + 1], found[at]
     while at.size:

@@ -13,7 +13,7 @@ from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import end, point, tangent
 from symhaptic.kernels.crossings import wall
 from symhaptic.kernels.extremum import Extremum
-from symhaptic.kernels.plant import Device, device
+from symhaptic.kernels.plant import Device, device, stuck
 from symhaptic.kernels.stability import SHEETS
 from symhaptic.tracer.arcs import Loop
 from symhaptic.tracer.region import farthest
@@ -34,7 +34,7 @@ def max_stable_stiffness(
     end of the curve at theta = pi if there is none), found in a time that ignores the delay; that
     this is the farthest piece rests on comparison with whole regions, not on a proof.  Elsewhere
     every piece of the boundary is traced, one element after the other, which takes milliseconds
-    times the delay.  A loop that no wall keeps stable gives NaN.
+    times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
 
     Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
 
@@ -54,7 +54,7 @@ def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
     shape = np.broadcast_shapes(gamma.shape, delta.shape, delay.shape)
     g, dl, dy = (np.broadcast_to(a, shape).reshape(-1) for a in (gamma, delta, delay))
     found = np.full((3, g.size), np.nan)
-    known = ~np.isnan(g + dl + dy)
+    known = ~np.isnan(g + dl + dy) & ~stuck(g, dl)
     simple = known & ((np.sqrt(g) * (dy + 1) <= np.pi) | ((dy <= 1) & (g <= np.pi**2)))
     if np.any(simple):
         found[:, simple] = _first_maximum(g[simple], dl[simple], dy[simple], sheet)

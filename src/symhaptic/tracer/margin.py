@@ -96,7 +96,7 @@ def _leads_at_minus_one(x: Device, v: Wall) -> NDArray[np.bool_]:
 
 def _first_lost(x: Device, v: Wall) -> Array:
     """The first whole number of periods at which a root is outside; infinite if there is none."""
-    shape = np.broadcast_shapes(v.alpha.shape, x.m2.shape)
+    shape = np.broadcast_shapes(v.slope.shape, x.m2.shape)
     x = Device(*(np.broadcast_to(a, shape).reshape(-1) for a in x))
     v = Wall(*(np.broadcast_to(a, shape).reshape(-1) for a in v))
     steps = np.zeros(v.alpha.shape)

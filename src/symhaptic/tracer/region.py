@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import shapely
@@ -15,9 +15,7 @@ from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.extremum import Extremum
 from symhaptic.kernels.stability import SHEETS, is_stable
 from symhaptic.tracer.arcs import Loop, flips
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+from symhaptic.tracer.shape import Shape
 
 _ROUNDS = 30
 """Halvings of a chord at most."""
@@ -36,7 +34,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Region:
+class Region(Shape):
     """The walls (alpha, beta) that a device keeps stable, for one plant and one delay."""
 
     loop: Loop
@@ -46,16 +44,6 @@ class Region:
     """One row (alpha, beta) per corner."""
     error: float
     """No point of the outline is farther than this from the boundary."""
-
-    @property
-    def outline(self) -> tuple[Array, ...]:
-        """Closed rings, one row (alpha, beta) per point; one ring for each piece of the region."""
-        return tuple(np.asarray(p.exterior.coords) for p in _polygons(self.polygon))
-
-    @property
-    def area(self) -> float:
-        """Area in the (alpha, beta) plane, to within error times length of the outline."""
-        return float(self.polygon.area)
 
     @property
     def touches_left_bound(self) -> bool:
@@ -94,15 +82,6 @@ class Region:
         loop = self.loop
         return is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)
 
-    def plot(self, axes: Axes, **style: Any) -> None:
-        """Draw the outline on Matplotlib's axes; ``style`` as for a line, ``fill`` for the area."""
-        fill = style.pop("fill", None)
-        for ring in self.outline:
-            if fill is not None:
-                axes.fill(ring[:, 0], ring[:, 1], color=fill, linewidth=0)
-            (line,) = axes.plot(ring[:, 0], ring[:, 1], **style)
-            style = {**style, "color": line.get_color(), "label": None}
-
 
 def stable_region(
     gamma: float, delta: float, delay: float, sheet: str = "exact", tolerance: float = 1e-6
@@ -114,7 +93,8 @@ def stable_region(
     region's extent.  With ``sheet="principal"`` the region that the paper draws for a fractional
     delay.
 
-    Raises :class:`ValueError` for an impossible plant, delay or tolerance.
+    Raises :class:`ValueError` for an impossible plant or tolerance and for more than 100 000
+    periods: the time grows with the delay.
 
     >>> region = stable_region(0.0, 0.0, 0)
     >>> [round(float(x), 6) for x in region.max_stiffness]  # alpha = 4 (2 - r)(r - 1)/r, r = sqrt 2
@@ -157,10 +137,6 @@ def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
         if loose <= share * size:
             break
     return corners, faces, moved
-
-
-def _polygons(polygon: Any) -> list[Any]:
-    return [p for p in getattr(polygon, "geoms", [polygon]) if not p.is_empty]
 
 
 # -- the sides ------------------------------------------------------------------------------
@@ -215,7 +191,7 @@ def _distance(points: Array, begin: Array, end: Array) -> Array:
 
 def _left_sides(loop: Loop, ends: Array, near: float) -> list[Piece]:
     """The parts of the line of a root at 1, between the points where the curve meets it."""
-    angles = loop.meets(lambda alpha, beta: alpha + loop.gamma)
+    angles = loop.at_left
     touching = ends[np.abs(ends[:, 0] + loop.gamma) <= near, 1]
     betas = [float(loop.begin[1]), *loop.curve(angles)[:, 1], *touching]
     if loop.line is not None:
@@ -228,7 +204,7 @@ def _right_sides(loop: Loop, ends: Array, near: float) -> list[Piece]:
     if loop.line is None or loop.end is None:
         return []
     line = loop.line
-    angles = loop.meets(lambda alpha, beta: alpha + 2 * beta - line)
+    angles = loop.at_right
     touching = ends[np.abs(ends @ (1, 2) - line) <= near, 0]
     alphas = [-loop.gamma, float(loop.end[0]), *loop.curve(angles)[:, 0], *touching]
     return _sides(loop, np.array([[alpha, (line - alpha) / 2] for alpha in _apart(alphas, near)]))
@@ -317,7 +293,8 @@ def farthest(loop: Loop, direction: Array) -> Array:
     for low, high in loop.arcs:
         inside = grid[(grid > low) & (grid < high)]
         inner = np.unique(np.clip([low, *inside, high], grid[0], grid[-1]))
-        rising = flips(lambda theta: loop.tangent(theta) @ direction > 0, inner)
+        rises = loop.tangent(inner) @ direction > 0
+        rising = flips(lambda theta: loop.tangent(theta) @ direction > 0, inner, rises)
         angles = [low, *rising, high]
         points = np.array([[*_point(loop, angle), angle] for angle in angles])
         reach = points[:, :2] @ direction

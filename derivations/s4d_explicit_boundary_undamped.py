@@ -1,0 +1,102 @@
+r"""What is the boundary of an arm without damping?
+
+A mass with a spring swings for ever, and its boundary is as short as that of a free mass. It shows
+where the boundary goes when $n_1=n_0$ and the line of a root at $-1$ is gone.
+"""
+
+from sympy import I, Rational, S, Symbol, cos, pi, sin, tan
+
+from symhaptic.model import boundary, plant
+from symhaptic.notation import Omega, alpha, beta, d, gamma, theta, x
+from symhaptic.scene import Parts
+
+ANGLE = (d + 1) * theta
+SPRING = Symbol("g")
+
+
+def derive(page):
+    swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
+    arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
+    stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
+    spring = page.define(
+        "A function of the spring, $\\Omega=\\sqrt\\gamma$",
+        SPRING,
+        gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
+    ).xreplace({gamma: Omega**2})
+    first, second = cos(ANGLE) / cos(theta / 2) ** 2, 2 * sin(ANGLE) / sin(theta)
+    page.show(
+        "The boundary's stiffness",
+        alpha,
+        SPRING * first,
+        page.same("stiffness", stiffness, spring * first),
+        boxed=True,
+        because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
+    )
+    page.show(
+        "The boundary's damping",
+        alpha + 2 * beta,
+        SPRING * second,
+        page.same("damping", stiffness + 2 * damping, spring * second),
+        boxed=True,
+    )
+    per_gamma = (x - cos(theta)) / (1 - x)
+    begin(page, per_gamma * first, per_gamma * (second - first) / 2)
+    end(page)
+
+
+def begin(page, stiffness, damping):
+    """The end at theta -> 0, in units of gamma, with x = cos Omega."""
+    half = Rational(1, 2)
+    page.say(
+        "It starts on the line $\\beta=\\alpha(d+\\frac12)$ of (25), but flatter; with "
+        "$x=\\cos\\Omega$:"
+    )
+    page.limit("Stiffness", stiffness, theta, S.Zero, S.NegativeOne, name=r"\alpha/\gamma")
+    page.limit("Damping", damping, theta, S.Zero, -(d + half), name=r"\beta/\gamma")
+    right = (1 + x) / (4 * (1 - x)) + (d + 1) ** 2 / 2
+    up = (d + half) * right - (d + 1) * (2 * d + 1) * (2 * d + 3) / 12
+    name = r"\frac{\alpha+\gamma}{\gamma\theta^2}"
+    page.limit(
+        "How far it goes to the right", (stiffness + 1) / theta**2, theta, S.Zero, right, name=name
+    )
+    page.limits((damping + d + half) / theta**2, theta, S.Zero, up)
+    page.step(
+        "So the slope is",
+        up / right,
+        d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
+        name=r"\frac{d\beta}{d\alpha}",
+        because="flatter for every spring and every delay; only for a free mass, $x\\to1$, it is "
+        "the line's",
+    )
+
+
+def end(page):
+    """The end at theta -> pi, for whole delays."""
+    page.say(
+        "Towards the other end, for whole $d$, both grow without bound, as $n_1=n_0$ has no line "
+        "of a root at $-1$. As $\\sin(d+1)\\theta=(-1)^d\\sin(d+1)(\\pi-\\theta)$, their sum stays "
+        "close to a line:"
+    )
+    per_gamma = (x - cos(theta)) / (1 - x)
+    page.limit(
+        "The line that it approaches",
+        2 * per_gamma * sin((d + 1) * (pi - theta)) / sin(theta),
+        theta,
+        pi,
+        2 * (d + 1) * (1 + x) / (1 - x),
+        name=r"(-1)^d\,\frac{\alpha+2\beta}{\gamma}",
+    )
+    per_gamma = per_gamma.subs(x, -1)
+    page.step(
+        "For odd half swings, $x=-1$, it stays finite",
+        per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
+        -cos(ANGLE),
+        name=r"\alpha/\gamma",
+    )
+    page.step(
+        "Its damping then",
+        2 * per_gamma * sin(ANGLE) / sin(theta),
+        -sin(ANGLE) / tan(theta / 2),
+        name=r"(\alpha+2\beta)/\gamma",
+        because="so that it ends at $\\alpha=(-1)^d\\gamma$, $\\beta=-\\alpha/2$",
+    )

@@ -1,0 +1,132 @@
+r"""Which walls of a free mass are stable?
+
+A mass without arm and damping, $\gamma=\delta=0$, with a delay of $d$ whole periods: its boundary
+is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and the line $\alpha=0$
+enclose the stable walls, all of them and nothing else.
+"""
+
+from sympy import I, Rational, cos, cot, diff, exp, pi, sin, tan
+
+from symhaptic.model import boundary, loop, plant
+from symhaptic.model.passivity import on_circle, real_part
+from symhaptic.notation import alpha, beta, d, tau, theta, x, y, z
+from symhaptic.proof import sign
+from symhaptic.report.figures import free_mass
+from symhaptic.scene import Parts
+
+FREE = Parts(stiffness=False, damping=False)
+ANGLE = (d + 1) * theta
+HALF = Rational(1, 2)
+
+
+def derive(page):
+    polynomial = loop.characteristic(FREE)
+    stiffness, damping = boundary.wall(plant.sampled(plant.normalised(FREE)))
+    t = tan(theta / 2)
+    page.show(
+        "The boundary's stiffness, with $\\tau=\\tan\\frac\\theta2$",
+        alpha,
+        4 * tau**2 * cos(ANGLE),
+        page.same("stiffness", stiffness, 4 * t**2 * cos(ANGLE)),
+    )
+    page.show(
+        "The boundary's damping",
+        alpha + 2 * beta,
+        4 * tau * sin(ANGLE),
+        page.same("damping", stiffness + 2 * damping, 4 * t * sin(ANGLE)),
+    )
+    necessary(page, polynomial, t)
+    page.show(
+        "The other way round, on the whole boundary",
+        r"(\alpha+2\beta)^2",
+        16 * tau**2 - alpha**2 / tau**2,
+        page.same("level", (stiffness + 2 * damping) ** 2, 16 * t**2 - stiffness**2 / t**2),
+        because="for a given $\\alpha$ it grows with $\\theta$",
+    )
+    page.say(
+        "Therefore the damping at $\\theta_1$ is less than at $\\theta_2$, and at every later "
+        "angle it is more than at $\\theta_2$ or negative: the boundary does not enter the region "
+        "between the two, $0<\\alpha<\\alpha_{\\max}$. Nor has a wall there a root at 1 or, by the "
+        "real part, at $-1$. The region is of one piece, so all its walls are stable if one is. "
+        "Near $\\alpha=0$ it has the walls of small positive $\\beta$:"
+    )
+    loose = z ** (d + 1) * (z - 1) + beta * (z + 1) / 2
+    page.step("On the line $\\alpha=0$", polynomial.subs(alpha, 0), (z - 1) * loose, name="p_1(z)")
+    page.step(
+        "The second root near 1 moves inside",
+        (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
+        -1,
+        name=r"\frac{dz}{d\beta}",
+        because="from $z=1$ at $\\beta=0$; the other $d+1$ roots start at 0",
+    )
+    page.step(
+        "The first one follows",
+        (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
+        -1 / beta,
+        name=r"\frac{dz}{d\alpha}",
+        because="from $z=1$ at $\\alpha=0$. So walls with small $\\beta$ and much smaller "
+        "$\\alpha$ are stable, and with them the whole region",
+    )
+    page.figure(
+        "free_mass",
+        "Stable walls of a free mass: the first arc of the boundary and the line $\\alpha=0$; the "
+        "dots are the stiffest walls.",
+        free_mass,
+    )
+
+
+def necessary(page, polynomial, t):
+    """A stable wall lies between the two ends of the first arc."""
+    page.step("At $z=1$", polynomial.subs(z, 1), alpha, name="p_1(1)", because="so $\\alpha>0$")
+    real = cos(theta / 2) ** 2 * (alpha - 4 * tau**2 * cos(ANGLE))
+    imaginary = sin(theta) / 2 * (alpha + 2 * beta - 4 * tau * sin(ANGLE))
+    turned = on_circle(polynomial) * exp(-I * theta)
+    page.show(
+        "Along the upper half of the circle",
+        r"e^{-j\theta}p_1(e^{j\theta})",
+        real + I * imaginary,
+        page.same("on the circle", turned, (real + I * imaginary).subs(tau, t)),
+    )
+    root = x + I * y
+    page.step(
+        "The share of a root $r=x+jy$ in its turning",
+        real_part(on_circle(z / (z - root))) - HALF,
+        (1 - x**2 - y**2) / (2 * ((cos(theta) - x) ** 2 + (sin(theta) - y) ** 2)),
+        name=r"\frac{d}{d\theta}\arg(e^{j\theta}-r)-\tfrac12",
+        because="positive for $|r|<1$",
+    )
+    page.say(
+        "With all $d+3$ roots inside, $p_1(e^{j\\theta})$ turns by $(d+3)\\pi$ over "
+        "$0<\\theta<\\pi$, and the left side above by $(d+2)\\pi$, from $\\alpha>0$ and forward "
+        "all the time, as $\\frac12(d+3)>1$. So its real part has $d+2$ zeros; at the first two, "
+        "$\\theta_1<\\theta_2$, its imaginary part is positive and negative. The real part "
+        "vanishes where $h=\\cos(d+1)\\theta-\\frac\\alpha4\\cot^2\\frac\\theta2$ does."
+    )
+    up, below, stiff = (sign.assume(e) for e in (theta, pi - theta, alpha))
+    late, steps = (sign.assume(e, strict=False) for e in (cos(ANGLE), d))
+    angle = sign.combined(theta / 2, [HALF, up])
+    rest = sign.combined(pi / 2 - theta / 2, [HALF, below])
+    s = sign.sine(angle, sign.combined(pi - theta / 2, [rest], [sign.number(pi / 2)]))
+    c = sign.cosine(angle, rest)
+    bent = sign.quotient(
+        (1 + 2 * cos(theta / 2) ** 2) / sin(theta / 2) ** 4,
+        sign.combined(1 + 2 * cos(theta / 2) ** 2, [1], [2, c, c]),
+        sign.combined(sin(theta / 2) ** 4, [s, s, s, s]),
+    )
+    size = sign.combined(d + 1, [1], [steps])
+    level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
+    page.positive(
+        "It is concave",
+        sign.combined(-diff(level, theta, 2), [size, size, late], [Rational(1, 8), stiff, bent]),
+        r"\alpha>0,\ \cos(d+1)\theta\ge0",
+        name="-h''",
+    )
+    page.say(
+        "A zero of $h$ needs $\\cos(d+1)\\theta>0$. On the first stretch, $(d+1)\\theta<\\pi/2$, "
+        "and on each full one around $2\\pi,4\\pi,\\ldots$ a concave $h$ has at most two; on the "
+        "half stretch before $\\theta=\\pi$, for odd $d$, it has one, as it rises from "
+        "negative values to 1. These are $d+2$ at most, so each stretch must have all of its own, "
+        "and $\\theta_1$, $\\theta_2$ lie on the first arc. There $\\alpha$ is that of the "
+        "boundary, and by the imaginary part $\\beta$ lies between the two dampings. No other wall "
+        "is stable."
+    )

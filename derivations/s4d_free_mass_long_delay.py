@@ -1,0 +1,96 @@
+r"""How does the largest stiffness of a free mass fall with the delay?
+
+On the arc that bounds the stable walls of a free mass let $\varphi=(d+1)\theta$, between 0 and
+$\pi/2$, and $h=1/(d+1)$. We look for what $(d+1)^2\alpha_{\max}$ tends to for long delays, how
+fast, and on which side it stays.
+"""
+
+from sympy import Rational, S, cos, diff, pi, sin, tan
+
+from symhaptic.model import boundary, plant
+from symhaptic.notation import d, h, phi, psi, theta
+from symhaptic.proof import sign
+from symhaptic.proof.ball import ball
+from symhaptic.proof.roots import zero_between
+from symhaptic.scene import Parts
+
+LONG = phi**2 * cos(phi)
+AT = r"at $\varphi=\varphi_*$"
+
+
+def derive(page):
+    free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
+    stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
+    scaled = page.step(
+        "The stiffness",
+        stiffness / h**2,
+        LONG * (tan(h * phi / 2) / (h * phi / 2)) ** 2,
+        name=r"(d+1)^2\alpha",
+    )
+    page.limit("For long delays", scaled, h, S.Zero, LONG, name=r"(d+1)^2\alpha")
+    page.step(
+        "Its slope",
+        diff(LONG, phi),
+        phi * cos(phi) * (2 - phi * tan(phi)),
+        name=r"\tfrac{d}{d\varphi}\,\varphi^2\cos\varphi",
+        because="the bracket falls, to zero at one angle $\\varphi_*$, where this is largest",
+    )
+    angle = zero_between(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
+    largest = ball(LONG, {phi: angle}, 256).real
+    page.enclosed("In numbers", [(r"\varphi_*", angle), (r"\varphi_*^2\cos\varphi_*", largest)])
+    sides(page)
+    page.say(
+        "With $h\\varphi\\le h\\pi/2$ the largest stiffness is therefore kept between two sides "
+        "for every real $d\\ge0$,\n\n"
+        "$\\displaystyle\\quad\\varphi_*^2\\cos\\varphi_*<(d+1)^2\\alpha_{\\max}\\le"
+        "\\varphi_*^2\\cos\\varphi_*\\left(\\frac{\\tan(h\\pi/4)}{h\\pi/4}\\right)^2,$\n\n"
+        "and $(d+1)^2\\alpha_{\\max}$ falls all the way, from $12-8\\sqrt2$ without delay."
+    )
+    factor = (tan(h * pi / 4) / (h * pi / 4)) ** 2
+    page.limit("The two sides meet", factor, h, S.Zero, S.One)
+    expansion(page, scaled, angle)
+
+
+def expansion(page, scaled, angle):
+    """The next two terms in 1/(d+1)."""
+    next_one = phi**4 * cos(phi) / 6
+    name = r"\bigl((d+1)^2\alpha-\varphi^2\cos\varphi\bigr)/h^2"
+    page.limit("The next term", (scaled - LONG) / h**2, h, S.Zero, next_one, name=name)
+    after = 17 * phi**6 * cos(phi) / 720
+    page.limits((scaled - LONG - h**2 * next_one) / h**4, h, S.Zero, after)
+    there = {sin(phi): 2 * cos(phi) / phi}
+    bent = page.step(
+        "At $\\varphi_*$, where $\\sin\\varphi_*=2\\cos\\varphi_*/\\varphi_*$, the curvature is",
+        diff(LONG, phi, 2).subs(there),
+        -(6 + phi**2) * cos(phi),
+        name=r"\tfrac{d^2}{d\varphi^2}\,\varphi^2\cos\varphi",
+        because="not zero: the largest value and its angle are power series in $h^2$",
+    )
+    shift = diff(next_one, phi).subs(there) ** 2 / (2 * bent)
+    page.say(
+        "With them $(d+1)^2\\alpha_{\\max}=\\varphi_*^2\\cos\\varphi_*\\,"
+        "(1+a_2h^2+a_4h^4+\\ldots)$, where the move of the angle enters $a_4$ only:"
+    )
+    second, third = phi**2 / 6, phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
+    page.step("Factor of $h^2$", next_one / LONG, second, name="a_2", because=AT)
+    page.step("Factor of $h^4$", (after - shift) / LONG, third, name="a_4", because=AT)
+    numbers = (ball(term, {phi: angle}, 256).real for term in (second, third))
+    page.enclosed("In numbers", list(zip(("a_2", "a_4"), numbers, strict=True)))
+
+
+def sides(page):
+    """tan(x)/x rises."""
+    up, end = sign.assume(psi), sign.assume(pi / 2 - psi)
+    low = sign.Interval(psi, S.Zero, (end, sign.number(S.One)))
+    sine = sign.sine(up, sign.combined(pi - psi, [end], [sign.number(pi / 2)]))
+    chord = 2 * psi - sin(2 * psi)
+    chord = sign.integrated(chord, low, sign.combined(diff(chord, psi), [4, sine, sine]))
+    c = sign.cosine(up, end)
+    under = sign.combined(2 * psi**2 * cos(psi) ** 2, [2, up, up, c, c])
+    page.positive(
+        "For a given $\\varphi$ it falls as $d$ grows",
+        sign.quotient(diff(tan(psi) / psi, psi), chord, under),
+        r"0<\psi<\pi/2",
+        because="as $\\tan\\psi/\\psi$ rises, with $\\psi=h\\varphi/2$",
+        name=r"\frac{d}{d\psi}\,\frac{\tan\psi}{\psi}",
+    )

@@ -1,0 +1,147 @@
+r"""Which inequalities keep every root inside the unit circle?
+
+The paper names Jury's criterion for the stable regions and leaves it for a grid, since its
+inequalities soon become complex. We look for few and small inequalities that are equivalent to
+stability, for any polynomial. Half of Jury's determinants turn out to be enough, with half planes
+in place of the others (Anderson and Jury, 1973).
+"""
+
+from sympy import Matrix, S, expand, symbols
+
+from symhaptic.model import jury
+from symhaptic.notation import s, x, y, z
+
+DEGREES = range(2, 8)
+"""At which the general formulas are checked by polynomial arithmetic."""
+
+
+def derive(page):
+    page.say(
+        "Let $p(z)=a_nz^n+\\ldots+a_0$ be real, $a_n>0$, and $x=z+1/z$, which is $2\\cos\\theta$ "
+        "on the circle. We add $p$ and its mirror image $z^np(1/z)$ and subtract them. For $n=2m$ "
+        "the sum is $z^mF(x)$ and the difference $z^m(z-1/z)G(x)$; for $n=2m+1$ they are "
+        "$z^m(z+1)F(x)$ and $z^m(z-1)G(x)$."
+    )
+    halves(page)
+    page.say(
+        "On the circle $z^{-n/2}p$ is $\\tfrac12F+j\\sin\\theta\\,G$ for even $n$ and "
+        "$\\cos\\tfrac\\theta2\\,F+j\\sin\\tfrac\\theta2\\,G$ for odd $n$. Let all roots lie "
+        "inside. Then every factor $z-z_i$ turns forward, and the argument grows steadily, by "
+        "$n\\pi/2$ over $0<\\theta<\\pi$. It passes the imaginary axis ($n$ even) or the real axis "
+        "($n$ odd) $m$ times. Each time $F$ or $G$ has a root, real, simple and with $|x|<2$. That "
+        "the axis is passed forward says $F'G>0$ there, or $FG'<0$ at the roots of $G$."
+    )
+    page.say(
+        "Conversely, let all $m$ roots of $F$ or of $G$ be like that and $p(1)>0$, for odd $n$ "
+        "also $G(2)>0$. The argument starts at 0, passes the axis $m$ times forward and ends on an "
+        "axis: after $m$ half turns for even $n$, a quarter turn later for odd $n$. That is "
+        "$n\\pi/2$, so $p$ turns $n$ times around the full circle, and all roots lie inside."
+    )
+    page.say(
+        "Real, simple and passed forward: this is decided by a symmetric matrix $B$ of order $m$. "
+        "It holds the coefficients of $(F(x)G(y)-F(y)G(x))/(x-y)$, the highest powers first."
+    )
+    bezout(page)
+    page.say(
+        "If $B$ is positive definite, $F$ (or $G$) has no complex pair $\\xi,\\bar\\xi$ and no "
+        "double root, where the form would vanish, and $F'G>0$ (or $FG'<0$) at each root. "
+        "Conversely real simple roots with this sign make the form a sum of $m$ squares with "
+        "positive weights. So all is well if the $m$ leading minors of $B$ are positive and the "
+        "roots have $|x|<2$. For even $n$ the first row has the factor $f_m=a_n+a_0$; it is taken "
+        "out, since the following conditions make it positive."
+    )
+    page.step(
+        "The circle becomes an axis",
+        (z + 1 / z).subs(z, (1 + s) / (1 - s)),
+        2 * (1 + s**2) / (1 - s**2),
+        name="x",
+        because="with $z=(1+s)/(1-s)$ it is $s=j\\tan(\\theta/2)$, and $|x|<2$ is $s^2<0$",
+    )
+    half_planes(page)
+    page.say(
+        "All $c_k$ are positive if all roots lie inside, since then $\\Re s<0$. Those whose index "
+        "has the parity of $n$ make up $\\tfrac12(1-s^2)^mF$ for even $n$ and $s(1-s^2)^mG$ for "
+        "odd $n$. If they are positive, no root of $F$ (or $G$) has $s^2\\ge0$, so that the real "
+        "ones have $|x|<2$, and $G(2)>0$. At $s=1$ they add up to $2^{n-1}(a_n\\pm a_0)$, which is "
+        "therefore positive, and no root is at infinity."
+    )
+    page.say(
+        "Together: \\emph{all roots lie inside exactly if $c_n,c_{n-2},\\ldots$ and $c_0$ are "
+        "positive, and the $m$ leading minors}. These are $n+1$ inequalities. Among them are "
+        "$c_0=p(1)$ and $c_n=(-1)^np(-1)$, and all $c_k$ are linear in the coefficients of $p$: "
+        "half planes, for our loop."
+    )
+    inners(page)
+
+
+def halves(page):
+    """The two halves of a polynomial, shown for degrees 3 and 4."""
+    a_0, a_1, a_2, a_3, a_4 = names = symbols("a_0:5")
+    three = (a_3 + a_0) * (x - 1) + a_1 + a_2, (a_3 - a_0) * (x + 1) + a_2 - a_1
+    four = (a_4 + a_0) * (x**2 - 2) + (a_3 + a_1) * x + 2 * a_2, (a_4 - a_0) * x + a_3 - a_1
+    for n in DEGREES:
+        rising = symbols(f"a_0:{n + 1}")
+        f, g = (half.subs(x, z + 1 / z) * z ** (n // 2) for half in polynomials(rising))
+        f, g = (f * (z + 1), g * (z - 1)) if n % 2 else (f, g * (z - 1 / z))
+        page.same("sum", f, sum(c * (z**i + z ** (n - i)) for i, c in enumerate(rising)))
+        page.same("difference", g, sum(c * (z**i - z ** (n - i)) for i, c in enumerate(rising)))
+    for n, pair in ((3, three), (4, four)):
+        proof = page.same("halves", polynomials(names[: n + 1]), pair)
+        for what, name, half in zip(("Sum", "Difference"), "FG", pair, strict=True):
+            page.show(f"{what}, degree {n}", name, half, proof)
+
+
+def bezout(page):
+    """The matrix of order 2, and its form for orders up to 3."""
+    f, g = symbols("f_0:3"), symbols("g_0:2")
+    matrix = Matrix([[f[2] * g[1], f[2] * g[0]], [f[2] * g[0], f[1] * g[0] - f[0] * g[1]]])
+    proof = page.same("B", Matrix(jury.bezoutian(f, g)), matrix)
+    page.show("The matrix for degree 4", "B", matrix, proof, because="for $F=f_2x^2+f_1x+f_0$")
+    for m in (1, 2, 3):
+        f, g = symbols(f"f_0:{m + 1}"), symbols(f"g_0:{m + 1}")
+        at = {v: [sum(c * v**i for i, c in enumerate(h)) for h in (f, g)] for v in (x, y)}
+        left, right = (Matrix([v**i for i in range(m - 1, -1, -1)]) for v in (x, y))
+        form = (left.T * Matrix(jury.bezoutian(f, g)) * right)[0]
+        page.same("the form", form * (x - y), at[x][0] * at[y][1] - at[y][0] * at[x][1])
+        (F, G), there = at[x], form.subs(y, x)
+        proof = page.same("the diagonal", there, F.diff(x) * G - F * G.diff(x))
+        if m == 2:
+            name = r"\lim_{y\to x}\frac{F(x)G(y)-F(y)G(x)}{x-y}"
+            page.show("The form at $x=y$", name, F.diff(x) * G - F * G.diff(x), proof)
+
+
+def half_planes(page):
+    """The coefficients after the bilinear map, shown for degree 3."""
+    for n in (2, 5, 6, 4, 3):
+        rising = symbols(f"a_0:{n + 1}")
+        mapped = expand(sum(c * (1 + s) ** i * (1 - s) ** (n - i) for i, c in enumerate(rising)))
+        kept = [mapped.coeff(s, k) for k in sorted({0, *range(n, -1, -2)})]
+        proof = page.same("half planes", jury.half_planes(rising), kept)
+        half = polynomials(rising)[n % 2].subs(x, 2 * (1 + s**2) / (1 - s**2))
+        part = (mapped + (-1) ** n * mapped.subs(s, -s)) / 2
+        page.same("parity", part, (1 - s**2) ** (n // 2) * half * (s if n % 2 else S.Half))
+    page.say("Let $c_k$ be the coefficients of $(1-s)^np$, so that the sign of $p$ is kept:")
+    for k, at, c in zip((0, 1, 3), ("at 1", "between", "at $-1$"), kept, strict=True):
+        page.show(f"Degree 3, {at}", symbols(f"c_{k}"), c, proof)
+
+
+def inners(page):
+    """The minors are Jury's inner determinants |X - Y| of orders n-1, n-3, ..."""
+    for n in (3, 5, 4):
+        falling = [S.One, *symbols(f"a_0:{n}")[::-1]]
+        minors = jury.criterion(falling).expressions[-(n // 2) :]
+        matrices = [jury.inner(falling, order) for order in range(1 + n % 2, n, 2)]
+        proof = page.same("Jury's inners", minors, [m.det() for m in matrices])
+    page.show(
+        "Jury's matrix for degree 4",
+        "X-Y",
+        matrices[-1],
+        proof,
+        because="the minors are its determinant and that of its inner, without the first and last "
+        "row and column; his others, $|X+Y|$, are not needed",
+    )
+
+
+def polynomials(rising):
+    """F and G."""
+    return [sum(c * x**i for i, c in enumerate(half)) for half in jury.halves(rising)]

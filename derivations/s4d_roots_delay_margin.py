@@ -1,0 +1,85 @@
+r"""How much more delay does a wall bear?
+
+A wall that is stable without delay may lose its stability when the delay grows. The angles at which
+a root can cross the circle ignore the delay, as shown before; we ask at which of them roots leave,
+and when the first one does.
+"""
+
+from sympy import I, Rational, pi, symbols
+
+from symhaptic.model import loop
+from symhaptic.model.passivity import real_part
+from symhaptic.notation import alpha, beta, d, theta, u, w
+from symhaptic.report.stability_figures import delay_margins
+from symhaptic.scene import Parts
+
+
+def derive(page):
+    page.say(
+        "With $h=-NW/A$ a root is a point where $z^{d+1}=h(z)$, and the delay may be any real "
+        "number there, on the principal sheet. The root moves with it: $(d+1)\\ln z=\\ln h$, and "
+        "with $u+jw=z\\,h'/h$ at $z=e^{j\\theta}$,"
+    )
+    moves = page.step(
+        "How a root on the circle moves with the delay",
+        real_part(-I * theta / (d + 1 - u - I * w)),
+        theta * w / ((d + 1 - u) ** 2 + w**2),
+        name=r"\frac{\partial\ln|z|}{\partial d}",
+    )
+    leads = page.step(
+        "How the lead of the wall changes along the circle",
+        real_part(I * (u + I * w)),
+        -w,
+        name=r"\frac{\partial\ln|h|}{\partial\theta}",
+        because="so roots leave, with growing delay, at an angle where the wall stops to lead, and "
+        "come back at one where it starts to",
+    )
+    page.say(
+        "The surplus $|A|^2-|NW|^2$ has degree two in $y=4\\sin^2\\frac\\theta2$, so that it rises "
+        "at one of its zeros at most. There is at most one angle $\\theta_1$ at which roots leave; "
+        "if there is none, a wall that is stable without delay is stable with every delay. (Unless "
+        "the wall leads at $z=-1$: then the sign of $p_1(-1)$ lets it be stable for every other "
+        "whole delay at most.) With the phase $\\Phi_0$ of $NWz/A$:"
+    )
+    turns, phase = symbols("k Phi_0")
+    critical = (phase + (2 * turns + 1) * pi) / theta - 2
+    page.step(
+        "Delays at which a pair of roots leaves",
+        (critical + 2) * theta,
+        phase + (2 * turns + 1) * pi,
+        name=r"(d_k+2)\,\theta_1",
+        because="for whole $k$: one every $2\\pi/\\theta_1$ periods",
+    )
+    page.say(
+        "The first $d_k\\ge0$ is the delay margin, as none can come back before one has left. For "
+        "whole delays the next whole number is the first unstable one. A free mass with "
+        "$\\alpha=0.01$, $\\beta=0.05$ has $\\theta_1=0.1077$ and the margin $3.969$:"
+    )
+    free = loop.characteristic(Parts(False, False)).subs(
+        {alpha: Rational(1, 100), beta: Rational(1, 20)}
+    )
+    page.inside("Three periods of delay", free.subs(d, 3))
+    page.outside("Four periods", free.subs(d, 4))
+    page.say(
+        "Behind a fraction of a period the plant has one coefficient more and the surplus degree "
+        "three. For each fraction the whole periods are told from the phase as above; the margin "
+        "is the least over all fractions. This is what the figure shows."
+    )
+    page.figure(
+        "delay_margin",
+        "The largest delay up to which a wall stays stable, for $\\gamma=0.001$, $\\delta=0.02$, "
+        "and a close-up. Lines: stable regions for $d=0$, 1, 2, 4 and 8.",
+        delay_margins,
+        panels=(1, 2),
+        height=0.6,
+    )
+    page.state(
+        "delay-margin",
+        "with growing delay (on the principal sheet) roots leave the circle at one angle at most, "
+        "where the wall stops to lead",
+    )
+    page.settle(
+        "delay-margin",
+        page.same("moves", moves, theta * w / ((d + 1 - u) ** 2 + w**2)),
+        page.same("leads", leads, -w),
+    )

@@ -1,0 +1,126 @@
+r"""Does twice the sampling rate give four times the stiffness?
+
+The paper reads from Table I how the stable walls change with the period $T$ and the mass $m$, for
+a constant delay factor $d$. What happens to the operator's $b$ and $k$ meanwhile? If they change
+as well, the loop stays the same. If they are kept it does not, and a damped mass without spring
+and delay, $\gamma=0$ and $d=0$, shows by how much.
+"""
+
+from sympy import Rational, S
+
+from symhaptic.model import boundary, loop, passivity, plant, wall
+from symhaptic.notation import B, K, T, alpha, b, beta, c, d, delta, function, gamma, k, m, z
+from symhaptic.proof import sign
+from symhaptic.proof.ball import ball
+from symhaptic.scene import Parts
+
+DAMPED = Parts(stiffness=False)
+ARM = plant.sampled(plant.normalised(DAMPED))
+LARGEST = boundary.largest_undelayed(ARM)
+BEFORE, AFTER = Rational(1, 50), Rational(1, 100)
+"""delta within (23), and with half the period or twice the mass but the same damper."""
+
+KEPT = r"b=k=0,\ \text{or}\ bT/m\ \text{and}\ kT^2/m\ \text{kept}"
+STIFF = {alpha: Rational(713, 1000), beta: Rational(33, 40)}
+BRAKED = {alpha: Rational(1, 1000), beta: Rational(101, 50)}
+
+
+def derive(page):
+    faster, heavier = all_scaled(page)
+    linear = passive(page)
+    undelayed = loop.characteristic(DAMPED).subs({d: 0, delta: BEFORE})
+    page.say("Now keep $b$. For $\\delta=\\frac1{50}$, the end of the range (23), two walls:")
+    page.inside("$\\alpha=0.713$, $\\beta=0.825$ is stable", undelayed.subs(STIFF))
+    page.inside("$\\alpha=0.001$, $\\beta=2.02$ is stable", undelayed.subs(BRAKED))
+    page.enclosed(
+        "The bounds of the chapter before for $\\delta=\\frac1{100}$",
+        [
+            (r"\alpha_{\max}", ball(LARGEST, {delta: AFTER}, 256).real),
+            (r"1/n_0", ball(1 / ARM.n0, {delta: AFTER}, 256).real),
+        ],
+        because="that is the same damper with half the period: no $\\beta$ makes the first wall's "
+        "$\\alpha$, four times its stiffness, stable, and no $\\alpha$ the second wall's $\\beta$, "
+        "twice its damping",
+    )
+    left = Rational(393, 100) * STIFF[alpha] - 4 * LARGEST.subs(delta, AFTER)
+    page.positive(
+        "So less than 3.93 times the stiffness is left",
+        sign.number(left),
+        r"\delta=\tfrac1{100}",
+        name=r"3.93\cdot0.713-4\alpha_{\max}",
+        because="twice the mass with the same damper is $\\delta=\\frac1{100}$ too",
+    )
+    half = {delta: delta / 2}
+    too_stiff = {
+        "unless": {delta: BEFORE, alpha: STIFF[alpha], gamma: S.Zero, d: S.Zero},
+        "truth": alpha < LARGEST.subs(half),
+    }
+    too_braked = {
+        "unless": {delta: BEFORE, beta: BRAKED[beta], gamma: S.Zero, d: S.Zero},
+        "truth": ARM.n0.subs(half) * beta < 1,
+    }
+    page.settle(
+        "s4d-quadratic-in-period",
+        faster,
+        provided=KEPT,
+        **too_stiff,
+        shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable, at "
+        r"$\tfrac1{100}$ it cannot",
+        note="with the same damper less than four times, for this arm",
+    )
+    page.settle(
+        "s4d-damping-bound",
+        faster,
+        heavier,
+        provided=KEPT,
+        **too_braked,
+        shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable, at "
+        r"$\tfrac1{100}$ it cannot",
+        note=r"for small $b$ the bound without delay is $2m/T+\tfrac43b$",
+    )
+    page.settle(
+        "s6-sampling",
+        faster,
+        linear,
+        provided=r"b\ \text{kept in the passive case;}\ " + KEPT + r"\ \text{in the stable one}",
+        **too_stiff,
+        shows=r"as for four times the stiffness",
+        note="with $b$ kept the passive side is exact and the stable one is not",
+    )
+    page.settle(
+        "s6-mass",
+        heavier,
+        page.free_of("passivity", passivity.dirichlet_form(), m),
+        provided=KEPT,
+        **too_stiff,
+        shows=r"twice the mass with the same damper gives less than twice the stiffness",
+        note="the passive region is free of the mass, without condition",
+    )
+
+
+def all_scaled(page):
+    """T to T/2 or m to 2m, and all else with it: the same roots."""
+    device = plant.sampled(plant.Plant(), T, split=c)
+    physical = device.denominator + device.numerator * wall.delayed()
+    faster = {T: T / 2, K: 4 * K, B: 2 * B, b: 2 * b, k: 4 * k, c: 2 * c}
+    heavier = {m: 2 * m, K: 2 * K, B: 2 * B, b: 2 * b, k: 2 * k}
+    proofs = [
+        page.same("the same loop", physical.xreplace(scaled), physical)
+        for scaled in (faster, heavier)
+    ]
+    loop_before = function("p")(z)
+    page.show(
+        "Half the period",
+        r"p(z)\big|_{T/2,\,4K,\,2B,\,2b,\,4k}",
+        loop_before,
+        proofs[0],
+        because="with damper and spring changed too, or without them, the roots are the same",
+    )
+    page.show("Twice the mass", r"p(z)\big|_{2m,\,2K,\,2B,\,2b,\,2k}", loop_before, proofs[1])
+    return proofs
+
+
+def passive(page):
+    """Passivity: half the period, twice the stiffness, the same b and B."""
+    need = passivity.dirichlet_form()
+    return page.same("passive", need.xreplace({T: T / 2, K: 2 * K}), need)

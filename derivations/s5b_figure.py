@@ -1,0 +1,114 @@
+r"""Does the largest stable stiffness meet the largest passive one?
+
+Fig. 12 of the paper draws both over the delay, and the ratio $\eta$ of the passive to the stable
+one. Stable walls are stiffer, but the ratio comes close to one. What happens there, and beyond?
+"""
+
+from sympy import Poly, Rational, S, cos, exp, pi, sin, symbols, tan
+
+from symhaptic.model import boundary, passivity, plant
+from symhaptic.model.passivity import on_circle
+from symhaptic.notation import K, T, a, alpha, d, delta, e, n_0, n_1, phi, theta, z
+from symhaptic.proof.sign import number
+from symhaptic.report.stability_figures import largest_stiffnesses
+
+
+def derive(page):
+    quarter = {d: pi / (2 * theta) - 1}
+    page.say(
+        "At the angle $\\theta=\\pi/(2(d+1))$ the damping of the wall drops out of the passivity "
+        "condition, which bounds the stiffness alone:"
+    )
+    page.step(
+        "The damping needed there",
+        passivity.dirichlet_form().subs({K: alpha, T: S.One}).subs(quarter),
+        alpha / (2 * tan(theta / 2)),
+        name=r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
+        because="so $\\alpha\\le2\\delta\\tan\\frac\\theta2$, and (11) is the wall that attains it",
+    )
+    bottom, top = z**2 - a * z + e, n_1 * z + n_0
+    stiffness, _ = boundary.solved(on_circle(-(z**d) * bottom / top))
+    size = n_1**2 + n_0**2 + 2 * n_1 * n_0 * cos(theta)
+    need = (1 + a - e) * n_1 + (1 - a - e) * n_0 + 2 * (n_0 - e * n_1) * cos(theta)
+    tip = page.step(
+        "The stability boundary there",
+        stiffness.subs(quarter),
+        tan(theta / 2) * need / size,
+        name=alpha,
+        because="the passive bound with $\\Re\\{A/((z-1)N)\\}$ for $\\delta$, more by the "
+        "energy of a passive wall",
+    )
+    bare = plant.numbers(S.Zero, delta)
+    page.limit(
+        "How much larger, without a spring",
+        (tip.subs(bare) / (2 * delta * tan(theta / 2)) - 1) / theta**2,
+        theta,
+        S.Zero,
+        (delta * (exp(delta) + 1) - 2 * (exp(delta) - 1)) / (2 * delta**2 * (exp(delta) - 1)),
+        name=r"\frac1{\theta^2}\Bigl(\frac{\alpha}{2\delta\tan\frac\theta2}-1\Bigr)",
+        because="about $\\tfrac1{12}$: where the tip of the stable region has just this angle, the "
+        "ratio $\\eta$ is about $1-\\theta^2/12$",
+    )
+    page.say(
+        "So they do not meet. The stiffest passive wall is stable, and so is one a little stiffer: "
+        "$\\eta<1$ for every whole delay. For $\\delta=0.02$ the tip has that angle near $d=122$ "
+        "without a spring and near $d=40$ with $\\gamma=0.001$, and there $\\eta=0.99999$ and "
+        "$0.9998$, which cannot be told from 1 in print. For longer delays the tip moves on:"
+    )
+    far = symbols("u")
+    page.limit(
+        "A long delay, no spring",
+        stiffness.subs(bare).subs({theta: phi * far}).subs(d, 1 / far - 1) / far,
+        far,
+        S.Zero,
+        delta * phi * sin(phi),
+        name=r"\frac{\alpha}{u}",
+        because="with $u=1/(d+1)$ and $\\theta=\\varphi u$: the mass is forgotten",
+    )
+    page.limit(
+        "The passive wall",
+        2 * delta * tan(pi * far / 4) / far,
+        far,
+        S.Zero,
+        pi * delta / 2,
+        name=r"\frac{2\delta\tan\frac{\pi u}{4}}{u}",
+    )
+    page.say(
+        "This is the stable one at $\\varphi=\\tfrac\\pi2$, but $\\varphi\\sin\\varphi$ grows up "
+        "to $1.8197$ at $\\varphi=2.029$: without a spring $\\eta$ falls towards "
+        "$\\tfrac\\pi2/1.8197=0.863$. With a spring it falls to nothing, since some walls are "
+        "stable whatever the delay. For $\\gamma=0.001$, $\\delta=0.02$, $\\alpha=0.0005$ and "
+        "$\\beta=0$, with $y=1-\\cos\\theta$:"
+    )
+    y, alike = symbols("y"), Rational(1, 2000)
+    plant_side = ((1 + e) * (1 - y) - a) ** 2 + (1 - e) ** 2 * y * (2 - y)
+    wall_side = alike**2 * ((n_1 + n_0) ** 2 - 2 * n_1 * n_0 * y)
+    sides = page.same(
+        "squares on the circle",
+        [p.subs(y, 1 - cos(theta)) for p in (plant_side, wall_side)],
+        [on_circle(p * p.subs(z, 1 / z)) for p in (bottom, alike * top)],
+    )
+    gap = Poly(plant_side - wall_side, y).all_coeffs()
+    gap = [c.subs(plant.numbers(Rational(1, 1000), Rational(1, 50))) for c in gap]
+    always = page.positive(
+        "A wall for every delay",
+        number(4 * gap[0] * gap[2] - gap[1] ** 2),
+        "|A|^2-\\alpha^2|N|^2=g_2y^2+g_1y+g_0",
+        because="so the plant's part of the polynomial outweighs the wall's all around the circle, "
+        "and the roots inside are as many as without the wall: all",
+        name="4g_2g_0-g_1^2",
+    )
+    page.figure(
+        "fig12",
+        "Fig. 12 of the paper, for $\\delta=0.02$: (a) largest passive and stable stiffness; (b) "
+        "and (c) their ratio $\\eta$ for $\\gamma=0$ (solid) and $\\gamma=0.001$ (dashed).",
+        largest_stiffnesses,
+        panels=(1, 3),
+        height=0.44,
+    )
+    page.settle(
+        "fig12",
+        sides,
+        always,
+        note="the ratio comes near 1, stays below it and falls again",
+    )

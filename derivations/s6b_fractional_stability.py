@@ -1,0 +1,140 @@
+r"""Where is the stability boundary when the delay is no whole number of periods?
+
+The sampled device of the chapter before has one more coefficient. Everything else that was said
+of whole delays can be asked again: the polynomial, its roots at 1 and $-1$, and the boundary as an
+explicit curve.
+"""
+
+from sympy import I, S, cos, exp, sin, symbols
+
+from symhaptic.model import fractional, loop, plant
+from symhaptic.model.passivity import on_circle, real_part
+from symhaptic.notation import (
+    alpha,
+    beta,
+    c,
+    d,
+    delta,
+    epsilon,
+    gamma,
+    l,
+    m_0,
+    m_1,
+    m_2,
+    n_0,
+    n_1,
+    theta,
+    z,
+)
+from symhaptic.scene import FULL, Parts
+
+
+def derive(page):
+    a, e = symbols("a e")
+    bottom, top = z**2 - a * z + e, m_2 * z**2 + m_1 * z + m_0
+    push = (alpha + beta) * z - beta
+    page.say("With $A=z^2-az+e$ and $M=m_2z^2+m_1z+m_0$ the loop closes over the wall:")
+    polynomial = page.step(
+        "The characteristic polynomial",
+        (1 + top / (z * bottom) * z ** (-l) * push / z) * z ** (l + 2) * bottom,
+        z ** (l + 2) * bottom + top * push,
+        name="p_1(z)",
+        because="of degree $\\ell+4$ and monic: one root more than for the whole delay $\\ell$",
+    )
+    device = fractional.late(plant.normalised(FULL), split=c)
+    numbers = {m_2: device.m2, m_1: device.m1, m_0: device.m0}
+    numbers |= {a: device.device.a, e: device.device.e}
+    given = {gamma: (delta**2 - c**2) / 4}
+    made = fractional.characteristic(FULL, split=c)
+    general = page.same("made of the plant", polynomial.subs(numbers), made)
+    whole = loop.characteristic(FULL, split=c)
+    ends = [
+        page.same("ends", made.subs(epsilon, end).xreplace(given), expected.xreplace(given))
+        for end, expected in ((0, z * whole.subs(d, l)), (1, whole.subs(d, l + 1)))
+    ]
+    page.show("No fraction", r"p_1\big|_{\varepsilon=0}", r"z\;p_1\big|_{d=\ell}", ends[0])
+    page.show("A full period", r"p_1\big|_{\varepsilon=1}", r"p_1\big|_{d=\ell+1}", ends[1])
+    page.state(
+        "fractional-polynomial",
+        "for a delay of $(\\ell+\\varepsilon)T$ the characteristic polynomial is "
+        "$z^{\\ell+2}A+M((\\alpha+\\beta)z-\\beta)$, of degree $\\ell+4$; it passes into those of "
+        "the whole delays on both sides",
+    )
+    page.settle("fractional-polynomial", general, *ends)
+
+    page.say("It is affine in the wall, so that the boundary is explicit again:")
+    q = -(z ** (l + 1)) * bottom / top
+    page.step(
+        "The wall that a root needs",
+        polynomial / (z * top),
+        alpha + beta * (1 - 1 / z) - q,
+        name=r"\frac{p_1(z)}{zM(z)}",
+        because="vanishes: $\\alpha+\\beta(1-1/z)=Q$ with $Q=-z^{\\ell+1}A/M$",
+    )
+    turned = on_circle(q)
+    real = real_part(turned)
+    damping = (turned - real) / I / sin(theta)
+    boundary = {alpha: real - damping * (1 - cos(theta)), beta: damping}
+    residual = on_circle(polynomial).subs(boundary)
+    page.step(
+        "Real and imaginary part solved",
+        residual,
+        S.Zero,
+        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
+        r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
+        because="for every plant, every whole $\\ell$ and every $\\varepsilon$",
+    )
+    at_one = polynomial.subs(z, 1).subs(numbers).xreplace(given)
+    total = (device.device.n1 + device.device.n0).xreplace(given)
+    left = page.same("the left bound", at_one, total * (alpha + given[gamma]))
+    page.show("A root at 1", "p_1(1)", (n_1 + n_0) * (alpha + gamma), left)
+    page.say(
+        "As before, $\\alpha>-\\gamma$ is necessary, for every plant and every delay. There may be "
+        "a root at $-1$, too:"
+    )
+    page.step(
+        "A root at $-1$, even $\\ell$",
+        polynomial.subs(l, 0).subs(z, -1),
+        1 + a + e - (m_2 - m_1 + m_0) * (alpha + 2 * beta),
+        name="p_1(-1)",
+        because="for odd $\\ell$ the first three terms change their sign",
+    )
+    page.state(
+        "fractional-boundary",
+        "for every plant and every delay $(\\ell+\\varepsilon)T$ the boundary is explicit: "
+        "$\\beta=\\Im Q/\\sin\\theta$, $\\alpha=\\Re Q-\\beta(1-\\cos\\theta)$ with "
+        "$Q=-z^{\\ell+1}A/M$, $z=e^{j\\theta}$, and the lines of a root at 1 and $-1$",
+    )
+    page.settle("fractional-boundary", page.same("on it", residual, S.Zero), left)
+    page.say(
+        "A root on the unit circle needs $|A|=|M|\\,|(\\alpha+\\beta)z-\\beta|$, where $\\ell$ "
+        "does not occur:"
+    )
+    x = cos(theta)
+    for title, factor, square in (
+        ("The device", bottom, 4 * e * x**2 - 2 * a * (1 + e) * x + a**2 + (1 - e) ** 2),
+        (
+            "The late force",
+            top,
+            4 * m_2 * m_0 * x**2 + 2 * m_1 * (m_2 + m_0) * x + m_1**2 + (m_2 - m_0) ** 2,
+        ),
+        ("The wall", push, alpha**2 + 2 * beta * (alpha + beta) * (1 - x)),
+    ):
+        value = on_circle(factor)
+        name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, r"|(\alpha+\beta)z-\beta|^2")
+        page.step(title, value * value.xreplace({I: -I}), square, name=name)
+    page.say(
+        "So the angles of all possible crossings are the roots of one cubic in $\\cos\\theta$, a "
+        "quadratic for whole delays where $m_0=0$. The cost of a test does not grow with the delay."
+    )
+    free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
+    numbers = {m_2: free.m2, m_1: free.m1, m_0: free.m0, a: free.device.a, e: free.device.e}
+    shift = exp(-I * (l + epsilon + S.Half) * theta)
+    page.show(
+        "A free mass at low frequencies",
+        "Q",
+        r"\theta^2e^{j(\ell+\varepsilon+1/2)\theta}\,(1+O(\theta^2))",
+        page.limits((turned.subs(numbers) * shift / theta**2 - 1) / theta, theta, S.Zero, S.Zero),
+        because="so the boundary leaves the origin with $\\beta/\\alpha=d+\\frac12$: there the "
+        "linear condition (25) is right for fractional delays too",
+    )

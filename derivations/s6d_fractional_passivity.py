@@ -1,0 +1,133 @@
+r"""When is a wall passive whose delay is no whole number of periods?
+
+With a delay of $\ell+\varepsilon$ periods the force changes inside a period, and a motion within
+the period counts. Which inequality forbids that energy is extracted, and what becomes of it at
+whole delays?
+"""
+
+from sympy import I, Rational, S, cos, cot, sin, sqrt
+
+from symhaptic.model import fractional, passivity, wall
+from symhaptic.notation import B, K, T, b, d, epsilon, l, p_k, phi, q_k, r, theta, u, w, x, z
+
+HALF = Rational(1, 2)
+KERNEL = K * T / (2 * sin(theta / 2))
+
+
+def derive(page):
+    rest = 1 - epsilon
+    page.say(
+        "Follow the device while one force is held. Its displacement in this time is $p_k$. In "
+        "between, when a straight motion would have covered $(1-\\varepsilon)p_k$, the wall takes "
+        "its next sample; let the device be off by $q_k$ then. Both pieces, of the times "
+        "$(1-\\varepsilon)T$ and $\\varepsilon T$, cost least at constant speed:"
+    )
+    page.step(
+        "The least a damper burns, times $T/b$",
+        (rest * p_k + q_k) ** 2 / rest + (epsilon * p_k - q_k) ** 2 / epsilon,
+        p_k**2 + q_k**2 / (epsilon * rest),
+    )
+    page.say(
+        "The position at the beginning is $p/(z-1)$, so the sample is "
+        "$(1/(z-1)+1-\\varepsilon)p+q$, and the force that belongs to it comes $\\ell+1$ periods "
+        "later. Per period and at one angle the energy left to damper and wall is "
+        "$\\tfrac bT(|p|^2+|q|^2/(\\varepsilon(1-\\varepsilon)))"
+        "+\\Re\\{G\\,(\\ldots p+q)\\,\\bar p\\}$ with $G=z^{-\\ell-1}H$."
+    )
+    page.step(
+        "The place of the sample",
+        1 / (z - 1) + rest,
+        rest * z / (z - 1) + epsilon / (z - 1),
+        because="between the delays $\\ell$ and $\\ell+1$, with the weights $1-\\varepsilon$ and "
+        "$\\varepsilon$",
+    )
+    form = fractional.energy_form()
+    straight = page.step(
+        "The damping that a straight motion needs",
+        b - T * form[0, 0],
+        KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
+        - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
+        name="n",
+        because="what the wall takes from such a motion, times $T$ and with its sign reversed",
+    )
+    need = passivity.dirichlet_form()
+    page.show(
+        "It lies between those of two whole delays",
+        "n",
+        r"(1-\varepsilon)\,\text{need}\big|_{d=\ell}+\varepsilon\,\text{need}\big|_{d=\ell+1}",
+        page.same("n", straight, rest * need.subs(d, l) + epsilon * need.subs(d, l + 1)),
+    )
+    force = passivity.on_circle(wall.transfer() * z ** (-l - 1))
+    square = page.step(
+        "The wall's size",
+        T**2 * force * force.xreplace({I: -I}),
+        fractional.stiffness_squared(),
+        name="T^2|H|^2",
+        because="on the unit circle the delay only turns it, so that the square of the modulus "
+        "does not contain it",
+    )
+    det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
+    margin = b * (b - straight) - epsilon * rest * square / 4
+    page.show(
+        "The form in $p$ and $q$ is positive with its determinant",
+        r"\varepsilon(1-\varepsilon)T^2\det",
+        r"b(b-n)-\tfrac14\varepsilon(1-\varepsilon)T^2|H|^2",
+        page.same("determinant", det * T**2 * epsilon * rest, margin),
+        because="as its corner $b/(T\\varepsilon(1-\\varepsilon))$ is positive; the second term is "
+        "what a deviation $q$ gains at best",
+        boxed=True,
+    )
+    root = (u + sqrt(u**2 + w)) / 2
+    page.step(
+        "Solved for the damping",
+        root * (root - u) - w / 4,
+        S.Zero,
+        name=r"\det\big|_{b=\frac12(n+\sqrt{n^2+\varepsilon(1-\varepsilon)T^2|H|^2})}",
+        because="the other solution is not positive, since the product of both is not",
+    )
+    page.same("as in the model", margin, fractional.margin())
+    page.say(
+        "Which angles count? With $\\psi=\\theta/2$ write $r^2=w^2+u^2\\cot^2\\psi$ for the wall "
+        "$u=KT/(2b)$, $w=(B+KT/2)/b$, and $\\varrho^2=1-4\\varepsilon(1-\\varepsilon)\\sin^2\\psi$ "
+        "for the delay. Both fall with $\\theta$ if $K\\ge0$. The size of the wall is "
+        "$T|H|=2br\\sin\\psi$, and $n=br\\varrho\\cos\\varphi$ with some phase $\\varphi$; below, "
+        "$x$ stands for $\\varrho$."
+    )
+    wall_ = {K: 2 * b * u / T, B: b * (w - u)}
+    page.step(
+        "The wall's size again",
+        square.subs(wall_) / (2 * b * sin(theta / 2)) ** 2,
+        w**2 + u**2 * cot(theta / 2) ** 2,
+        name=r"\Bigl(\frac{T|H|}{2b\sin\psi}\Bigr)^2",
+    )
+    need_ = r * (1 + x) / 2
+    page.step(
+        "With the damping $\\tfrac12(1+x)\\,br$",
+        need_**2 - need_ * r * x * cos(phi) - (1 - x**2) * r**2 / 4,
+        r**2 * x * (1 + x) * (1 - cos(phi)) / 2,
+        name=r"\frac{1}{b^2}\Bigl(b(b-n)-\ldots\Bigr)",
+        because="never negative, and zero in phase, $\\varphi=0$: beyond the first angle where "
+        "that happens no angle asks for more",
+    )
+    ends = [
+        page.same("ends", fractional.margin().subs(epsilon, end), b * (b - need.subs(d, whole)))
+        for end, whole in ((0, l), (1, l + 1))
+    ]
+    page.show("No fraction", r"b(b-n)", r"b\,\bigl(b-\text{need}\big|_{d=\ell}\bigr)", ends[0])
+    page.show("A full period", r"b(b-n)", r"b\,\bigl(b-\text{need}\big|_{d=\ell+1}\bigr)", ends[1])
+    page.say(
+        "As for whole delays a motion that comes back to where it began decides, and $K\\ge0$ "
+        "stands for the others: what a spring has stored can be fetched by a slow way back, which "
+        "costs the damper as little as one likes. At equality no energy is gained either."
+    )
+    page.state(
+        "fractional-passivity",
+        "for a delay of $(\\ell+\\varepsilon)T$ and $K\\ge0$ no motion can extract energy if and "
+        "only if for all $0<\\theta<\\pi$",
+        r"b^2 + bB ((1-\varepsilon) \cos((\ell+1)\theta) "
+        r"+ \varepsilon \cos((\ell+2)\theta)) "
+        r"\br - \frac{bKT}{2 \sin(\theta/2)} ((1-\varepsilon) \sin((\ell+\tfrac{1}{2})\theta) "
+        r"+ \varepsilon \sin((\ell+\tfrac{3}{2})\theta)) "
+        r"\br \geq \frac{\varepsilon(1-\varepsilon)}{4} (K^2T^2 + 4B(KT+B) \sin^2(\theta/2))",
+    )
+    page.settle("fractional-passivity", margin >= 0)

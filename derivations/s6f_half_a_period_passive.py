@@ -1,0 +1,108 @@
+r"""How stiff can a passive wall be half a period late?
+
+For $d=\tfrac12$ the exact condition is a quadratic in $\cos^2\frac\theta2$, and the boundary of the
+passive walls can be written down. We work in units of $b$ and $T$.
+"""
+
+from sympy import Rational, S, cos, discriminant, expand, pi, sqrt
+
+from symhaptic.model import fractional, passivity
+from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
+from symhaptic.proof import sign
+from symhaptic.proof.roots import root_between
+from symhaptic.report.fractional_figures import largest_stiffness
+
+HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
+
+
+def derive(page):
+    value = 1 - K * x + B * (4 * x**2 - 3 * x) - K**2 / 16 - B * (K + B) * (1 - x) / 4
+    page.show(
+        "The exact condition, a quadratic",
+        "f(x)",
+        value,
+        page.same("in x", fractional.margin().subs(HALF), value.subs(x, cos(theta / 2) ** 2)),
+        because="not negative for all $x=\\cos^2\\frac\\theta2$ between 0 and 1",
+    )
+    page.step(
+        "Its value at 1, the low frequencies",
+        value.subs({x: 1, K: 4 * sqrt(5 + B) - 8}),
+        S.Zero,
+        name=r"f(1)\big|_{K=4\sqrt{5+B}-8}",
+        because="the lower part of the boundary, where the paper has $K=1+B$",
+    )
+    bend, fall, rest = (expand(value).coeff(x, n) for n in (2, 1, 0))
+    double = page.step(
+        "Its discriminant",
+        16 * (fall**2 - 4 * bend * rest),
+        (K * (B + 4) + B * (B + 12)) ** 2 - 16 * B * (16 - B**2),
+        name=r"16\,(f_1^2-4f_0f_2)",
+        because="zero on the upper part of the boundary, an explicit curve: "
+        "$K=4\\sqrt{B(4-B)/(4+B)}-B(B+12)/(B+4)$",
+    )
+    end = page.step(
+        "Where the upper part ends",
+        double.subs(K, 0) / B,
+        B**3 + 40 * B**2 + 144 * B - 256,
+        name=r"\tfrac{16}{B}\,(f_1^2-4f_0f_2)\big|_{K=0}",
+    )
+    tip = page.step(
+        "Where it is farthest to the right",
+        -discriminant(expand(double), B) / 2**22,
+        K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
+        name=r"\text{discriminant in }B",
+        because="zero where two values of $B$ fall together",
+    )
+    one, two = S.One, Rational(2)
+    zeros = ((B, root_between(end, one, two)), (K, root_between(tip, one, two)))
+    page.enclosed("Their zeros", zeros, places=12, because="of the second we ask if it is a bound")
+    below, above = Rational("1.175869"), Rational("1.175870")
+    passive = everywhere(value.subs({K: below, B: Rational("0.324")}), x)
+    page.positive("At $K=1.175869$, $B=0.324$", passive, r"\text{all }x", name="f(x)")
+    never = everywhere(-value.subs({K: above, x: Rational("0.7818")}), B)
+    page.positive("At $K=1.175870$", never, r"\text{all }B", name="-f(0.7818)")
+    page.say(
+        "With a wall all weaker ones on its ray are passive, so that no stiffer wall is. Where "
+        "(11) says $2\\tan\\frac\\pi6=1.154700\\ldots$, the true maximum is 1.8 per cent larger. "
+        "But it belongs to another damping, and the wall of (11) itself is not passive:"
+    )
+    theirs = [e.subs({d: HALF[epsilon], theta: pi / 3, b: 1, T: 1}) for e in passivity.envelope()]
+    fails = sign.number(-value.subs({x: 1, K: theirs[0], B: theirs[1]}))
+    page.positive("At the wall of (11)", fails, r"\text{low frequencies}", name="-f(1)")
+    page.state(
+        "fractional-largest-stiffness",
+        "half a period late the largest passive stiffness lies between $1.175869\\,b/T$ and "
+        "$1.175870\\,b/T$, 1.8 per cent above (11), and the wall of (11) is not passive",
+    )
+    page.settle("fractional-largest-stiffness", passive, never, fails)
+    page.say("A longer delay may even help. Take no stiffness and the damping $B=\\frac65$:")
+    damped = {K: 0, B: Rational(6, 5)}
+    helped = everywhere(value.subs(damped), x)
+    page.positive("Half a period late", helped, r"\text{all }x", name="f(x)")
+    whole = passivity.margin().subs(damped | {b: 1})
+    fails = [
+        page.positive(title, sign.number(-whole.subs({d: n, theta: angle})), on, name=r"-F/b")
+        for n, title, angle, on in (
+            (0, "Without delay", 5 * pi / 6, r"\theta=\tfrac56\pi"),
+            (1, "One period late", pi / 2, r"\theta=\tfrac12\pi"),
+        )
+    ]
+    page.state(
+        "fractional-longer-delay",
+        "$K=0$, $B=\\frac65b$ is passive half a period late, and neither without delay nor one "
+        "period late",
+    )
+    page.settle("fractional-longer-delay", helped, *fails)
+    page.figure(
+        "stiffness-fractional",
+        "Largest passive stiffness over the delay: exact, by (11), and by (11) for the next whole "
+        "delay, which is always on the safe side (next chapter).",
+        largest_stiffness,
+    )
+
+
+def everywhere(expr, variable):
+    """A quadratic with rational coefficients that is positive for all values of the variable."""
+    bend, fall, rest = (expand(expr).coeff(variable, n) for n in (2, 1, 0))
+    square = sign.assume((variable + fall / (2 * bend)) ** 2, strict=False)
+    return sign.combined(expr, [bend, square], [sign.number(rest - fall**2 / (4 * bend))])

@@ -1,0 +1,285 @@
+r"""When do all roots of a real polynomial lie inside the unit circle?
+
+For :math:`p(z) = a_n z^n + \ldots + a_0` with :math:`a_n > 0` exactly if n + 1 expressions are
+positive: half planes, that is coefficients :math:`c_k` of :math:`(1-s)^n p((1+s)/(1-s))`, and the
+leading minors of one small symmetric matrix, which are Jury's inner determinants
+:math:`|X-Y|` of orders n-1, n-3, ...  No other of his determinants is needed (Anderson and Jury,
+*A simplified Schur-Cohn test*, IEEE Trans. Automatic Control 18, 1973); the chapter on these
+inequalities says why.  All arithmetic is exact and free of fractions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import comb, gcd, lcm
+from numbers import Integral
+from typing import Any
+
+import sympy as sp
+from flint import fmpz_mpoly, fmpz_mpoly_ctx
+from sympy import Expr, Matrix, Symbol
+from sympy.logic.boolalg import Boolean
+
+from symhaptic.model import loop
+from symhaptic.model.plant import Sampled
+from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, z
+
+ANY = Sampled(n_1, n_0, a, e)
+"""A sampled plant whose four numbers are symbols."""
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """Polynomials that are all positive exactly where every root lies inside.
+
+    First the half planes, p(1) at their head, then the minors.  The last minor is the product of
+    1 - z_i z_j over all pairs of roots, up to a positive number.
+    """
+
+    symbols: tuple[Symbol, ...]
+    polynomials: tuple[fmpz_mpoly, ...]
+    """Without their integer content, which is positive."""
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """The polynomials, factored over the integers and collected in alpha and beta."""
+        return tuple(_factored(p, self.symbols) for p in self.polynomials)
+
+    @property
+    def relations(self) -> tuple[Boolean, ...]:
+        """One strict inequality each, without those that hold for all values."""
+        found = [sp.StrictGreaterThan(x, 0, evaluate=x.is_number) for x in self.expressions]
+        return tuple(relation for relation in found if relation != sp.true)
+
+    @property
+    def terms(self) -> int:
+        """Number of terms of the largest polynomial, multiplied out."""
+        return max(len(p) for p in self.polynomials)
+
+    def degree(self, symbol: Symbol) -> int:
+        """The highest power of a symbol in any of the polynomials."""
+        index = self.symbols.index(symbol)
+        return max(int(p.degrees()[index]) for p in self.polynomials)
+
+
+def inequalities(delay: int, device: Sampled = ANY) -> tuple[Boolean, ...]:
+    r"""Inequalities that hold together exactly where the loop with a delayed wall is stable.
+
+    :math:`A(z)z^{d+1} + (n_1 z + n_0)((\alpha+\beta)z - \beta)` with :math:`A = z^2 - az + e` has
+    all its d + 3 roots inside the unit circle (condition of Jury, Sec. IV-D of the paper).
+
+    ``delay`` is the number d of whole periods, at least 0.  ``device`` is the sampled plant; its
+    numbers are n_1, n_0, a and e unless given, and may be any polynomials with rational
+    coefficients in symbols of one's own.  Returns strict inequalities in alpha, beta (both
+    dimensionless, K T^2/m and B T/m) and the symbols of the device.  Raises ``ValueError`` for
+    another delay or device.
+
+    >>> from symhaptic.model import plant
+    >>> from symhaptic.scene import Parts
+    >>> free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
+    >>> inequalities(0, free)
+    (alpha > 0, beta > 0, -alpha*beta - 2*alpha - 2*beta**2 + 4*beta > 0)
+    >>> len(inequalities(7))
+    11
+    """
+    return criterion(coefficients(delay, device)).relations
+
+
+def coefficients(delay: int, device: Sampled = ANY) -> tuple[Expr, ...]:
+    """Of the loop's characteristic polynomial, the highest power of z first.
+
+    >>> coefficients(1, Sampled(n_1, n_0, 2, 1))[:2]
+    (1, -2)
+    """
+    if isinstance(delay, bool) or not isinstance(delay, Integral) or delay < 0:
+        raise ValueError(f"delay: {delay!r} is no whole number of periods; 0, 1, 2, ... is allowed")
+    return tuple(sp.Poly(loop.closing(device).subs(d, int(delay)), z).all_coeffs())
+
+
+def criterion(coefficients: Sequence[Expr]) -> Criterion:
+    """The criterion for a polynomial, given its coefficients, the highest power first.
+
+    Coefficients are polynomials in symbols with rational numbers; the first must be a positive
+    number.  Raises ``ValueError`` where they are not.
+
+    >>> b, c = sp.symbols("b c")
+    >>> criterion([1, b, c]).relations
+    (b + c + 1 > 0, -b + c + 1 > 0, 1 - c > 0)
+    """
+    symbols, rising = _integers(coefficients)
+    even, odd = halves(rising)
+    matrix = bezoutian(even, odd)
+    if len(odd) < len(even):  # the first row without its factor a_n + a_0
+        matrix[0] = odd[::-1]
+    found = [*half_planes(rising), *_minors(matrix)]
+    return Criterion(symbols, tuple(_primitive(p) for p in found))
+
+
+# -- on the circle -----------------------------------------------------------------------
+
+
+def halves(rising: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+    """F and G, polynomials in x = z + 1/z, their coefficients from the lowest power up.
+
+    With p(z) = sum of rising[i] z^i and n = 2m or 2m+1, the sum and the difference of z^(-n/2) p
+    and its mirror image are F and (z - 1/z) G, or (z^(1/2) + z^(-1/2)) F and
+    (z^(1/2) - z^(-1/2)) G.
+
+    >>> halves(sp.symbols("a_0:4"))
+    ([-a_0 + a_1 + a_2 - a_3, a_0 + a_3], [-a_0 - a_1 + a_2 + a_3, -a_0 + a_3])
+    """
+    n = len(rising) - 1
+    m = n // 2
+    upper, lower = rising[n - m :], rising[: m + 1][::-1]
+    sums = [up + low for up, low in zip(upper, lower, strict=True)]
+    differences = [up - low for up, low in zip(upper, lower, strict=True)]
+    if n % 2:
+        return _in_x(sums, -1), _in_x(differences, 1)
+    # twice the middle coefficient stands for 1, and the difference there is zero
+    return _in_x([rising[m], *sums[1:]], 0, first=2), _in_x(differences[1:], 0)
+
+
+def _in_x(coefficients: Sequence[Any], shift: int, first: int = 1) -> list[Any]:
+    """Sum of coefficient times b_k, for b_0 = first, b_1 = x + shift, b_(k+1) = x b_k - b_(k-1)."""
+    before, now = [first], [shift, 1]
+    total = [coefficients[0] * first]
+    for coefficient in coefficients[1:]:
+        total.append(coefficient * 0)
+        total = [t + coefficient * b for t, b in zip(total, now, strict=True)]
+        raised = [0, *now]
+        padded = [*before, *[0] * (len(raised) - len(before))]
+        before, now = now, [up - low for up, low in zip(raised, padded, strict=True)]
+    return total
+
+
+def bezoutian(even: Sequence[Any], odd: Sequence[Any]) -> list[list[Any]]:
+    """The matrix of (F(x) G(y) - F(y) G(x))/(x - y), the highest powers first."""
+    size = len(even) - 1
+    full = [*odd, *[even[0] * 0] * (size + 1 - len(odd))]
+    rows = [[even[0] * 0] * size for _ in range(size)]
+    for i in range(size + 1):
+        for j in range(i):
+            minor = even[i] * full[j] - even[j] * full[i]
+            for k in range(i - j):
+                row, column = size - i + k, size - 1 - j - k
+                rows[row][column] = rows[row][column] + minor
+    return rows
+
+
+def half_planes(rising: Sequence[Any]) -> list[Any]:
+    """The coefficients c_0 and c_n, c_(n-2), ... of (1 - s)^n p((1 + s)/(1 - s)), c_0 first."""
+    n = len(rising) - 1
+
+    def weight(k: int, i: int) -> int:
+        return sum((-1) ** (k - j) * comb(i, j) * comb(n - i, k - j) for j in range(k + 1))
+
+    kept = sorted({0, *range(n, -1, -2)})
+    return [sum(weight(k, i) * c for i, c in enumerate(rising)) for k in kept]
+
+
+def inner(coefficients: Sequence[Expr], order: int) -> Matrix:
+    """Jury's matrix X - Y of one order, an inner of that of order n-1.
+
+    >>> inner(sp.symbols("a_3 a_2 a_1 a_0"), 2).tolist()
+    [[a_3, -a_0 + a_2], [-a_0, -a_1 + a_3]]
+    """
+    rising = list(coefficients)[::-1]
+    n = len(rising) - 1
+
+    def entry(i: int, j: int) -> Expr:
+        back = i + j - order + 1
+        return (rising[n - j + i] if j >= i else 0) - (rising[back] if back >= 0 else 0)
+
+    return Matrix(order, order, entry)
+
+
+# -- exact polynomials -------------------------------------------------------------------
+
+
+def _integers(coefficients: Sequence[Expr]) -> tuple[tuple[Symbol, ...], list[fmpz_mpoly]]:
+    """Symbols and coefficients over the integers, the lowest power first."""
+    given = [sp.sympify(c) for c in coefficients]
+    if len(given) < 2:
+        raise ValueError(f"coefficients: {given}; a degree of 1 or more is allowed")
+    lead = given[0]
+    if not (lead.is_Rational and lead > 0):
+        raise ValueError(f"coefficients: {lead} leads; a positive rational number is allowed")
+    free = {s for c in given for s in c.free_symbols}
+    symbols = tuple(sorted(free, key=lambda s: (s not in (alpha, beta), str(s))))
+    names = symbols or (sp.Dummy(),)
+    polynomials = []
+    for c in given:
+        if not c.is_polynomial(*names):
+            raise ValueError(f"coefficients: {c} is no polynomial; put its number in afterwards")
+        polynomials.append(sp.Poly(c, *names))
+        if not polynomials[-1].domain.is_QQ and not polynomials[-1].domain.is_ZZ:
+            raise ValueError(f"coefficients: {c} has a number that is not rational")
+    common = lcm(*(int(n.q) for p in polynomials for n in p.coeffs()))
+    ring = fmpz_mpoly_ctx.get([f"g{i}" for i in range(len(names))], "lex")
+    rising = [
+        ring.from_dict({m: int(n * common) for m, n in p.terms() if n}) for p in polynomials[::-1]
+    ]
+    return symbols, rising
+
+
+def _minors(rows: list[list[fmpz_mpoly]]) -> list[fmpz_mpoly]:
+    """Leading minors, by elimination without fractions.
+
+    After a minor that is zero identically no further one matters: it is never positive.
+    """
+    found: list[fmpz_mpoly] = []
+    before: Any = 1
+    while rows:
+        pivot = rows[0][0]
+        found.append(pivot)
+        if pivot.is_zero():
+            break
+        first, *others = rows
+        rows = [
+            [(pivot * row[j] - row[0] * first[j]) / before for j in range(1, len(row))]
+            for row in others
+        ]
+        before = pivot
+    return found
+
+
+def _primitive(polynomial: fmpz_mpoly) -> fmpz_mpoly:
+    content = gcd(*(int(c) for c in polynomial.coeffs()))
+    return polynomial / content if content else polynomial
+
+
+def _factored(polynomial: fmpz_mpoly, symbols: tuple[Symbol, ...]) -> Expr:
+    number, factors = polynomial.factor()
+    written = [(_collected(f, symbols), int(k)) for f, k in factors]
+    if number == -1 and factors and factors[0][1] % 2:
+        number, written[0] = 1, (_collected(-factors[0][0], symbols), int(factors[0][1]))
+    return int(number) * sp.Mul(*(f**k for f, k in written))
+
+
+def _collected(polynomial: fmpz_mpoly, symbols: tuple[Symbol, ...]) -> Expr:
+    """Powers of alpha and beta with factored coefficients, so that no sum is very long."""
+    walls = sum(symbol in (alpha, beta) for symbol in symbols)
+    if not 0 < walls < len(symbols):
+        return _expanded(polynomial, symbols)
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
+    for monomial, value in polynomial.to_dict().items():
+        parts.setdefault(monomial[:walls], {})[(0,) * walls + monomial[walls:]] = value
+    terms = []
+    for powers, part in parts.items():
+        number, factors = polynomial.context().from_dict(part).factor()
+        coefficient = sp.Mul(*(_expanded(f, symbols) ** int(k) for f, k in factors))
+        wall = _monomial(symbols, tuple(map(int, powers)))
+        terms.append(int(number) * coefficient * wall)
+    return sp.Add(*terms)
+
+
+def _expanded(polynomial: fmpz_mpoly, symbols: tuple[Symbol, ...]) -> Expr:
+    terms = polynomial.to_dict().items()
+    return sp.Add(*(int(c) * _monomial(symbols, tuple(map(int, m))) for m, c in terms))
+
+
+@lru_cache(maxsize=4096)
+def _monomial(symbols: tuple[Symbol, ...], powers: tuple[int, ...]) -> Expr:
+    return sp.Mul(*(s**k for s, k in zip(symbols, powers, strict=False) if k))

@@ -1,0 +1,79 @@
+"""The sampled plant's numbers in balls, where the plant's parameters are intervals.
+
+From the exponential of the plant's matrix, an entire function: nothing is divided, so that no
+interval of parameters is a hard one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+import sympy as sp
+from flint import acb, acb_mat
+from sympy import Expr
+
+from symhaptic.model import plant
+from symhaptic.notation import delta, gamma
+from symhaptic.proof.ball import ball
+from symhaptic.proof.box import Given
+from symhaptic.scene import FULL
+
+LOSS, TOGETHER, LATE, AT_ONE = NUMBERS = sp.symbols("L S n_0 q")
+"""1 - e, n_1 + n_0, n_0 and 1 - a + e."""
+
+SLOPES = sp.symbols("L' S' n_0' q'")
+"""Their derivatives with respect to delta."""
+
+_BITS = 96
+
+Dual: TypeAlias = tuple[acb, acb]
+"""Value and derivative with respect to delta."""
+
+
+def numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
+    """Balls of the four numbers and of their derivatives, for balls of gamma and delta.
+
+    n_0 is the response to the first of two periods of force: exp(-delta) times n_1 of the plant
+    whose time runs backwards, that is with -delta (chapter s4a_discretisation has the samples).
+    """
+    first = _held(at)
+    fall = (-at[delta]).exp()
+    back = _held({**at, delta: -at[delta]})
+    late = (fall * back[0], -fall * back[0] - fall * back[1])
+    together = (first[0] + late[0], first[1] + late[1])
+    found: tuple[Dual, ...] = (
+        (1 - fall, fall),
+        together,
+        late,
+        (at[gamma] * together[0], at[gamma] * together[1]),
+    )
+    values = dict(zip(NUMBERS, (v for v, _ in found), strict=True))
+    return values | dict(zip(SLOPES, (slope for _, slope in found), strict=True))
+
+
+def _held(at: Mapping[sp.Symbol, acb]) -> Dual:
+    """Position after a period of unit force, and its derivative with respect to delta."""
+    device = plant.normalised(FULL)
+    whole = sp.zeros(3, 3)
+    whole[:2, :2], whole[:2, 2] = device.state_matrix, device.input_matrix
+    twice = sp.zeros(6, 6)  # exp([[X, X'], [0, X]]) has exp(X)' in its upper right block
+    twice[:3, :3] = twice[3:, 3:] = whole
+    twice[:3, 3:] = whole.diff(delta)
+    grown = acb_mat(6, 6, [ball(entry, at, _BITS) for entry in twice]).exp()
+    return grown[0, 2], grown[0, 5]
+
+
+def named(meanings: Mapping[sp.Symbol, Expr]) -> Given:
+    """Balls of expressions in the plant's numbers, computed once for an interval of the plant."""
+    known: dict[tuple[object, ...], dict[sp.Symbol, acb]] = {}
+
+    def given(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
+        parts = (at[s].real for s in (gamma, delta))
+        key = tuple(part.man_exp() for x in parts for part in (x.mid(), x.rad()))
+        if key not in known:
+            values = {**at, **numbers(at)}
+            known[key] = {s: ball(expr, values, _BITS) for s, expr in meanings.items()}
+        return known[key]
+
+    return given

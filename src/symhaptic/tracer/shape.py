@@ -1,0 +1,38 @@
+"""What every region of the (alpha, beta) plane has: an outline, an area, a picture."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symhaptic.kernels.arguments import Array
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class Shape:
+    """A region given by Shapely's polygon or polygons."""
+
+    polygon: Any
+
+    @property
+    def outline(self) -> tuple[Array, ...]:
+        """Closed rings, one row (alpha, beta) per point; one ring for each piece of the region."""
+        parts = getattr(self.polygon, "geoms", [self.polygon])
+        return tuple(np.asarray(p.exterior.coords) for p in parts if not p.is_empty)
+
+    @property
+    def area(self) -> float:
+        """Area in the (alpha, beta) plane, to within error times length of the outline."""
+        return float(self.polygon.area)
+
+    def plot(self, axes: Axes, **style: Any) -> None:
+        """Draw the outline on Matplotlib's axes; ``style`` as for a line, ``fill`` for the area."""
+        fill = style.pop("fill", None)
+        for ring in self.outline:
+            if fill is not None:
+                axes.fill(ring[:, 0], ring[:, 1], color=fill, linewidth=0)
+            (line,) = axes.plot(ring[:, 0], ring[:, 1], **style)
+            style = {**style, "color": line.get_color(), "label": None}

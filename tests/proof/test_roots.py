@@ -1,0 +1,144 @@
+"""Balls around roots contain them, and nothing is taken for what it is not."""
+
+import mpmath
+import pytest
+import sympy as sp
+from flint import arb, ctx
+from sympy import Rational, S, cos, pi, sin, sqrt, tan
+
+from symhaptic.chapter import FalseStep, Page
+from symhaptic.proof.ball import largest_root
+from symhaptic.proof.roots import (
+    NoSuchRoot,
+    algebraic,
+    decimals,
+    root_between,
+    zero_between,
+)
+
+x, y, z = sp.symbols("x y z")
+
+ZEROS = {
+    # function, interval, and the zero by mpmath's own search
+    "cosine": (cos(x), S.One, S(2), lambda v: mpmath.cos(v)),
+    "tangent": (2 * cos(x) - x * sin(x), S.One, Rational(6, 5), lambda v: v * mpmath.tan(v) - 2),
+    "exponential": (sp.exp(x) - 3, S.One, Rational(6, 5), lambda v: mpmath.exp(v) - 3),
+}
+
+
+@pytest.mark.parametrize("name", ZEROS)
+def test_zero_of_a_function(name):
+    function, low, high, same = ZEROS[name]
+    found = zero_between(function, x, low, high)
+    with mpmath.workdps(70):
+        expected = mpmath.findroot(same, (float(low) + float(high)) / 2)
+        with ctx.workprec(256):
+            # mpmath's 70 digits, less some for the search
+            assert abs(found - arb(mpmath.nstr(expected, 68))) < arb("1e-60")
+    assert found.rad() < arb(2) ** -240  # 256 bits, less a few roundings
+
+
+@pytest.mark.parametrize(
+    ("function", "low", "high"),
+    [
+        (x**2 + 1, S(-1), S(2)),  # none
+        (cos(x), S.Zero, S(6)),  # two, and a slope that vanishes
+        (cos(x), S.Zero, S.One),  # outside
+        (x**2, S(-1), S.One),  # a double one
+        (sp.exp(x) - 3, S.One, S(2)),  # alone, but too wide for one step
+        (tan(x), S.One, S(2)),  # a pole changes the sign as well
+    ],
+)
+def test_zero_that_is_not_there_alone(function, low, high):
+    with pytest.raises(NoSuchRoot):
+        zero_between(function, x, low, high)
+
+
+def test_root_between_real_numbers():
+    # cos(pi/7) is a root of 8x^3 - 4x^2 - 4x + 1 (textbook), the others are below it
+    polynomial = 8 * x**3 - 4 * x**2 - 4 * x + 1
+    found = root_between(polynomial, S.Half, S.One)
+    with ctx.workprec(256):
+        assert found.overlaps((arb.pi() / 7).cos())
+    with pytest.raises(NoSuchRoot, match="2 roots"):
+        root_between(polynomial, S.Zero, S.One)
+    with pytest.raises(NoSuchRoot, match="0 roots"):
+        root_between(polynomial, S.One, S(2))
+    with pytest.raises(NoSuchRoot, match="at an end"):
+        root_between(x**2 - 2, sqrt(2), S(2))
+    with pytest.raises(NoSuchRoot, match="2 roots"):
+        root_between((x - 1) ** 2, S.Zero, S(2))
+
+
+def test_minimal_polynomial_of_an_algebraic_number():
+    # 2 cos(2 pi/7) has y^3 + y^2 - 2y - 1 (textbook); it is its only positive root
+    found = algebraic(2 * x, 8 * x**3 + 4 * x**2 - 4 * x - 1, x, y, S.Half, S.One)
+    assert sp.expand(found.minimal - (y**3 + y**2 - 2 * y - 1)) == 0
+    assert found.positive_roots_below == 0
+    with ctx.workprec(256):
+        assert found.ball.overlaps(2 * (2 * arb.pi() / 7).cos())
+    # sqrt 2 + 1 and 1/(sqrt 2 + 1) = sqrt 2 - 1: the larger has the other conjugate below zero
+    larger = algebraic(x + 3, x**2 - 2, x, y, S.Zero, S(2))
+    assert sp.expand(larger.minimal - (y**2 - 6 * y + 7)) == 0
+    assert larger.positive_roots_below == 1
+
+
+@pytest.mark.parametrize(
+    ("value", "modulus", "match"),
+    [
+        (x**2, x**2 - 2, "lower degree"),  # the number 2
+        (x, (x**2 - 2) * (x**2 + 1), "lower degree"),  # a modulus that factors
+        (1 / (x**2 - 2), x**2 - 2, "vanishes at a root"),
+        (x, x**2 - 5, "0 roots"),
+    ],
+)
+def test_number_that_is_not_what_it_should_be(value, modulus, match):
+    with pytest.raises(NoSuchRoot, match=match):
+        algebraic(value, modulus, x, y, S.Zero, S(2))
+
+
+def test_decimals_are_cut_off_and_never_guessed():
+    with ctx.workprec(128):
+        assert decimals(arb(2) / 3, 10) == "0.6666666666"
+        assert decimals(arb(1) / 32, 4) == "0.0312"
+        assert decimals(arb(12345), 3) == "12345.000"
+        for unknown in (arb(2, 1e-3), arb(-1) / 3, arb("1 +/- 1e-30")):
+            with pytest.raises(NoSuchRoot):
+                decimals(unknown, 6)
+
+
+def test_largest_root_with_coefficients_that_are_no_fractions():
+    # (z - 1/e)(z + 1/2)
+    polynomial = z**2 + (S.Half - sp.exp(-1)) * z - sp.exp(-1) / 2
+    assert largest_root(polynomial).overlaps(arb("0.5"))
+    assert largest_root(z**2 - pi).overlaps(arb.pi().sqrt())
+
+
+def test_page_does_not_print_a_bound_that_is_too_small():
+    page = Page("test")
+    page.inside("roots", z**2 - Rational(99951, 100000) ** 2)
+    assert page.blocks[-1].lines[0][2] == "0.9996"
+    page.outside("roots", z**2 - Rational(100029, 100000) ** 2)
+    assert page.blocks[-1].lines[0][2] == "1.0002"
+    with pytest.raises(FalseStep, match="not shown to be inside"):
+        page.inside("roots", z**2 - 1)
+
+
+def test_page_names_the_smallest_positive_root_only():
+    small = algebraic(3 - x, x**2 - 2, x, y, S.Zero, S(2))
+    large = algebraic(3 + x, x**2 - 2, x, y, S.Zero, S(2))
+    page = Page("test")
+    page.minimal("numbers", [("a", small)])
+    assert page.blocks[-1].verdict == "proved"
+    with pytest.raises(FalseStep, match="smaller positive root"):
+        page.minimal("numbers", [("a", small), ("b", large)])
+
+
+def test_page_prints_what_the_ball_knows():
+    page = Page("test")
+    with ctx.workprec(128):
+        page.enclosed("root", [("a", arb(2).sqrt())], places=10)
+        assert page.blocks[-1].lines == (("a", "=", r"1.4142135623\ldots"),)
+        assert page.blocks[-1].verdict == "enclosed"
+        with pytest.raises(NoSuchRoot):
+            page.enclosed("root", [("a", arb(2, 1e-9))], places=20)

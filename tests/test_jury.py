@@ -1,0 +1,355 @@
+"""Jury's inequalities beside roots: exact ones that were multiplied out, and NumPy's eigenvalues.
+
+No reference comes from the package: polynomials are made of known roots, plants by SciPy, and
+the matrices X - Y are typed from the textbook (Jury, Inners and Stability of Dynamic Systems).
+"""
+
+from fractions import Fraction
+from functools import cache
+from itertools import combinations
+from math import prod
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.signal import cont2discrete
+from sympy.polys.matrices import DomainMatrix
+
+from symhaptic.model import jury
+from symhaptic.model.plant import Sampled
+
+DELAYS = range(9)
+alpha, beta, n_1, n_0, a, e = NAMES = sp.symbols("alpha beta n_1 n_0 a e")
+FREE = Sampled(sp.Rational(1, 2), sp.Rational(1, 2), sp.S(2), sp.S.One)  # (z+1)/(2 (z-1)^2)
+
+
+# -- polynomials with known roots ---------------------------------------------------------
+
+
+def times(left, right):
+    """The product of two polynomials, the highest power first."""
+    out = [Fraction(0)] * (len(left) + len(right) - 1)
+    for i, x in enumerate(left):
+        for j, y in enumerate(right):
+            out[i + j] += x * y
+    return out
+
+
+def made_of_roots(rng, degree, spread):
+    """Coefficients of exact roots within ``spread`` of the circle, and whether all are inside."""
+    polynomial, inside = [Fraction(1)], True
+    while (left := degree - len(polynomial) + 1) > 0:
+        size = 1 + spread * Fraction(int(rng.integers(-100, 21)), 100)
+        if left >= 2 and rng.random() < 0.6:
+            # z^2 - 2 c z + size^2 with |c| < size: a pair of modulus size
+            c = size * Fraction(int(rng.integers(-99, 100)), 100)
+            polynomial = times(polynomial, [1, -2 * c, size**2])
+        else:
+            polynomial = times(polynomial, [1, size * int(rng.choice([-1, 1]))])
+        inside &= size < 1
+    return polynomial, inside
+
+
+@cache
+def corpus(degree):
+    """Polynomials of known roots: anywhere, near the circle, and very near."""
+    rng = np.random.default_rng(degree)
+    spreads = (Fraction(1), Fraction(1, 50), Fraction(1, 10**9))
+    return [made_of_roots(rng, degree, spread) for spread in spreads for _ in range(30)]
+
+
+def judged(polynomial):
+    """Whether all inequalities hold."""
+    exact = [sp.Rational(c.numerator, c.denominator) for c in polynomial]
+    return all(bool(expr > 0) for expr in jury.criterion(exact).expressions)
+
+
+@pytest.mark.parametrize("degree", range(1, 13))
+def test_decides_polynomials_with_known_roots(degree):
+    found = corpus(degree)
+    assert {inside for _, inside in found} == {True, False}
+    for polynomial, inside in found:
+        assert judged(polynomial) == inside, polynomial
+
+
+def test_ends_that_cancel():
+    """z^4 - 1 and (z - 1/2)(z + 2)(z^2 + 1): a_n + a_0 = 0."""
+    assert not judged([Fraction(c) for c in (1, 0, 0, 0, -1)])
+    half = Fraction(1, 2)
+    assert not judged(times(times([1, -half], [1, 2]), [1, 0, 1]))
+
+
+def misjudged():
+    """How many known polynomials the package as it stands gets wrong."""
+    return sum(judged(p) != inside for n in (3, 4, 5, 6) for p, inside in corpus(n))
+
+
+def shifted(read):
+    return lambda rising: read([*rising[1:], rising[0]])
+
+
+HALVES, BEZOUTIAN, HALF_PLANES = jury.halves, jury.bezoutian, jury.half_planes
+MUTANTS = {
+    "F and G exchanged": (
+        "halves",
+        lambda rising: HALVES(rising)[:: -1 if len(rising) % 2 == 0 else 1],
+    ),
+    "coefficients from the other end": ("halves", lambda rising: HALVES(rising[::-1])),
+    "coefficients of F and G shifted": ("halves", shifted(HALVES)),
+    "F without its constant": (
+        "halves",
+        lambda rising: ([0 * rising[0], *HALVES(rising)[0][1:]], HALVES(rising)[1]),
+    ),
+    "sign of the matrix": (
+        "bezoutian",
+        lambda f, g: [[-entry for entry in row] for row in BEZOUTIAN(f, g)],
+    ),
+    "off the diagonal nothing": (
+        "bezoutian",
+        lambda f, g: [
+            [entry if i == j else 0 * entry for j, entry in enumerate(row)]
+            for i, row in enumerate(BEZOUTIAN(f, g))
+        ],
+    ),
+    "coefficients of the half planes shifted": ("half_planes", shifted(HALF_PLANES)),
+    "no half plane at -1": ("half_planes", lambda rising: HALF_PLANES(rising)[:-1]),
+    "no half plane at 1": ("half_planes", lambda rising: HALF_PLANES(rising)[1:]),
+    "half planes of the polynomial at -z": (
+        "half_planes",
+        lambda rising: HALF_PLANES([(-1) ** i * c for i, c in enumerate(rising)]),
+    ),
+    "a half plane turned round": (
+        "half_planes",
+        lambda rising: [-HALF_PLANES(rising)[0], *HALF_PLANES(rising)[1:]],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MUTANTS)
+def test_a_mutant_misjudges_some_polynomial(monkeypatch, name):
+    place, changed = MUTANTS[name]
+    assert misjudged() == 0
+    monkeypatch.setattr(jury, place, changed)
+    assert misjudged() > 0
+
+
+# -- each inequality is needed --------------------------------------------------------------
+
+
+def values(expressions, names, points):
+    """Floating-point values of expressions, one row each."""
+    functions = [sp.lambdify(names, expr, "numpy") for expr in expressions]
+    return np.array([f(*points) * np.ones_like(points[0]) for f in functions])
+
+
+def violated_alone(expressions, names, points):
+    """For each expression, how often it alone is clearly negative."""
+    found = values(expressions, names, points)
+    held = found > 0
+    return [
+        int(((row < -1e-6) & np.delete(held, i, axis=0).all(axis=0)).sum())
+        for i, row in enumerate(found)
+    ]
+
+
+@pytest.mark.parametrize("degree", [2, 3, 4, 5, 6])
+def test_without_any_one_an_unstable_polynomial_would_pass(degree):
+    rng = np.random.default_rng(degree)
+    names = sp.symbols(f"a_0:{degree}")[::-1]
+    expressions = jury.criterion([sp.S.One, *names]).expressions
+    assert len(expressions) == degree + 1
+    points = rng.normal(size=(degree, 300_000)) * 10 ** rng.uniform(-1, 1, (degree, 300_000))
+    assert min(violated_alone(expressions, names, points)) > 0
+
+
+@pytest.mark.parametrize("delay", [0, 1, 2, 3])
+def test_without_any_one_an_unstable_loop_would_pass(delay):
+    """The device's numbers are any real numbers here, as the symbols are."""
+    rng = np.random.default_rng(delay)
+    expressions = jury.criterion(jury.coefficients(delay)).expressions
+    assert len(expressions) == delay + 4
+    size = 10 ** rng.uniform(-2, 1, (6, 400_000))
+    points = size * rng.choice([-1, 1], (6, 400_000))
+    assert min(violated_alone(expressions, NAMES, points)) > 0
+
+
+def test_a_half_plane_between_is_needed():
+    """Roots 2, 5/4, 3/5 and 0: p(1), p(-1), 1 - a_0 and the product over pairs are positive."""
+    roots = [Fraction(2), Fraction(5, 4), Fraction(3, 5), Fraction(0)]
+    polynomial = [Fraction(1)]
+    for root in roots:
+        polynomial = times(polynomial, [1, -root])
+    at_one, between, at_minus_one, first, last = jury.criterion(
+        [sp.Rational(c.numerator, c.denominator) for c in polynomial]
+    ).expressions
+    assert prod(1 - x * y for x, y in combinations(roots, 2)) > 0
+    assert min(at_one, at_minus_one, first, last) > 0
+    assert between < 0
+
+
+# -- what the minors are ----------------------------------------------------------------
+
+
+def proportional(one, other):
+    """Whether two polynomials in one symbol are the same up to a positive number."""
+    one, other = (sp.Poly(f, X).primitive()[1] for f in (one, other))
+    return one == other
+
+
+X = sp.Symbol("X")
+
+
+@pytest.mark.parametrize("degree", range(2, 12))
+def test_minors_are_jurys_inner_determinants(degree):
+    """X is Toeplitz, Y Hankel: Jury's inners, orders n-1, n-3, ... by deleting the frame."""
+    rng = np.random.default_rng(degree)
+    falling = [sp.S.One, *(int(i) + int(j) * X for i, j in rng.integers(-9, 10, (degree, 2)))]
+    rising = falling[::-1]
+    order = degree - 1
+    toeplitz = sp.Matrix(order, order, lambda i, j: falling[j - i] if j >= i else 0)
+    below = [0] * (order - 1) + rising
+    hankel = sp.Matrix(order, order, lambda i, j: below[i + j])
+    matrix = toeplitz - hankel
+    for minor in jury.criterion(falling).expressions[: -(degree // 2) - 1 : -1]:
+        found = DomainMatrix.from_Matrix(matrix).convert_to(sp.ZZ[X]).det()
+        assert proportional(minor, sp.ZZ[X].to_sympy(found))
+        assert matrix.rows < 3 or jury.inner(falling, matrix.rows) == matrix
+        matrix = matrix[1:-1, 1:-1]
+
+
+@pytest.mark.parametrize("degree", range(2, 10))
+def test_last_minor_is_the_product_over_pairs_of_roots(degree):
+    rng = np.random.default_rng(degree)
+    roots = [int(i) + int(j) * X for i, j in rng.integers(-3, 4, (degree, 2))]
+    falling = sp.Poly(prod(sp.Symbol("Z") - r for r in roots), sp.Symbol("Z")).all_coeffs()
+    product = prod((sp.Poly(1 - r * s, X) for r, s in combinations(roots, 2)), start=sp.Poly(1, X))
+    assert proportional(jury.criterion(falling).expressions[-1], product)
+
+
+def test_number_of_terms_by_sympys_determinant():
+    """The largest inequality of the table, d = 0 to 3, as |X - Y| of order d + 2."""
+    for delay, terms in enumerate((9, 21, 57, 146)):
+        falling = [0] * (delay + 4)
+        falling[0], falling[1], falling[2] = 1, -a, e
+        falling[-3] += n_1 * (alpha + beta)
+        falling[-2] += n_0 * (alpha + beta) - n_1 * beta
+        falling[-1] -= n_0 * beta
+        order, rising = delay + 2, falling[::-1]
+        matrix = sp.Matrix(
+            order,
+            order,
+            lambda i, j, k=order, up=falling, low=rising: (
+                (up[j - i] if j >= i else 0) - (low[i + j - k + 1] if i + j >= k - 1 else 0)
+            ),
+        )
+        determinant = sp.Poly(matrix.det(method="berkowitz"), *NAMES)
+        found = jury.criterion(jury.coefficients(delay))
+        assert len(determinant.terms()) == terms == found.terms
+        assert sp.Poly(found.expressions[-1], *NAMES) == determinant
+        assert determinant.degree(alpha) == delay + 1 == found.degree(alpha)
+        assert determinant.degree(beta) == delay + 2 == found.degree(beta)
+
+
+# -- the loop ------------------------------------------------------------------------------
+
+
+def plant(gamma, delta):
+    """n_1, n_0, a and e of a unit mass with spring and damper, by SciPy's zero-order hold."""
+    top, bottom, _ = cont2discrete(([1.0], [1.0, delta, gamma]), 1.0, method="zoh")
+    return top[0][1], top[0][2], -bottom[1], bottom[2]
+
+
+def largest_root(delay, stiffness, damping, numbers):
+    """Largest modulus of the roots of A z^(d+1) + (n1 z + n0)((alpha+beta) z - beta)."""
+    n1, n0, trace, det = numbers
+    polynomial = np.concatenate([[1, -trace, det], np.zeros(delay + 1)])
+    polynomial[-3:] += np.convolve([n1, n0], [stiffness + damping, -damping])
+    return np.abs(np.roots(polynomial)).max()
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+def test_loops_beside_eigenvalues(delay):
+    rng = np.random.default_rng(delay)
+    loops, largest = [], []
+    for _ in range(60):
+        gamma, delta = 10 ** rng.uniform(-3, 1), rng.choice([0, 10 ** rng.uniform(-3, 0.7)])
+        numbers = plant(gamma, delta)
+        for _ in range(30):
+            wall = 10 ** rng.uniform(-3, 1) / (delay + 1)
+            stiffness = wall * rng.uniform(-0.5, 1)
+            damping = wall * (delay + 1) * rng.uniform(-0.5, 2)
+            loops.append((stiffness, damping, *numbers))
+            largest.append(largest_root(delay, stiffness, damping, numbers))
+    found = values([r.lhs for r in jury.inequalities(delay)], NAMES, np.array(loops).T)
+    largest = np.array(largest)
+    clear = np.abs(largest - 1) > 1e-5  # roots of multiplicity two are known to half the digits
+    clear &= np.abs(found).min(axis=0) > 1e-9  # and a sum of some thousand terms is rounded
+    assert ((found > 0).all(axis=0) == (largest < 1))[clear].all()
+    assert (largest[clear] < 1).sum() > 50
+    assert (largest[clear] > 1).sum() > 50
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+def test_free_mass_beside_eigenvalues(delay):
+    """Walls on a grid around the region, which shrinks as (d+1)^-2 and (d+1)^-1."""
+    expressions = [r.lhs for r in jury.inequalities(delay, FREE)]
+    assert {s for f in expressions for s in f.free_symbols} == {alpha, beta}
+    stiffness, damping = np.meshgrid(np.linspace(-0.5, 2.5, 40), np.linspace(-0.3, 1.7, 30))
+    stiffness, damping = stiffness.ravel() / (delay + 1) ** 2, damping.ravel() / (delay + 1)
+    held = (values(expressions, (alpha, beta), (stiffness, damping)) > 0).all(axis=0)
+    for wall in zip(stiffness, damping, held, strict=True):
+        size = largest_root(delay, *wall[:2], (0.5, 0.5, 2.0, 1.0))
+        assert wall[2] == (size < 1) or abs(size - 1) < 1e-6
+    assert min(held.sum(), (~held).sum()) > 50
+
+
+SCHUR = "schur_conditions"
+
+
+@pytest.mark.skipif(not hasattr(sp.Poly, SCHUR), reason=f"this SymPy has no Poly.{SCHUR}")
+@pytest.mark.parametrize("delay", [0, 1, 2])
+def test_beside_sympys_own_conditions(delay):
+    polynomial = sp.Poly(jury.coefficients(delay), sp.Symbol("z"))
+    theirs = [sp.sympify(c) for c in getattr(polynomial, SCHUR)()]
+    ours = [r.lhs for r in jury.inequalities(delay)]
+    rng = np.random.default_rng(delay)
+    points = rng.uniform(-1.5, 1.5, (6, 50_000))
+    both = [(values(f, NAMES, points) > 0).all(axis=0) for f in (ours, theirs)]
+    assert (both[0] == both[1]).all()
+    assert both[0].any()
+
+
+# -- the function itself -------------------------------------------------------------------
+
+
+def test_a_device_with_a_symbol_of_its_own():
+    own = jury.inequalities(1, Sampled(sp.Symbol("x"), sp.Symbol("x"), sp.S(2), sp.S.One))
+    assert {s for r in own for s in r.free_symbols} == {alpha, beta, sp.Symbol("x")}
+
+
+def test_numbers_alone():
+    assert jury.criterion([1, 0, 0]).relations == ()
+    assert sp.false in jury.criterion([1, 0, sp.Rational(3, 2)]).relations
+
+
+def test_a_delay_of_another_integer_type():
+    assert jury.inequalities(np.int64(2)) == jury.inequalities(2)
+
+
+@pytest.mark.parametrize(
+    ("delay", "word"), [(-1, "-1"), (0.5, "0.5"), ("2", "'2'"), (True, "True"), (None, "None")]
+)
+def test_a_delay_that_is_no_whole_number(delay, word):
+    with pytest.raises(ValueError, match=r"delay: .*0, 1, 2") as wrong:
+        jury.inequalities(delay)
+    assert word in str(wrong.value)
+
+
+@pytest.mark.parametrize(
+    "coefficients",
+    [[1], [-1, 2], [a, 1], [1, sp.sqrt(2)], [1, 0.5], [1, sp.exp(a)], [1, 1 / a], [0, 1]],
+    ids=str,
+)
+def test_coefficients_that_are_not_allowed(coefficients):
+    with pytest.raises(ValueError, match="coefficients"):
+        jury.criterion(coefficients)
