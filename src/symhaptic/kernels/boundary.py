@@ -75,6 +75,7 @@ def point(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
     c = _on_circle(x, theta)
     cosine, sine = _turn(steps, theta)
     size = c.below * c.below + c.below_j * c.below_j
+    size = np.where(size == 0, np.nan, size)  # no force reaches the device at this frequency
     ratio = (c.above * c.below + c.above_j * c.below_j) / size
     ratio_j = (c.above_j * c.below - c.above * c.below_j) / size
     real, imaginary = ratio_j * sine - ratio * cosine, -ratio_j * cosine - ratio * sine
@@ -132,7 +133,7 @@ def stability_boundary(
     these points by a grid.
 
     Raises :class:`ValueError` for theta outside (0, pi) and an impossible plant or delay; NaN
-    gives NaN.
+    gives NaN, and so does an angle at which no force reaches the device.
 
     >>> alpha, beta = stability_boundary(1.0, 0.0, 0.0, 1)
     >>> round(float(alpha), 12), round(float(beta), 12)  # 4 tan(1/2)^2 cos 2, ...

@@ -137,7 +137,7 @@ def _nearest(s: Surplus, y: Array, off: Array, rest: Array, rises: np.bool_) -> 
     small = y < rest  # their sum is 4 but for rounding, and where both are far off the circle
     edge = np.where(small, y, rest)
     there = (y > 0) & (rest > 0) & (edge < 4)
-    own = np.abs(off) < edge
+    own = (np.abs(off) < edge) & (s.center + off > 0) & (s.beyond - off > 0)
     y = np.where(own, s.center + off, np.where(small, y, 4 - rest))
     rest = np.where(own, s.beyond - off, np.where(small, 4 - y, rest))
     off = np.where(own, off, np.where(small, y - s.center, s.beyond - rest))

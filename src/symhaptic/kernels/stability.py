@@ -86,15 +86,19 @@ def count(
 ) -> Array:
     """Number of roots outside the unit circle, as floats; ``steps`` is the whole delay.
 
-    With ``on_circle``, the y of a root on the circle, this root and its conjugate are left out:
-    the phase there is an odd multiple of pi, which is rounded to the side that has them inside.
+    With ``on_circle``, the angle of a root on the circle, this root and its conjugate are left
+    out: the phase there is an odd multiple of pi, rounded to the side that has them inside.
     """
     terms = surplus(x, v)
     found = crossings(terms, whole)
     total = np.zeros(np.broadcast_shapes(v.slope.shape, steps.shape, x.m2.shape))
     nearest = None
     if on_circle is not None and found:
-        away = [np.where(c.there, np.abs(c.y - on_circle), np.inf) for c in found]
+        y, rest = 4 * np.sin(on_circle / 2) ** 2, 4 * np.cos(on_circle / 2) ** 2
+        away = [
+            np.where(c.there, np.abs(np.where(y < 2, c.y - y, c.rest - rest)), np.inf)
+            for c in found
+        ]
         nearest = np.argmin(np.stack(np.broadcast_arrays(*away)), axis=0)
     for i, c in enumerate(found):
         bare = phase(x, v, c)

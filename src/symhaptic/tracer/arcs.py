@@ -8,6 +8,7 @@ pieces end in corners: where another root reaches the circle, or where the curve
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -96,13 +97,28 @@ class Loop:
             np.asarray(self.steps),
             self.whole,
             self.sheet == "principal",
-            on_circle=4 * np.sin(theta / 2) ** 2,
+            on_circle=theta,
         )
         return [found]
 
     def borders(self, theta: Array) -> NDArray[np.bool_]:
         """Whether the boundary's point borders the stable region."""
-        return np.asarray((self.others(theta) == 0) & (self.curve(theta)[..., 0] > -self.gamma))
+        alpha, beta = np.moveaxis(self.curve(theta), -1, 0)
+        inside = (self.others(theta) == 0) & (alpha > -self.gamma)
+        return np.asarray(inside & self._possible(alpha, beta))
+
+    def _possible(self, alpha: Array, beta: Array) -> NDArray[np.bool_]:
+        """Whether the wall is not too large, by the coefficients of its polynomial.
+
+        Where all roots are in the unit circle, those of the last four powers are at most 1, n,
+        n (n-1)/2 and n (n-1) (n-2)/6 for the degree n, and the device's are at most 1, 2 and 1.
+        """
+        if self.sheet == "principal":
+            return np.ones(alpha.shape, dtype=bool)
+        x, both = self.device, alpha + beta
+        parts = x.m2 * both, x.m1 * both - x.m2 * beta, x.m0 * both - x.m1 * beta, x.m0 * beta
+        largest = np.max(np.abs(parts), axis=0)
+        return np.asarray(largest <= math.comb(int(self.steps) + 4, 3) + 2)
 
     # -- ends of the curve and the two lines ---------------------------------------------
 

@@ -85,14 +85,13 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Arra
         low = np.maximum(low, high * 1e-3)[inner]
         root = find_root(_rise, (low, high[inner]), args=(st, *numbers))
         alpha, beta = point(Device(*numbers), root.x, st)
-        circle = 4 * np.sin(root.x / 2) ** 2
         others = stability.count(
             Device(*numbers),
             wall(alpha, beta),
             st,
             part is None,
             sheet == "principal",
-            circle,
+            on_circle=root.x,
         )
         found[:, inner] = np.where(others == 0, [alpha, beta, root.x], np.nan)
     last = ~inner & (delay == 0)

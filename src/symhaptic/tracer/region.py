@@ -20,8 +20,9 @@ from symhaptic.tracer.shape import Shape
 _ROUNDS = 30
 """Halvings of a chord at most."""
 
-_SAME = 1e-8
-"""Ends of pieces closer than this, relative to the region, are one corner, refined afterwards."""
+_SAME = (1e-8, 1e-7, 1e-6, 1e-5)
+"""Ends of pieces closer than this, relative to the region, are one corner, refined afterwards; the
+first that leaves no loose end is taken."""
 
 
 @dataclass(frozen=True)
@@ -110,17 +111,32 @@ def stable_region(
     loop = Loop(**numbers, sheet=sheet)
     pieces, error = _curves(loop, tolerance)
     ends = np.array([p.points[i] for p in pieces for i in (0, -1)]).reshape(-1, 2)
-    near = _SAME * _size(pieces)
+    near = _SAME[0] * _size(pieces)
     pieces = pieces + _left_sides(loop, ends, near) + _right_sides(loop, ends, near)
-    corners, pieces = _joined(loop, pieces)
-    lines = shapely.unary_union([shapely.LineString(p.points) for p in pieces])
-    faces = list(shapely.polygonize([lines]).geoms) if pieces else []
+    corners, faces, moved = _faces(loop, pieces)
     stable = []
     for face in faces:
         inner = face.representative_point()
         if is_stable(inner.x, inner.y, loop.gamma, loop.delta, loop.delay, loop.sheet):
             stable.append(face)
-    return Region(loop, shapely.unary_union(stable), corners, error)
+    return Region(loop, shapely.unary_union(stable), corners, max(error, moved))
+
+
+def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
+    """The corners, the faces between the sides, and how far ends were moved to meet."""
+    size = _size(pieces)
+    corners, faces, moved, least = np.zeros((0, 2)), [], 0.0, np.inf
+    for share in _SAME if pieces else ():
+        joined_at, joined = _joined(loop, pieces, share * size)
+        lines = shapely.unary_union([shapely.LineString(p.points) for p in joined])
+        polygons, *rest = shapely.polygonize_full([lines])
+        loose = sum(shapely.length(rest))
+        if loose < least:
+            corners, faces, least = joined_at, list(polygons.geoms), loose
+            moved = 0.0 if share == _SAME[0] else share * size
+        if loose <= share * size:
+            break
+    return corners, faces, moved
 
 
 # -- the sides ------------------------------------------------------------------------------
@@ -226,18 +242,15 @@ def _size(pieces: list[Piece]) -> float:
 # -- the corners ----------------------------------------------------------------------------
 
 
-def _joined(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Piece]]:
+def _joined(loop: Loop, pieces: list[Piece], near: float) -> tuple[Array, list[Piece]]:
     """The corners, refined, and the pieces with their ends exactly there."""
-    if not pieces:
-        return np.zeros((0, 2)), []
-    size = _size(pieces)
     ends = [(i, j) for i in range(len(pieces)) for j in (0, -1)]
     groups: list[list[tuple[int, int]]] = []
     for i, j in ends:
         here = pieces[i].points[j]
         for group in groups:
             k, m = group[0]
-            if np.linalg.norm(pieces[k].points[m] - here) <= _SAME * size:
+            if np.linalg.norm(pieces[k].points[m] - here) <= near:
                 group.append((i, j))
                 break
         else:
