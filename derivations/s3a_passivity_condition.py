@@ -77,7 +77,7 @@ def derive(page):
         truth=late >= 0,
         shows=r"half a period late, (5) holds at every frequency, yet a motion extracts $147/20$",
         note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
-        "of the held force it is on the unsafe side",
+        "of the held force it allows walls that are not passive, and forbids some that are",
     )
     page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
 

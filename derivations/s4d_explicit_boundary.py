@@ -30,13 +30,24 @@ def derive(page):
         "On the unit circle, $z=e^{j\\theta}$, real and imaginary part are two real equations."
     )
     stiffness, damping = boundary.solved(on_circle(q))
-    page.step(
-        "Both solved",
-        on_circle(polynomial).subs({alpha: stiffness, beta: damping}),
-        S.Zero,
-        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
-        r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because="for every real $d$ on the principal sheet, and every plant",
+    solved = page.same(
+        "both solved", on_circle(polynomial).subs({alpha: stiffness, beta: damping}), S.Zero
+    )
+    page.show(
+        "Damping on the boundary",
+        beta,
+        r"\frac{\Im Q}{\sin\theta}",
+        solved,
+        because="for every plant, and for every real $d$ on the principal sheet",
+        boxed=True,
+    )
+    page.show(
+        "Stiffness on the boundary",
+        alpha,
+        r"\Re Q-\beta(1-\cos\theta)",
+        solved,
+        because="with both, $p_1(e^{j\\theta})$ vanishes identically",
+        boxed=True,
     )
     page.say(
         "No grid and no iteration: each angle gives one point of the boundary. The other pieces "

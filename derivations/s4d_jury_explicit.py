@@ -128,7 +128,8 @@ def formulas(page, minor):
     page.same("the minor vanishes", minor.subs(alpha, most), S.Zero)
     page.say(
         "So for $0<\\delta\\le\\tfrac13$ a wall is stable exactly if $-\\delta<\\beta<1/n_0$ and "
-        "$0<\\alpha<\\alpha_0(\\beta)$. For a larger $\\delta$ the third half plane has to be kept."
+        "$0<\\alpha<\\alpha_0(\\beta)$. For a larger $\\delta$ it is not shown "
+        "that the third half plane can go; at $\\delta=4.6$ it is needed."
     )
     f = exp(-delta)
     left = 1 - (1 + delta) * f

@@ -77,7 +77,7 @@ def soft_spring(page):
     device = plant.sampled(plant.normalised(FULL), split=c)
     motion = plant.normalised(FULL).transition(t, c).xreplace(given)
     place, speed = motion[0, 0].subs(t, 1), motion[1, 1].subs(t, 1)
-    a, e, kept = symbols("a e x")
+    a, e, kept = symbols("a e r")
     line = loop.characteristic(FULL, split=c).subs({d: 1, alpha: -gamma, beta: 0})
     shape = z * (z - 1) * (z**2 + (1 - a) * z + e - kept)
     page.show(
@@ -89,12 +89,12 @@ def soft_spring(page):
             line.xreplace(given),
             shape.subs({a: device.a, e: device.e, kept: speed}, simultaneous=True),
         ),
-        because="$x$ is again the speed left of a unit speed. The quadratic has both roots inside "
-        "if $e-x<1$, $2-a+e-x>0$ and $a+e-x>0$",
+        because="$r$ is the speed left of a unit speed. The quadratic has both roots inside "
+        "if $e-r<1$, $2-a+e-r>0$ and $a+e-r>0$",
     )
     page.show(
         "The trace",
-        "a-x",
+        "a-r",
         symbols("y"),
         page.same("trace", device.a - speed, place),
         because="where $y$ is the position left after a period of a unit displacement",
@@ -112,9 +112,9 @@ def soft_spring(page):
     )
     page.say(
         "By the energy of the chapter before, a unit speed carries the mass no further than $t$, "
-        "so integrating over a period, $e-x\\le\\gamma/2$; a unit displacement stays below 1, so "
-        "$y\\ge1-\\gamma/2$. For $\\gamma\\le1$ therefore $e-x<1$ and $a+e-x=y+e>0$, and "
-        "$2-a+e-x=(1-a+e)+(1-x)>0$ as $1-a+e=\\gamma(n_1+n_0)\\ge0$ and $x<1$, unless "
+        "so integrating over a period, $e-r\\le\\gamma/2$; a unit displacement stays below 1, so "
+        "$y\\ge1-\\gamma/2$. For $\\gamma\\le1$ therefore $e-r<1$ and $a+e-r=y+e>0$, and "
+        "$2-a+e-r=(1-a+e)+(1-r)>0$ as $1-a+e=\\gamma(n_1+n_0)\\ge0$ and $r<1$, unless "
         "$\\gamma=\\delta=0$. There take $\\beta=\\tfrac12$ instead:"
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 1, alpha: 0, beta: S.Half})

@@ -1,7 +1,8 @@
 r"""Does a larger delay always make the stable region smaller?
 
-The region as a whole does shrink. Where a spring holds the device, though, its lower left corner
-moves downwards with the delay, so that there are walls which only a delay makes stable.
+A delay costs stiffness: a wall without damping bears less and less of it. But where a spring holds
+the device, the boundary begins lower with every period of delay, so that there are walls which only
+a delay makes stable.
 """
 
 from sympy import Rational, S, diff
@@ -17,7 +18,7 @@ def derive(page):
         "There $p_1(1)=0$, and the derivative vanishes too; with $1-a+e=\\gamma(n_1+n_0)$:"
     )
     corner = page.define(
-        "The lower left corner",
+        "Where the boundary begins",
         r"\beta_0",
         -(1 - e) / (n_1 + n_0) - gamma * (d + 1 - n_1 / (n_1 + n_0)),
     )
@@ -43,7 +44,8 @@ def derive(page):
         delta: Rational(1, 100),
     }
     page.say(
-        "So a wall just above the lower corner of $d=1$ is below that of $d=0$. Inside the "
+        "Where the region reaches this point, it is its lower left corner, and a wall just above "
+        "that of $d=1$ is below that of $d=0$. Inside the "
         "paper's ranges (23), $\\gamma=0.001$, $\\delta=0.01$, $\\alpha=-0.0009$, $\\beta=-0.011$:"
     )
     page.inside("One period of delay", p, {**wall, d: S.One}, loop.numbers())
@@ -60,9 +62,7 @@ def derive(page):
     page.settle(
         "s4d-delay-shrinks",
         page.same("the corner", corner.subs(d, d + 1) - corner, -gamma),
-        corrected=(
-            r"\text{the lower left corner of the region sinks by}\ \gamma\ \text{per period}",
-        ),
+        corrected=(r"\text{the explicit boundary begins}\ \gamma\ \text{lower with every period}",),
         misprint=False,
         unless=undelayed,
         truth=witness,

@@ -72,13 +72,14 @@ def derive(page):
     page.say(
         "so that, passing from $f$ to $g$, the change of argument of $p_1$ differs from that of "
         "$f$ alone by $-\\Phi+\\varphi=-2\\pi k$, and passing back by $+2\\pi k$. On the whole "
-        "half circle $f$ turns by $(d+3)\\pi$, since the poles of a damped plant lie inside, and "
-        "$p_1$ by $\\pi$ times its roots inside. Of its $d+3$ roots therefore as many lie "
-        "outside as twice the sum of $k$ over the angles where $g$ starts to lead, less twice the "
-        "sum of $k$ over those where it stops, with $2k=\\arg g(1)/\\pi$ for a lead from "
+        "half circle $f$ turns by $(d+3)\\pi$, since the poles of a damped and held plant lie "
+        "inside, and $p_1$ by $\\pi$ times its roots inside. Of its $d+3$ roots therefore "
+        "as many lie outside as twice the sum of $k$ over the angles where $g$ starts to lead, "
+        "less twice the sum of $k$ over those where it stops, "
+        "with $2k=\\arg g(1)/\\pi$ for a lead from "
         "$\\theta=0$ on, and $2k=\\arg g(-1)/\\pi-(d+3)$ for one that lasts to $\\theta=\\pi$. "
-        "A square root and a few arctangents: the same work for $d=0$ as for $d=10^6$. For an "
-        "undamped plant the count is that of a damped one in the limit."
+        "A square root and a few arctangents: the same work for $d=0$ as for $d=10^6$. For a "
+        "plant without damper or spring the count is that of one with a little of it."
     )
     page.say(
         "The same angles give the delays at which a root is on the circle: where $\\Phi$ is an odd "

@@ -1,7 +1,7 @@
 r"""Is a wall passive at a fractional delay if it is at the next whole one?
 
 The paper's formulas are exact for whole delays. If a fractional delay is never worse than the next
-whole one, rounding the delay up makes them safe. We show that it is so, for every $K\ge0$.
+whole one, rounding the delay up keeps what they say of whole delays. It is so for every $K\ge0$.
 """
 
 from sympy import Rational, S, cos, pi, sin, sqrt, tan
@@ -65,7 +65,7 @@ def derive(page):
         "a wall with $K\\ge0$ that is passive for the whole delay $\\ell+1$ is passive for every "
         "delay between $\\ell$ and $\\ell+1$",
     )
-    note = "so (5) to (11) are safe with $d$ rounded up"
+    note = "so (5) to (9) and (11) are safe with $d$ rounded up and $K\\ge0$"
     page.settle("fractional-next-whole", late, early, first, note=note)
 
 

@@ -157,6 +157,32 @@ def test_a_negative_plant_or_delay_is_named():
         is_stable(0.1, 0.1, 0.0, 0.0, 0, sheet="third")
 
 
+@pytest.mark.parametrize("name", NUMERIC)
+def test_any_argument_may_be_an_array(name):
+    """Every choice of arrays and scalars gives what the scalars give."""
+    function, given = getattr(symhaptic, name), NUMERIC[name]
+    clean = np.atleast_1d(np.array(function(*given), dtype=float))
+    for choice in itertools.product((False, True), repeat=len(given)):
+        mixed = [np.full(3, v) if many else v for v, many in zip(given, choice, strict=True)]
+        found = np.array(function(*mixed), dtype=float).reshape(len(clean), -1)
+        assert np.array_equal(found, np.broadcast_to(clean[:, None], found.shape)), choice
+
+
+@pytest.mark.parametrize("swings", [1, 2, 3])
+@pytest.mark.parametrize("delay", [0, 1, 2.5])
+def test_an_undamped_whole_half_swing_is_never_stable(swings, delay):
+    """Chapter s4d_left_bound: the root at 1 or -1 is there for every wall."""
+    gamma = (swings * np.pi) ** 2
+    assert not is_stable([0.1, 1.0, -0.1], 0.1, gamma, 0.0, delay).any()
+    assert np.isnan(max_stable_stiffness(gamma, 0.0, delay).alpha)
+    assert stable_region(gamma, 0.0, delay).area == 0
+
+
+def test_shapes_that_do_not_fit_give_one_line():
+    with pytest.raises(ValueError, match=r"shapes of the arguments: .+ that broadcast are$"):
+        is_stable([1, 2], [1, 2, 3], 0.0, 0.0, 0)
+
+
 def test_shapes():
     assert is_stable(np.zeros((0,)), 0.1, 0.0, 0.0, 0).shape == (0,)
     assert is_stable(0.1, 0.1, 0.0, 0.0, 0).shape == ()

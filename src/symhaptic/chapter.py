@@ -135,12 +135,12 @@ class Page:
         self,
         title: str,
         name: Expr | str,
-        expr: Expr,
+        expr: Expr | str,
         proof: Evidence,
         because: str = "",
         boxed: bool = False,
         paper: str = "",
-    ) -> Expr:
+    ) -> Expr | str:
         """``name = expr``, proved by evidence found before, such as :meth:`same`."""
         lines = [(name, "=", expr)]
         self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)

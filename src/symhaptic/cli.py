@@ -220,10 +220,10 @@ def trace(
     drawn = format in (TraceFormat.png, TraceFormat.svg)
     if drawn and output is None:
         _usage(f"--format {format}: needs -o FILE; csv and json can be printed")
+    plant = _number("gamma", gamma), _number("delta", delta)
+    periods = _number("delay", delay)
     try:
-        region = stable_region(
-            _number("gamma", gamma), _number("delta", delta), _number("delay", delay)
-        )
+        region = stable_region(*plant, periods)
     except ValueError as wrong:
         _usage(f"--{wrong}")
     content: str | bytes
@@ -246,7 +246,8 @@ def _number(name: str, text: str) -> float:
     try:
         return float(text)
     except ValueError:
-        _usage(f"--{name}: {text!r} is not allowed; a number is")
+        pass
+    _usage(f"--{name}: {text!r} is not allowed; a number is")
 
 
 def _replace(

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, fields
 from itertools import product
+from numbers import Real
 from typing import NamedTuple
 
 
@@ -92,7 +93,8 @@ class Scene:
             if value is None:
                 continue
             least = "> 0" if field.name in ("mass", "sampling_period") else ">= 0"
-            if not math.isfinite(value) or value < 0 or (least == "> 0" and value == 0):
+            real = isinstance(value, Real) and math.isfinite(value)
+            if not real or value < 0 or (least == "> 0" and value == 0):
                 raise ValueError(
                     f"{field.name}: {value!r} is not allowed; finite numbers {least} are"
                 )
@@ -152,6 +154,9 @@ class Scene:
         """
         from symhaptic.tracer.margin import delay_margin
 
+        for name, value in (("K", K), ("B", B)):
+            if not isinstance(value, Real) or not math.isfinite(value):
+                raise ValueError(f"{name}: {value!r} is not allowed; finite numbers are")
         gamma, delta, _ = self.dimensionless
         scale = self.sampling_period / self.mass
         found = delay_margin(K * scale * self.sampling_period, B * scale, gamma, delta)

@@ -88,12 +88,23 @@ def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     return value
 
 
+def together(*arrays: Array) -> tuple[int, ...]:
+    """The shape that the arguments broadcast to."""
+    try:
+        return np.broadcast_shapes(*(a.shape for a in arrays))
+    except ValueError:
+        shapes = ", ".join(str(a.shape) for a in arrays)
+        raise ValueError(
+            f"shapes of the arguments: {shapes} are not allowed; shapes that broadcast are"
+        ) from None
+
+
 def in_blocks(work: Callable[..., Sequence[Array] | Array], *arrays: Array) -> Array:
     """The rows that ``work`` makes of the broadcast arrays, on pieces that fit the cache.
 
     ``work`` gets flat pieces, of one element where an argument has but one.
     """
-    shape = np.broadcast_shapes(*(a.shape for a in arrays))
+    shape = together(*arrays)
     size = math.prod(shape)
     flat = [a.reshape(1) if a.size == 1 else np.broadcast_to(a, shape).reshape(-1) for a in arrays]
     found = np.empty((0, size))

@@ -12,9 +12,10 @@ from symhaptic.kernels.arguments import Array
 def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
     """alpha = (beta + delta)/(delay + 1/2), the stiffness at which (25) is an equality.
 
-    Virtual damping over the delay, half a period of hold included; arrays broadcast.  It is the
-    straight part of the passivity boundary for -delta <= beta <= delta d/(2d + 3), and elsewhere
-    an approximation of the stability boundary which can lie on its unstable side.
+    Damping over delay, half a period of hold included; arrays broadcast.  For whole delays it is
+    the straight part of the passivity boundary, -delta <= beta <= delta d/(2d + 3); for a
+    fractional one it allows walls there that are not passive (chapter s6e_fractional_region).
+    Elsewhere it approximates the stability boundary and can lie on its unstable side.
 
     Raises :class:`ValueError` for an infinite ``beta`` and for a negative or infinite ``delta``
     or ``delay``; NaN gives NaN.

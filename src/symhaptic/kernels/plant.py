@@ -173,6 +173,19 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     return Device(m2, m1, m0, together, late, a, e, at_one, at_minus_one, loss)
 
 
+def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:
+    """Whether an undamped device makes whole half swings in a period, to within rounding.
+
+    Sampled, it returns to its place or to the mirror image of it, and a root stays at 1 or -1
+    whatever the wall: nothing makes the loop stable.
+    """
+    free = (delta < 1e-15) & (gamma > 1)
+    if not np.any(free):
+        return np.asarray(free)
+    swing = np.sqrt(np.where(free, gamma, 1.0))
+    return np.asarray(free & (np.abs(np.sin(swing)) <= 4e-16 * swing))
+
+
 def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array, Array]:
     """Exact discrete equivalent of the device behind a zero-order hold: n1, n0, a, e.
 

@@ -20,7 +20,7 @@ from symhaptic.kernels import arguments
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.crossings import Crossing, Wall, crossings, surplus, wall
 from symhaptic.kernels.cubic import Terms
-from symhaptic.kernels.plant import Device, device, discretize
+from symhaptic.kernels.plant import Device, device, discretize, stuck
 
 SHEETS = ("exact", "principal")
 
@@ -139,13 +139,15 @@ def _count(
 def _arguments(
     alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike
 ) -> tuple[Array, Array, Array, Array, Array]:
-    return (
+    values = (
         arguments.finite("alpha", alpha),
         arguments.finite("beta", beta),
         arguments.nonnegative("gamma", gamma),
         arguments.nonnegative("delta", delta),
         arguments.periods("delay", delay),
     )
+    arguments.together(*values)
+    return values
 
 
 def unstable_roots(
@@ -185,8 +187,9 @@ def is_stable(
 ) -> NDArray[np.bool_]:
     """Whether all characteristic roots lie inside the unit circle; see :func:`unstable_roots`.
 
-    On the line alpha = -gamma a root lies at 1, and an undamped device without a wall keeps on
-    swinging: neither is stable, and NaN is not either.
+    On the line alpha = -gamma a root lies at 1, an undamped device without a wall keeps on
+    swinging, and one that makes whole half swings in a period does so with every wall: none of
+    them is stable, and NaN is not either.
 
     >>> is_stable([0.03, 0.003], 0.05, 0.001, 0.02, 5).tolist()
     [False, True]
@@ -194,7 +197,7 @@ def is_stable(
     al, be, g, dl, _ = _arguments(alpha, beta, gamma, delta, delay)
     swings = (al == 0) & (be == 0) & (dl == 0)
     count = unstable_roots(al, be, g, dl, delay, sheet)
-    return np.asarray((count == 0) & (al > -g) & ~swings)
+    return np.asarray((count == 0) & (al > -g) & ~swings & ~stuck(g, dl))
 
 
 def characteristic_polynomial(

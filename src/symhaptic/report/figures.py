@@ -134,13 +134,16 @@ def free_mass_inequalities(axes: Axes) -> None:
     x, y = np.meshgrid(np.linspace(-0.6, 1, 400), np.linspace(-0.7, 1.4, 400))
     values = [sp.lambdify((alpha, beta), e, "numpy")(x, y) * np.ones_like(x) for e in found]
     axes.contourf(x, y, np.min(values, axis=0), levels=[0, np.inf], colors=[COLOURS[0]], alpha=0.25)
-    for i, value in enumerate(values):
-        last = i == len(values) - 1
-        colour, width = (COLOURS[0], 2.2) if last else (COLOURS[2 + i % 4], 0.9)
+    kinds = [("half planes", COLOURS[2], 0.9)] * 4
+    kinds += [("first minor", COLOURS[6], 0.9), ("last minor", COLOURS[0], 2.2)]
+    for value, (label, colour, width) in zip(values, kinds, strict=True):
         axes.contour(x, y, value, levels=[0], colors=[colour], linewidths=[width])
-    angles = np.linspace(0.02, np.pi - 0.02, 160)
-    stiffness, damping = _free_mass()(angles, 2)
-    axes.plot(np.real(stiffness), np.real(damping), "o", color="black", markersize=2)
+        if label not in axes.get_legend_handles_labels()[1]:
+            axes.plot([], [], color=colour, linewidth=width, label=label)
+    angles = np.linspace(0.02, np.pi - 0.02, 60)
+    stiffness, damping = (np.real(side) for side in _free_mass()(angles, 2))
+    axes.plot(stiffness, damping, "o", color="black", markersize=2, label="explicit boundary")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4)
     axes.set_xlim(-0.6, 1)
     axes.set_ylim(-0.7, 1.4)
     axes.set_xlabel(r"virtual stiffness $\alpha$")

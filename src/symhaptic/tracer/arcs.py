@@ -19,7 +19,7 @@ from symhaptic.kernels import arguments, stability
 from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import begin, end, point, tangent
 from symhaptic.kernels.crossings import crossings, surplus, wall
-from symhaptic.kernels.plant import Device, device
+from symhaptic.kernels.plant import Device, device, stuck
 
 _PER_TURN = 96
 """Samples per half turn of z^(d+1)."""
@@ -140,6 +140,8 @@ class Loop:
         Where one ends, another begins, at the angle of the root that reached the circle or where
         the curve meets the line of a real root: short ones are looked for there.
         """
+        if stuck(np.asarray(self.gamma), np.asarray(self.delta)):
+            return []
         angles, ends = self.samples(), np.zeros(0)
         corners = np.concatenate([self.at_left, self.at_right])
         for _ in range(_ROUNDS):

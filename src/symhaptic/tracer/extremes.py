@@ -13,7 +13,7 @@ from symhaptic.kernels.arguments import Array
 from symhaptic.kernels.boundary import end, point, tangent
 from symhaptic.kernels.crossings import wall
 from symhaptic.kernels.extremum import Extremum
-from symhaptic.kernels.plant import Device, device
+from symhaptic.kernels.plant import Device, device, stuck
 from symhaptic.kernels.stability import SHEETS
 from symhaptic.tracer.arcs import Loop
 from symhaptic.tracer.region import farthest
@@ -54,7 +54,7 @@ def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
     shape = np.broadcast_shapes(gamma.shape, delta.shape, delay.shape)
     g, dl, dy = (np.broadcast_to(a, shape).reshape(-1) for a in (gamma, delta, delay))
     found = np.full((3, g.size), np.nan)
-    known = ~np.isnan(g + dl + dy)
+    known = ~np.isnan(g + dl + dy) & ~stuck(g, dl)
     simple = known & ((np.sqrt(g) * (dy + 1) <= np.pi) | ((dy <= 1) & (g <= np.pi**2)))
     if np.any(simple):
         found[:, simple] = _first_maximum(g[simple], dl[simple], dy[simple], sheet)
