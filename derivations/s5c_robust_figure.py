@@ -7,10 +7,27 @@ before. We ask what a little damping leaves.
 
 from sympy import I, S, cos, exp, sin
 
-from symhaptic.model import boundary, passivity
+from symhaptic.model import boundary, fractional, passivity, plant
 from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import B, K, T, a, alpha, beta, d, e, n_0, n_1, theta, z
+from symhaptic.notation import (
+    B,
+    K,
+    Omega,
+    T,
+    a,
+    alpha,
+    beta,
+    d,
+    e,
+    epsilon,
+    gamma,
+    n_0,
+    n_1,
+    theta,
+    z,
+)
 from symhaptic.report.stability_figures import springs
+from symhaptic.scene import Parts
 
 
 def derive(page):
@@ -34,16 +51,36 @@ def derive(page):
     page.say(
         "To first order a wall is therefore robustly stable if, at every angle, passivity wants "
         "less than $\\delta/(2n_1)=\\delta\\,(\\tfrac\\theta2)^2/\\sin^2\\tfrac\\theta2$: up to "
-        "$\\pi^2/4$ times what the device has, most at high frequencies. (Not at $\\theta=\\pi$, "
+        "$\\pi^2/4$ times what the device has, most at high frequencies. (Not at $\\theta=0$ and $\\pi$, "
         "where two roots of the plant meet.) Long delays bring the passive boundary to low "
         "frequencies, and so the two regions together: for $\\delta=0.02$ the robust one is 1.25, "
         "1.19 and 1.08 times as large as the passive one for $d=0$, 1 and 2."
     )
+    undamped, apart = plant.normalised(Parts(damping=False)), 2 * I * Omega
+    late = fractional.late(undamped, split=apart)
+    own = page.same(
+        "at the device's own angle",
+        on_circle(late.numerator, Omega).subs(gamma, Omega**2),
+        on_circle(z ** (1 - epsilon) * late.device.numerator, Omega).subs(gamma, Omega**2),
+    )
+    page.show(
+        "A fraction of a period, at $z=e^{j\\Omega}$",
+        "M(z)",
+        r"z^{1-\varepsilon}(n_1z+n_0)",
+        own,
+        because="there a force that is late by a fraction is a force turned by $e^{-j\\varepsilon"
+        "\\Omega}$, as the paper reads it",
+    )
+    page.say(
+        "So to first order both readings have one robust region, although the stable regions of "
+        "stiff springs are not at all alike: in the figure half a period stands once for a force "
+        "that is really late and once for the paper's reading."
+    )
     page.figure(
         "fig13",
         "Fig. 13 of the paper: stable walls for 41 springs up to the Nyquist frequency, with "
-        "close-ups. Green: passive walls by (27). Black: walls stable for all springs. Half a "
-        "period is drawn exactly, and below as the paper reads it: another region if $\\gamma>2$.",
+        "close-ups. Green: passive walls by (27). Black: walls stable for all springs. For "
+        "$d=0.5$ the force is late by half a period; below it the paper's reading.",
         springs,
         panels=(5, 3),
         height=1.5,
