@@ -51,8 +51,8 @@ def derive(page):
     page.say(
         "To first order a wall is therefore robustly stable if, at every angle, passivity wants "
         "less than $\\delta/(2n_1)=\\delta\\,(\\tfrac\\theta2)^2/\\sin^2\\tfrac\\theta2$: up to "
-        "$\\pi^2/4$ times what the device has, most at high frequencies. (Not at $\\theta=0$ and $\\pi$, "
-        "where two roots of the plant meet.) Long delays bring the passive boundary to low "
+        "$\\pi^2/4$ times what the device has, most at high frequencies. (Not at $\\theta=0$ and "
+        "$\\pi$, where two roots of the plant meet.) Long delays bring the passive boundary to low "
         "frequencies, and so the two regions together: for $\\delta=0.02$ the robust one is 1.25, "
         "1.19 and 1.08 times as large as the passive one for $d=0$, 1 and 2."
     )
