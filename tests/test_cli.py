@@ -85,16 +85,16 @@ def test_selected_ids_only():
 
 def test_strict_fails_on_undecided_only():
     assert symhaptic("verify", "--strict", "eq1").returncode == 0
-    assert symhaptic("verify", "--strict", "eq1", "fig13").returncode == 1
+    assert symhaptic("verify", "--strict", "eq1", "fig10").returncode == 1
 
 
 def test_junit_names_each_statement(tmp_path):
     target = tmp_path / "out.xml"
-    assert symhaptic("verify", "eq1", "fig13", "--format", "junit", "-o", target).returncode == 0
+    assert symhaptic("verify", "eq1", "fig10", "--format", "junit", "-o", target).returncode == 0
     suite = ElementTree.parse(target).getroot()
     cases = {case.get("name"): case for case in suite.iter("testcase")}
-    assert set(cases) == {"eq1", "fig13"}
-    assert cases["fig13"].find("skipped") is not None
+    assert set(cases) == {"eq1", "fig10"}
+    assert cases["fig10"].find("skipped") is not None
     assert cases["eq1"].find("properties/property").get("value") == "definition"
 
 
