@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.optimize.elementwise import find_root
 
 from symhaptic.kernels import arguments, stability
@@ -21,6 +21,13 @@ from symhaptic.tracer.region import farthest
 _GRID = np.linspace(0, 1, 25)[1:]
 """Parts of the first half turn of z^(d+1) at which the first maximum of alpha is looked for."""
 
+_LAST = np.pi * (1 - 1e-4)
+"""Next to theta = pi, where alpha has its limit for d = 0 with no slope: what a maximum beyond
+adds to the limit is of fourth order."""
+
+_STIFFEST = 9.8
+"""Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
+
 
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
@@ -30,7 +37,7 @@ def max_stable_stiffness(
     For the plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0 periods; arrays broadcast.  It
     is a supremum: the wall there has roots on the unit circle, at exp(+-j theta).  Where the
     spring's own frequency lies in the first half turn of the delay, sqrt(gamma) (d+1) <= pi, or
-    for d <= 1 up to the Nyquist frequency, it is the first maximum of the explicit boundary (the
+    for d <= 1, and gamma is at most 9.8, it is the first maximum of the explicit boundary (the
     end of the curve at theta = pi if there is none), found in a time that ignores the delay; that
     this is the farthest piece rests on comparison with whole regions, not on a proof.  Elsewhere
     every piece of the boundary is traced, one element after the other, which takes milliseconds
@@ -55,7 +62,7 @@ def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
     g, dl, dy = (np.broadcast_to(a, shape).reshape(-1) for a in (gamma, delta, delay))
     found = np.full((3, g.size), np.nan)
     known = ~np.isnan(g + dl + dy) & ~stuck(g, dl)
-    simple = known & ((np.sqrt(g) * (dy + 1) <= np.pi) | ((dy <= 1) & (g <= np.pi**2)))
+    simple = known & (g <= _STIFFEST) & ((np.sqrt(g) * (dy + 1) <= np.pi) | (dy <= 1))
     if np.any(simple):
         found[:, simple] = _first_maximum(g[simple], dl[simple], dy[simple], sheet)
     for i in np.flatnonzero(known & np.isnan(found[0])):
@@ -71,32 +78,37 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Arra
     whole = np.pi / (delay + 1)
     low, high = np.full_like(whole, np.nan), np.full_like(whole, np.nan)
     before, rose = np.zeros_like(whole), np.ones_like(whole, dtype=bool)
-    for share in _GRID[:-1] if np.all(delay == 0) else _GRID:
-        theta = np.minimum(share * whole, np.nextafter(np.pi, 0))
+    for share in _GRID:
+        theta = np.minimum(share * whole, _LAST)
         rises = tangent(x, theta, steps)[0] > 0
         first = rose & ~rises & np.isnan(low)
         low, high = np.where(first, before, low), np.where(first, theta, high)
         before, rose = theta, rises
     found = np.full((3, whole.size), np.nan)
+    numbers = [np.broadcast_to(v, whole.shape) for v in x]
+
+    def bordering(theta: Array, at: NDArray[np.bool_]) -> Array:
+        """alpha, beta and theta, NaN where another root is outside."""
+        some, st = Device(*(v[at] for v in numbers)), steps[at]
+        alpha, beta = point(some, theta, st)
+        others = stability.count(
+            some, wall(alpha, beta), st, part is None, sheet == "principal", on_circle=theta
+        )
+        stable = (others == 0) & (alpha > -gamma[at])
+        return np.where(stable, [alpha, beta, theta], np.nan)
+
     inner = ~np.isnan(low)
     if np.any(inner):
-        numbers = [np.broadcast_to(v, whole.shape)[inner] for v in x]
-        st = steps[inner]
         low = np.maximum(low, high * 1e-3)[inner]
-        root = find_root(_rise, (low, high[inner]), args=(st, *numbers))
-        alpha, beta = point(Device(*numbers), root.x, st)
-        others = stability.count(
-            Device(*numbers),
-            wall(alpha, beta),
-            st,
-            part is None,
-            sheet == "principal",
-            on_circle=root.x,
-        )
-        found[:, inner] = np.where(others == 0, [alpha, beta, root.x], np.nan)
+        args = (steps[inner], *(v[inner] for v in numbers))
+        found[:, inner] = bordering(find_root(_rise, (low, high[inner]), args=args).x, inner)
     last = ~inner & (delay == 0)
-    alpha, beta = end(x, steps)
-    return np.where(last & np.isfinite(alpha), [alpha, beta, np.full_like(alpha, np.pi)], found)
+    if np.any(last):
+        alpha, beta = (v[last] for v in np.broadcast_arrays(*end(x, steps)))
+        stable = ~np.isnan(bordering(np.full(alpha.shape, _LAST), last)[0]) & np.isfinite(alpha)
+        limit = [alpha, beta, np.full_like(alpha, np.pi)]
+        found[:, last] = np.where(stable, limit, np.nan)
+    return found
 
 
 def _rise(theta: Array, steps: Array, *numbers: Array) -> Array:
