@@ -54,7 +54,7 @@ def finite(name: str, values: ArrayLike) -> Array:
     """The argument as an array of finite numbers or NaN."""
     array = real(name, values)
     refuse(name, array, np.isinf(array), "finite numbers are")
-    refuse(name, array, np.abs(array) > _LARGEST, f"numbers up to {_LARGEST} in size are")
+    refuse(name, array, np.abs(array) > _LARGEST, f"numbers up to {_LARGEST:g} in size are")
     return array
 
 
@@ -62,14 +62,14 @@ def nonnegative(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as an array of finite numbers >= 0 or NaN."""
     array = real(name, values)
     refuse(name, array, (array < 0) | np.isinf(array), f"finite numbers {name} >= 0 are")
-    refuse(name, array, array > _LARGEST, f"numbers 0 <= {name} <= {_LARGEST} are")
+    refuse(name, array, array > _LARGEST, f"numbers 0 <= {name} <= {_LARGEST:g} are")
     return array
 
 
 def periods(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as an array of delays >= 0 or NaN."""
     array = nonnegative(name, values)
-    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST} are")
+    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST:g} are")
     return array
 
 

@@ -1,0 +1,110 @@
+"""What the numeric functions take for numbers, and the one line with which they refuse the rest."""
+
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy
+
+from symhaptic import (
+    characteristic_polynomial,
+    delay_margin,
+    discretize,
+    is_stable,
+    max_stable_stiffness,
+    stability_boundary,
+    stable_region,
+    unstable_roots,
+)
+from symhaptic.kernels import arguments
+
+FUNCTIONS = {
+    is_stable: ("alpha", "beta", "gamma", "delta", "delay"),
+    unstable_roots: ("alpha", "beta", "gamma", "delta", "delay"),
+    characteristic_polynomial: ("alpha", "beta", "gamma", "delta", "delay"),
+    stability_boundary: ("theta", "gamma", "delta", "delay"),
+    max_stable_stiffness: ("gamma", "delta", "delay"),
+    stable_region: ("gamma", "delta", "delay"),
+    delay_margin: ("alpha", "beta", "gamma", "delta"),
+    discretize: ("gamma", "delta"),
+}
+GIVEN = {"alpha": 0.1, "beta": 0.2, "gamma": 0.3, "delta": 0.4, "delay": 1, "theta": 1.0}
+PLACES = [(f, name) for f, names in FUNCTIONS.items() for name in names]
+NO_NUMBERS = [1j, np.array([1j]), np.array([[1 + 1j, 2]] * 9), "1.0", b"1", None, [0.1, None],
+              [[1, 2], [3]], {}, object(), np.datetime64("2020-01-01"), 10**400]  # fmt: skip
+
+
+@pytest.mark.parametrize(("function", "name"), PLACES, ids=lambda v: getattr(v, "__name__", v))
+def test_what_is_no_real_number_is_named_on_one_line(function, name):
+    for bad in NO_NUMBERS:
+        given = [bad if n == name else GIVEN[n] for n in FUNCTIONS[function]]
+        with pytest.raises(ValueError, match=f"^{name}: ") as caught:
+            function(*given)
+        text = str(caught.value)
+        assert text.endswith("is not allowed; real numbers are")
+        assert "\n" not in text
+        assert len(text) < 140
+
+
+@pytest.mark.parametrize("number", [
+    1, True, np.float32(1), np.int8(1), np.float64(1), np.array(1), Fraction(1), Decimal(1),
+    sympy.Integer(1), sympy.Float(1), [1], np.array([1], dtype=object), np.float16(1),
+])  # fmt: skip
+def test_every_kind_of_real_number_is_taken(number):
+    for function, names in FUNCTIONS.items():
+        if function in (characteristic_polynomial, stable_region) and np.ndim(number):
+            continue  # one number only
+        plain = [GIVEN[n] if n != "gamma" else 1.0 for n in names]
+        given = [GIVEN[n] if n != "gamma" else number for n in names]
+        if function is stable_region:
+            assert function(*given).area == function(*plain).area
+        else:
+            assert np.array_equal(np.ravel(function(*given)), np.ravel(function(*plain)))
+
+
+@pytest.mark.parametrize(
+    ("call", "says"),
+    [
+        (lambda: is_stable(2e70, 0, 0, 0, 0), r"alpha: 2e\+70 .*; numbers up to 1e\+70"),
+        (lambda: discretize(2e70, 0), r"gamma: 2e\+70 .*; numbers 0 <= gamma <= 1e\+70"),
+        (lambda: is_stable(0, 0, 0, 0, 2e15), r"delay: 2\S+ .* 0 <= delay <= 1e\+15 are"),
+        (lambda: stable_region([0.0, 1.0], 0, 0), r"gamma: array\(\[0., 1.\]\) .*; one number is"),
+        (lambda: stable_region(np.nan, 0, 0), "gamma: nan .*; finite numbers gamma >= 0"),
+        (lambda: characteristic_polynomial(0, 0, 0, 0, 0.5), "delay: 0.5 is not allowed; whole"),
+        (lambda: characteristic_polynomial([1, 2], 0, 0, 0, 0), "alpha: .*; one number is"),
+    ],
+)  # fmt: skip
+def test_a_number_that_is_too_large_or_not_alone_is_named(call, says):
+    with pytest.raises(ValueError, match=f"^{says}"):
+        call()
+
+
+SHAPES = [(), (1,), (0,), (3,), (8191,), (8192,), (8193,), (2, 8192), (3, 1), (20_001,)]
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+@pytest.mark.parametrize("other", [(), (1,), (1, 1)], ids=str)
+def test_pieces_are_put_together_in_the_order_of_the_elements(shape, other):
+    many = np.arange(float(np.prod(shape, dtype=int))).reshape(shape)
+    scale = np.full(other, 3.0)
+    rows = arguments.in_blocks(lambda a, b: (a * b, a + b, b), many, scale)
+    together = np.broadcast_shapes(shape, other)
+    assert rows.shape == (3, *together)
+    assert np.array_equal(rows[0], np.broadcast_to(many * scale, together))
+    assert np.array_equal(rows[1], many + scale)
+    assert np.all(rows[2] == 3.0)
+
+
+def test_any_layout_in_memory():
+    rng = np.random.default_rng(71)
+    alpha, beta = rng.normal(size=(2, 130, 150))
+    expected = unstable_roots(alpha, beta, 0.3, 0.4, 2)
+    for other in (np.asfortranarray(alpha), alpha[::-1][::-1], alpha.astype(">f8")):
+        other.flags.writeable = False
+        assert np.array_equal(unstable_roots(other, beta, 0.3, 0.4, 2), expected)
+    assert np.array_equal(unstable_roots(alpha.T, beta.T, 0.3, 0.4, 2), expected.T)
+    thin = unstable_roots(alpha[::3, ::-2], beta[::3, ::-2], 0.3, 0.4, 2)
+    assert np.array_equal(thin, expected[::3, ::-2])
+    rows = unstable_roots(alpha, beta, np.full((130, 1), 0.3), 0.4, np.full(150, 2))
+    assert np.array_equal(rows, expected)

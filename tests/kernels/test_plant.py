@@ -1,0 +1,87 @@
+"""The sampled plant beside balls of the exact matrix exponential; errors may only shrink."""
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+from oracle import sampled
+from scipy.linalg import expm
+
+from symhaptic import discretize
+
+
+def exact(gamma, delta):
+    """n1, n0, a, e as balls, from the exponential of [[0, 1, 0], [-g, -d, 1], [0, 0, 0]]."""
+    g, d = flint.arb(float(gamma)), flint.arb(float(delta))
+    moved = flint.arb_mat([[0, 1, 0], [-g, -d, 1], [0, 0, 0]]).exp()
+    n1, late = moved[0, 2], moved[1, 2]
+    n0 = moved[0, 1] * late - moved[1, 1] * n1
+    return n1, n0, moved[0, 0] + moved[1, 1], (-d).exp()
+
+
+def worst(plants):
+    """Largest errors of n1 and n0 over their sum, of a and of e absolutely."""
+    errors = np.zeros(4)
+    with flint.ctx.workprec(4000):
+        for gamma, delta in plants:
+            true = exact(gamma, delta)
+            found = discretize(gamma, delta)
+            off = [float(abs(flint.arb(float(v)) - t)) for v, t in zip(found, true, strict=True)]
+            total = float(true[0]) + float(true[1])
+            errors = np.maximum(errors, [off[0] / total, off[1] / total, off[2], off[3]])
+    return errors
+
+
+def near_critical(rng):
+    delta = 10 ** rng.uniform(-8, 1.5)
+    return (delta / 2) ** 2 * (1 + rng.choice([0, 1e-15, -1e-15, 1e-12, 1e-8])), delta
+
+
+REGIONS = {
+    "the paper's": (lambda r: (r.uniform(0, 1e-3), r.uniform(0, 0.02)), 4e-16, 1.5e-15),
+    "up to Nyquist": (lambda r: (r.uniform(0, np.pi**2), r.uniform(0, 2)), 4e-16, 1.5e-15),
+    "critical": (near_critical, 4e-16, 1.5e-15),
+    "no spring": (lambda r: (0.0, 10 ** r.uniform(-12, 2.8)), 4e-16, 1.5e-15),
+    "no damper": (lambda r: (10 ** r.uniform(-12, 1), 0.0), 1e-15, 2e-15),
+    "stiff, beyond Nyquist": (lambda r: (r.uniform(10, 36), r.uniform(0, 5)), 3e-15, 2e-15),
+    "strongly damped": (lambda r: (10 ** r.uniform(-3, 4), r.uniform(20, 700)), 2e-15, 1.5e-15),
+}
+
+
+@pytest.mark.parametrize("name", REGIONS)
+def test_error(name):
+    """Relative to n1 + n0 and absolute for a; measured half as large, on 200 plants."""
+    draw, top, trace = REGIONS[name]
+    rng = np.random.default_rng(61)
+    n1, n0, a, e = worst([draw(rng) for _ in range(200)])
+    assert max(n1, n0) <= top
+    assert a <= trace
+    assert e <= 1.2e-16
+
+
+def test_beside_mpmath_and_scipy():
+    """The oracles agree with each other: mpmath's and SciPy's exponential, Taylor on stacks."""
+    gamma, delta = 2.7, 0.4
+    motion = [[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]]
+    with mpmath.workdps(30):
+        by_mpmath = np.array(mpmath.expm(mpmath.matrix(motion)).tolist(), dtype=float)
+    assert expm(np.array(motion)) == pytest.approx(by_mpmath, rel=1e-13, abs=1e-15)
+    free, held = sampled(gamma, delta)
+    assert free == pytest.approx(by_mpmath[:2, :2], rel=1e-13)
+    assert held == pytest.approx(by_mpmath[:2, 2], rel=1e-13)
+    assert float(discretize(gamma, delta)[0]) == pytest.approx(by_mpmath[0, 2], rel=1e-14)
+
+
+@pytest.mark.parametrize("delta", [1419.0, 4100.0, 1e5, 1e34])
+def test_damping_beyond_the_range_of_exp(delta):
+    """Creep that is over within a period: the first sample is that of the spring, 1/gamma."""
+    n1, n0, a, e = discretize(delta**2 / 4 * 0.9, delta)
+    total = 4 / delta**2 / 0.9
+    assert float(n1) == pytest.approx(total, rel=1e-6)
+    assert abs(n0) <= 1e-15 * n1
+    assert (a, e) == (0.0, 0.0) or max(abs(a), e) < 1e-15
+    assert np.all(np.isfinite(discretize([0.0, delta, 4e6], delta)))
+
+
+def test_a_subnormal_spring_is_none():
+    assert discretize(5e-324, 0.0) == discretize(0.0, 0.0)

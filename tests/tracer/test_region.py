@@ -1,0 +1,157 @@
+"""Stable regions beside eigenvalues, certified corners and a boundary sampled anew."""
+
+import matplotlib
+import mpmath
+import numpy as np
+import pytest
+import shapely
+from matplotlib.figure import Figure
+from oracle import coefficients, radius
+
+from symhaptic import stability_boundary, stable_region
+
+matplotlib.use("Agg")
+
+NYQUIST = np.pi**2
+CASES = [
+    (share * (NYQUIST + delta**2 / 4), delta, delay)
+    for delta in (0.0, 0.02, 2.0)
+    for delay in (0, 0.5, 1, 2, 8)
+    for share in (0.0, 1e-4, 0.3, 0.7, 0.975)
+]
+HARD = [
+    (NYQUIST * (1 - 1e-3), 0.02, 8),  # a sliver with corners 1e-7 apart
+    (NYQUIST * (1 + 1e-8), 0.0, 2),  # poles 1e-8 from -1
+    (NYQUIST * 1.5, 0.0, 0.5),  # a zero of the plant on the circle: walls of 1e9
+    (NYQUIST, 0.0, 3.25),
+    (NYQUIST + 1e-4, 0.02, 2),
+]
+
+
+def classified(region, rng, count=600):
+    """Random walls, many of them near corners, with what eigenvalues and the outline say."""
+    loop = region.loop
+    low, high = np.array(region.polygon.bounds).reshape(2, 2)
+    size = high - low
+    walls = rng.uniform(low - 0.3 * size, high + 0.3 * size, (count, 2))
+    near = region.corners[rng.integers(0, len(region.corners), count // 2)]
+    walls[: count // 2] = near + rng.normal(size=near.shape) * size * 10 ** rng.uniform(
+        -5, -1, (len(near), 1)
+    )
+    largest = radius(*walls.T, loop.gamma, loop.delta, loop.delay)
+    inside = shapely.contains_xy(region.polygon, *walls.T)
+    away = shapely.distance(shapely.points(walls), region.polygon.boundary)
+    clear = (away > region.error + 1e-10 * size.max()) & (np.abs(largest - 1) > 1e-9)
+    return largest[clear] < 1, inside[clear]
+
+
+@pytest.mark.parametrize("case", CASES + HARD, ids=str)
+def test_inside_is_stable_and_outside_is_not(case):
+    region = stable_region(*case)
+    if region.polygon.is_empty:
+        walls = np.random.default_rng(7).uniform(-3, 3, (600, 2))
+        assert not np.any(radius(*walls.T, *case) < 1 - 1e-9)
+        return
+    stable, inside = classified(region, np.random.default_rng(7))
+    assert np.array_equal(stable, inside)
+    assert stable.any()
+    assert not stable.all()
+
+
+def on_circle(wall, case):
+    """How many roots lie on the unit circle to 1e-12 in modulus, a double root as two."""
+    with mpmath.workdps(40):
+        numbers = [mpmath.mpf(c.str(38, radius=False)) for c in coefficients(*wall, *case).coeffs()]
+        roots = mpmath.polyroots(numbers[::-1], maxsteps=200, extraprec=300)
+        # a double root splits by the square root of an error of 1e-15
+        return sum(abs(abs(root) - 1) < mpmath.mpf(10) ** -12 for root in roots), roots
+
+
+@pytest.mark.parametrize(
+    "case",
+    [(0.001, 0.02, 1), (0.001, 0.02, 2), (0.001, 0.02, 0.5), (5.0, 0.02, 1), (2.0, 0.5, 2.5),
+     (7.0, 0.02, 2)],
+    ids=str,
+)  # fmt: skip
+def test_corners_have_two_of_the_boundaries(case):
+    """Three roots on the circle or four; at an end of the curve a double root at 1 or -1."""
+    region = stable_region(*case)
+    assert len(region.corners) >= 1
+    for corner in region.corners:
+        count, roots = on_circle(corner, case)
+        double = sum(abs(root**2 - 1) < 3e-7 for root in roots)
+        assert count >= 3 or double >= 2, (corner, count)
+
+
+@pytest.mark.parametrize("case", [(0.001, 0.02, 2), (5.0, 0.02, 1), (2.0, 0.5, 2.5)], ids=str)
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6])
+def test_error_bounds_the_distance_to_the_boundary(case, tolerance):
+    """Every bordering arc sampled 20 000 times is that close to the outline, and not much less."""
+    region = stable_region(*case, tolerance=tolerance)
+    worst = 0.0
+    for low, high in region.loop.arcs:
+        theta = np.linspace(low, high, 20_002)[1:-1]
+        walls = np.stack(stability_boundary(theta, *case), axis=-1)
+        worst = max(worst, shapely.distance(shapely.points(walls), region.polygon.boundary).max())
+    assert worst <= region.error
+    size = np.linalg.norm(np.ptp(region.outline[0], axis=0))
+    assert region.error <= 2 * tolerance * size
+
+
+def test_area_of_the_free_mass():
+    """Green's integral of alpha d beta along 4 tan(t/2)^2 cos t, 2 tan(t/2) sin(t/2)/cos(t/2).
+
+    The boundary of d = 0, gamma = delta = 0 ends at theta = pi/2, on alpha = 0.
+    """
+
+    def alpha(t):
+        return 4 * mpmath.tan(t / 2) ** 2 * mpmath.cos(t)
+
+    def beta(t):
+        return 2 * mpmath.tan(t / 2) ** 2
+
+    area = mpmath.quad(lambda t: alpha(t) * mpmath.diff(beta, t), [0, mpmath.pi / 2])
+    region = stable_region(0.0, 0.0, 0)
+    assert region.area == pytest.approx(float(area), rel=1e-5)
+
+
+def test_area_by_counting():
+    case = (0.001, 0.02, 1)
+    region = stable_region(*case)
+    low, high = np.array(region.polygon.bounds).reshape(2, 2)
+    count = 300
+    sides = [np.linspace(a, b, count, endpoint=False) + (b - a) / count / 2
+             for a, b in zip(low, high, strict=True)]  # fmt: skip
+    walls = np.stack(np.meshgrid(*sides), axis=-1).reshape(-1, 2)
+    share = np.mean(radius(*walls.T, *case) < 1)
+    assert region.area == pytest.approx(share * np.prod(high - low), rel=3e-3)
+
+
+def test_the_left_bound():
+    """s4d-left-bound: a part of alpha = -gamma borders the region, or only a point or nothing."""
+    assert stable_region(0.001, 0.02, 1).touches_left_bound
+    assert not stable_region(5.0, 0.02, 1).touches_left_bound
+
+
+def test_no_stable_wall_gives_an_empty_region():
+    region = stable_region(NYQUIST, 0.0, 1)
+    assert region.polygon.is_empty
+    assert region.area == 0
+    assert region.outline == ()
+    assert not region.touches_left_bound
+
+
+def test_plot_draws_one_closed_line():
+    axes = Figure().add_subplot()
+    region = stable_region(0.001, 0.02, 1)
+    region.plot(axes, color="k", fill="0.9")
+    assert len(axes.lines) == len(region.outline) == 1
+    drawn = axes.lines[0].get_xydata()
+    assert np.array_equal(drawn[0], drawn[-1])
+    assert len(axes.patches) == 1
+
+
+@pytest.mark.parametrize("bad", [0.0, 1.0, -1e-3, 1e-13, np.nan])
+def test_tolerance_is_checked(bad):
+    with pytest.raises(ValueError, match=r"^tolerance: .* is not allowed; 1e-12 <= tolerance < 1"):
+        stable_region(0.001, 0.02, 1, tolerance=bad)
