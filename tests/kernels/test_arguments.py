@@ -80,7 +80,8 @@ def test_a_number_that_is_too_large_or_not_alone_is_named(call, says):
         call()
 
 
-SHAPES = [(), (1,), (0,), (3,), (8191,), (8192,), (8193,), (2, 8192), (3, 1), (20_001,)]
+BLOCK = arguments._BLOCK
+SHAPES = [(), (1,), (0,), (3,), (BLOCK - 1,), (BLOCK,), (BLOCK + 1,), (2, BLOCK), (3, 1)]
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=str)

@@ -67,10 +67,10 @@ def test_no_grid_finds_a_stiffer_wall(case):
 
 def test_arrays_longer_than_a_block_are_what_their_elements_are():
     rng = np.random.default_rng(32)
-    gamma, delta = rng.uniform(0, 1e-3, 20_000), rng.uniform(0, 0.02, 20_000)
-    delay = rng.choice([0.0, 0.5, 1.0, 6.0], 20_000)
+    gamma, delta = rng.uniform(0, 1e-3, 40_000), rng.uniform(0, 0.02, 40_000)
+    delay = rng.choice([0.0, 0.5, 1.0, 6.0], 40_000)
     many = max_stable_stiffness(gamma, delta, delay)
-    for i in rng.integers(0, 20_000, 40):
+    for i in rng.integers(0, 40_000, 40):
         one = max_stable_stiffness(gamma[i], delta[i], delay[i])
         assert np.array(one) == pytest.approx(np.array([v[i] for v in many]), rel=1e-10)
 
