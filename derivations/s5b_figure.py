@@ -35,8 +35,7 @@ def derive(page):
         stiffness.subs(quarter),
         tan(theta / 2) * need / size,
         name=alpha,
-        because="the passive bound with $\\Re\\{A/((z-1)N)\\}$ for $\\delta$, more by the "
-        "energy of a passive wall",
+        because="the passive bound, with $\\Re\\{A/((z-1)N)\\}>\\delta$ in place of $\\delta$",
     )
     bare = plant.numbers(S.Zero, delta)
     page.limit(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.kernels.stability import is_stable
 from symhaptic.paper.figures import DELAYS
 from symhaptic.report.figures import COLOURS, boundary
 from symhaptic.tracer.extremes import max_stable_stiffness
@@ -229,9 +230,12 @@ def delay_margins(panels: Any) -> None:
     levels = [0, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64]
     for axes, (right, high) in zip(panels.flat, ((0.76, 2.15), (0.075, 0.65)), strict=True):
         alpha, beta = np.meshgrid(
-            np.linspace(-GAMMA * 0.999, right, 90), np.linspace(-0.03, high, 90)
+            np.linspace(-GAMMA * 0.999, right, 75), np.linspace(-0.03, high, 75)
         )
-        margin = np.minimum(delay_margin(alpha, beta, GAMMA, DELTA), levels[-1])
+        stable = is_stable(alpha, beta, GAMMA, DELTA, 0)
+        margin = np.zeros_like(alpha)
+        margin[stable] = delay_margin(alpha[stable], beta[stable], GAMMA, DELTA)
+        margin = np.minimum(margin, levels[-1])
         filled = axes.contourf(
             alpha, beta, margin, levels, cmap="YlGnBu", norm=BoundaryNorm(levels, 256)
         )
