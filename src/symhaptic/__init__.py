@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from symhaptic.tracer.grid import grid_boundary
     from symhaptic.tracer.margin import delay_margin
     from symhaptic.tracer.region import Region, stable_region
+    from symhaptic.tracer.robust import robust_region
 
 __version__ = "0.1.0"
 
@@ -52,6 +53,7 @@ _HOME = {
     "passivity_boundary": "symhaptic.kernels.passivity",
     "passivity_margin": "symhaptic.kernels.passivity",
     "prove": "symhaptic.proof.decide",
+    "robust_region": "symhaptic.tracer.robust",
     "stability_boundary": "symhaptic.kernels.boundary",
     "stable_region": "symhaptic.tracer.region",
     "unstable_roots": "symhaptic.kernels.stability",
@@ -76,6 +78,7 @@ __all__ = [
     "passivity_boundary",
     "passivity_margin",
     "prove",
+    "robust_region",
     "stability_boundary",
     "stable_region",
     "unstable_roots",

@@ -46,8 +46,8 @@ def robust_region(
     ``delay`` >= 0 periods.  Springs are inserted in the middle between two neighbours, in terms of
     the angle sqrt(gamma - delta^2/4), until this moves the outline by less than ``tolerance`` of
     its extent; every insertion moves it by about a quarter of the one before, so that the rest is
-    less than the last move.  Without damping there is no such wall (chapter s5c_robust), and the
-    polygon is empty.
+    less than the last move.  Without damping there is no such wall (proved for whole and half
+    delays in chapter s5c_robust, no other was found), and the polygon is empty.
 
     Raises :class:`ValueError` for an impossible damping, delay or tolerance.
 
