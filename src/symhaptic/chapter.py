@@ -323,7 +323,7 @@ class Page:
         specialise: Callable[[Expr], Expr] | None = None,
         corrected: Sequence[str] | None = None,
         misprint: bool = True,
-        value: Expr | None = None,
+        value: Expr | arb | Sequence[Expr | arb] | None = None,
         shows: str | None = None,
         note: str | None = None,
     ) -> Verdict:
@@ -334,7 +334,7 @@ class Page:
         ``provided`` names a condition that the paper leaves out and ``unless`` a point without
         it where the statement fails, that is where the printed form (after ``specialise``) and
         the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
-        ``value`` is the number that the text quotes.
+        ``value`` is the number that the text quotes, exact or in a ball, or several of them.
         """
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
@@ -344,6 +344,7 @@ class Page:
         proofs = [
             g.reason if isinstance(g, Fact) else g.method for g in grounds if isinstance(g, proving)
         ]
+        values = () if value is None else value if isinstance(value, Sequence) else (value,)
         settlement = Settlement(
             derived=tuple(forms),
             proofs=tuple(proofs),
@@ -355,7 +356,7 @@ class Page:
             specialise=specialise,
             corrected=None if corrected is None else tuple(corrected),
             misprint=misprint,
-            value=value,
+            values=tuple(values),
             quoted=statement.quoted,
             shows=shows,
             note=note,

@@ -3,6 +3,7 @@
 import pytest
 
 from symhaptic.paper import STATEMENTS
+from symhaptic.paper.quoted import Quoted
 from symhaptic.proof.units import UnitError, dimension_of
 
 EQUATIONS = [f"eq{n}" for n in range(1, 32)]  # (1) to (31)
@@ -109,4 +110,4 @@ def test_printed_units_agree_but_where_the_paper_errs(id):
     ("id", "quoted"), [("s3c-kmax-41", ("about", "0.41")), ("s3c-kmax-27", ("below", "0.27"))]
 )
 def test_quoted_number(id, quoted):
-    assert STATEMENTS[id].quoted == quoted
+    assert STATEMENTS[id].quoted == (Quoted(*quoted),)

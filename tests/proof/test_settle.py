@@ -5,7 +5,9 @@ import sympy as sp
 from flint import arb, ctx
 from sympy import Eq, I, Rational, S, cos, pi, sin, sqrt
 
+from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import read
+from symhaptic.proof.constants import Unmeasured
 from symhaptic.proof.settle import Settlement, Unfounded
 from symhaptic.proof.sign import assume, combined, number
 from symhaptic.proof.verdict import Kind
@@ -176,7 +178,7 @@ def test_counterexample_to_words_must_fail():
 
 
 def constant(value, how, digits):
-    return Settlement(value=value, quoted=(how, digits)).decide(())
+    return Settlement(values=(value,), quoted=(Quoted(how, digits),)).decide(())
 
 
 @pytest.mark.parametrize(
@@ -207,13 +209,56 @@ def test_decimals_and_radius_enclose_the_constant():
 
 
 def test_complex_number_is_no_quoted_constant():
-    try:
-        verdict = constant(sqrt(2) - 1 + I, "about", "0.41")
-    except Unfounded:
-        return
-    assert verdict.kind not in PASSING
+    with pytest.raises(Unmeasured):
+        constant(sqrt(2) - 1 + I, "about", "0.41")
+
+
+def test_number_that_is_hardly_known_is_no_constant():
+    with pytest.raises(Unmeasured), ctx.workprec(20):
+        constant(arb(2).sqrt(), "about", "1.4")
+
+
+@pytest.mark.parametrize(
+    ("how", "digits", "value", "says"),
+    [
+        ("about", "0.41", sqrt(2) - 1, "rounded down"),
+        ("about", "3.142", pi, "rounded up"),
+        ("about", "987e3", pi**2 * 10**5, "rounded up"),  # 986 960.44...
+        ("below", "0.27", 2 - sqrt(3), "rounded up"),
+        ("above", "3.1", pi, "cut off"),
+        ("above", "3", 2 * pi, "looser than its digits: 6 would hold"),
+        ("below", "0.1074", Rational(10699, 100000), "looser than its digits: 0.1070 would hold"),
+    ],
+)
+def test_rounding_of_the_last_digit(how, digits, value, says):
+    verdict = constant(value, how, digits)
+    assert verdict.kind == Kind.ENCLOSED
+    assert verdict.note == f"{digits} is {says}"
+
+
+def test_exponent_marks_the_last_digit_that_counts():
+    assert constant(pi**2 * 1000, "about", "1e4").kind == Kind.ENCLOSED  # 9869.6
+    assert constant(pi**2 * 1000, "about", "10e3").kind == Kind.ENCLOSED
+    assert constant(pi**2 * 1000, "about", "10000").kind == Kind.REFUTED
+
+
+def test_every_quoted_number_must_hold():
+    two = (Quoted("above", "17.8"), Quoted("below", "0.0562"))
+    ratio = Rational(1783, 100)
+    assert Settlement(values=(ratio, 1 / ratio), quoted=two).decide(()).kind == Kind.ENCLOSED
+    wrong = (two[0], Quoted("below", "0.056"))
+    assert Settlement(values=(ratio, 1 / ratio), quoted=wrong).decide(()).kind == Kind.REFUTED
+    with pytest.raises(Unfounded):
+        Settlement(values=(ratio,), quoted=two).decide(())
+
+
+def test_a_number_does_not_save_a_wrong_formula():
+    grounds = {"values": (pi,), "quoted": (Quoted("about", "3.14"),)}
+    assert Settlement(derived=RIGHT, **grounds).decide(PRINTED).kind == Kind.ENCLOSED
+    wrong = Settlement(derived=(Eq(K, 2 * b / T),), **grounds)
+    assert wrong.decide(PRINTED).kind == Kind.MISPRINT
 
 
 def test_constant_needs_the_printed_number():
     with pytest.raises(Unfounded):
-        Settlement(value=pi).decide(())
+        Settlement(values=(pi,)).decide(())

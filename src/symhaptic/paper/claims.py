@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.statement import Statement
 
 _II_C, _III_A, _III_B, _III_C = "Sec. II-C", "Sec. III-A", "Sec. III-B", "Sec. III-C"
@@ -65,13 +66,13 @@ CLAIMS = (
         "s3c-kmax-41",
         _III_C,
         r"at $d=1$ the largest passive stiffness is about 41\% of that at $d=0$",
-        quoted=("about", "0.41"),
+        quoted=(Quoted("about", "0.41"),),
     ),
     Statement(
         "s3c-kmax-27",
         _III_C,
         r"at $d=2$ the largest passive stiffness is below 27\% of that at $d=0$",
-        quoted=("below", "0.27"),
+        quoted=(Quoted("below", "0.27"),),
     ),
     Statement(
         "s4a-delay-equivalent",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
 
 
@@ -24,8 +25,8 @@ class Statement:
     latex: tuple[str, ...] = ()
     domain: str = ""
     reading: tuple[str, ...] | None = None
-    quoted: tuple[str, str] | None = None
-    """A number in the text: how it is meant (about, below, above) and its decimals."""
+    quoted: tuple[Quoted, ...] = ()
+    """Numbers that the text quotes."""
 
     @cached_property
     def printed(self) -> Printed:

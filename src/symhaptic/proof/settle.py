@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 import sympy as sp
-from flint import arb, ctx
+from flint import arb
 from sympy import Expr
 
+from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
-from symhaptic.proof.ball import Value, ball, value_at
+from symhaptic.proof.ball import Value, value_at
+from symhaptic.proof.constants import decimals, holds, measured, rounding
 from symhaptic.proof.decide import Form, compare, differ, named, parts
 from symhaptic.proof.points import Point
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
-from symhaptic.proof.verdict import UNSETTLED, Kind, Verdict
+from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
 
 
 @dataclass(frozen=True)
@@ -30,9 +32,6 @@ class Witness:
 Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | Witness | None
 """What holds at a counterexample: a form to evaluate there, a fact (true), a relation with the
 fact that contradicts it (false), or a witness (false)."""
-
-DIGITS = 30
-"""Decimals given of a constant."""
 
 
 class Unfounded(ValueError):
@@ -53,8 +52,8 @@ class Settlement:
     specialise: Callable[[Expr], Expr] | None = None
     corrected: tuple[str, ...] | None = None
     misprint: bool = True
-    value: Expr | None = None
-    quoted: tuple[str, str] | None = None
+    values: tuple[Expr | arb, ...] = ()
+    quoted: tuple[Quoted, ...] = ()
     external: str | None = None
     shows: str | None = None
     note: str | None = None
@@ -63,8 +62,13 @@ class Settlement:
         """The verdict on a printed form."""
         if self.external is not None:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
-        if self.value is not None:
-            return self._constant()
+        if not self.values:
+            return self._without_constants(printed)
+        if not printed and not self.proofs:
+            return self._constants(Verdict(Kind.ENCLOSED, "", note=self.note))
+        return self._constants(self._without_constants(printed))
+
+    def _without_constants(self, printed: Printed) -> Verdict:
         if not printed or not self.derived:
             return self._in_words(printed)
         note = self._noted(printed)
@@ -128,39 +132,30 @@ class Settlement:
             note=note,
         )
 
-    def _constant(self) -> Verdict:
-        if self.value is None or self.quoted is None:
-            raise Unfounded("a constant needs a value and the number that the paper prints")
-        bits = 4 * DIGITS + 32
-        complex_value = ball(self.value, None, bits)
-        if not complex_value.imag.is_zero():
-            raise Unfounded(f"{self.value} is not shown to be real")
-        number = complex_value.real
-        how, digits = self.quoted
-        text = number.str(DIGITS, radius=False)
-        with ctx.workprec(bits):
-            printed = arb(digits)
-            half = arb("0.5") * arb(10) ** -len(digits.partition(".")[2])
-            # two digits of a bound, widened by more than their rounding takes away
-            radius = f"{1.1 * float(abs(number - arb(text)).abs_upper()):.1e}"
-        holds = {
-            "about": number > printed - half and number < printed + half,
-            "below": number < printed,
-            "above": number > printed,
-        }[how]
-        fails = {
-            "about": number < printed - half or number > printed + half,
-            "below": number > printed,
-            "above": number < printed,
-        }[how]
-        kind = Kind.ENCLOSED if holds else Kind.REFUTED if fails else Kind.UNDECIDED
-        return Verdict(
-            kind,
-            "; ".join([*self.proofs, "ball arithmetic"]),
-            counterexample={} if kind is Kind.REFUTED else None,
+    def _constants(self, verdict: Verdict) -> Verdict:
+        """The verdict on the rest of the statement, with the numbers that it quotes."""
+        if len(self.values) != len(self.quoted):
+            raise Unfounded(f"{len(self.values)} numbers for {len(self.quoted)} that are printed")
+        found = [measured(value) for value in self.values]
+        each = [holds(q, number) for q, number in zip(self.quoted, found, strict=True)]
+        text, radius = decimals(found[0])
+        notes = [rounding(q, number) for q, number in zip(self.quoted, found, strict=True)]
+        kind, shows, point = verdict.kind, verdict.shows, verdict.counterexample
+        if None in each:
+            kind = Kind.UNDECIDED
+        elif False in each:
+            kind, shows, point = Kind.REFUTED, self.shows, point or {}
+        elif kind in PASSES:
+            kind = Kind.ENCLOSED
+        return replace(
+            verdict,
+            kind=kind,
+            method="; ".join(dict.fromkeys([verdict.method, "ball arithmetic"])).strip("; "),
+            counterexample=point,
+            shows=shows,
             value=text,
             radius=radius,
-            note=self.note,
+            note="; ".join(filter(None, [*notes, verdict.note])),
         )
 
     # -- checks -------------------------------------------------------------------------
