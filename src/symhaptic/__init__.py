@@ -23,7 +23,9 @@ if TYPE_CHECKING:
     )
     from symhaptic.kernels.plant import discretize
     from symhaptic.kernels.stability import characteristic_polynomial, is_stable, unstable_roots
-    from symhaptic.proof.decide import prove
+    from symhaptic.proof.enclose import enclose, enclose_maximum
+    from symhaptic.proof.prove import prove
+    from symhaptic.proof.recheck import recheck
     from symhaptic.proof.verdict import Verdict
     from symhaptic.scene import Scene
     from symhaptic.tracer.extremes import max_stable_stiffness
@@ -43,6 +45,8 @@ _HOME = {
     "characteristic_polynomial": "symhaptic.kernels.stability",
     "delay_margin": "symhaptic.tracer.margin",
     "discretize": "symhaptic.kernels.plant",
+    "enclose": "symhaptic.proof.enclose",
+    "enclose_maximum": "symhaptic.proof.enclose",
     "formula": "symhaptic.formulas",
     "grid_boundary": "symhaptic.tracer.grid",
     "is_passive": "symhaptic.kernels.passivity",
@@ -52,7 +56,8 @@ _HOME = {
     "max_stable_stiffness": "symhaptic.tracer.extremes",
     "passivity_boundary": "symhaptic.kernels.passivity",
     "passivity_margin": "symhaptic.kernels.passivity",
-    "prove": "symhaptic.proof.decide",
+    "prove": "symhaptic.proof.prove",
+    "recheck": "symhaptic.proof.recheck",
     "robust_region": "symhaptic.tracer.robust",
     "stability_boundary": "symhaptic.kernels.boundary",
     "stable_region": "symhaptic.tracer.region",
@@ -68,6 +73,8 @@ __all__ = [
     "characteristic_polynomial",
     "delay_margin",
     "discretize",
+    "enclose",
+    "enclose_maximum",
     "formula",
     "grid_boundary",
     "is_passive",
@@ -78,6 +85,7 @@ __all__ = [
     "passivity_boundary",
     "passivity_margin",
     "prove",
+    "recheck",
     "robust_region",
     "stability_boundary",
     "stable_region",

@@ -6,17 +6,19 @@ interval of parameters is a hard one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
 from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, acb_mat
+from flint import acb, arb_mat, ctx
 from sympy import Expr
 
 from symhaptic.model import plant
 from symhaptic.notation import delta, gamma
 from symhaptic.proof.ball import ball
-from symhaptic.proof.box import Given
+from symhaptic.proof.certificate import Balls, Given
 from symhaptic.scene import FULL
 
 LOSS, TOGETHER, LATE, AT_ONE = NUMBERS = sp.symbols("L S n_0 q")
@@ -24,8 +26,6 @@ LOSS, TOGETHER, LATE, AT_ONE = NUMBERS = sp.symbols("L S n_0 q")
 
 SLOPES = sp.symbols("L' S' n_0' q'")
 """Their derivatives with respect to delta."""
-
-_BITS = 96
 
 Dual: TypeAlias = tuple[acb, acb]
 """Value and derivative with respect to delta."""
@@ -52,28 +52,53 @@ def numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
     return values | dict(zip(SLOPES, (slope for _, slope in found), strict=True))
 
 
-def _held(at: Mapping[sp.Symbol, acb]) -> Dual:
-    """Position after a period of unit force, and its derivative with respect to delta."""
+@cache
+def _motion() -> tuple[tuple[Expr, ...], ...]:
+    """The rows whose exponential has the response to a held force, and its slope, in them."""
     device = plant.normalised(FULL)
     whole = sp.zeros(3, 3)
     whole[:2, :2], whole[:2, 2] = device.state_matrix, device.input_matrix
     twice = sp.zeros(6, 6)  # exp([[X, X'], [0, X]]) has exp(X)' in its upper right block
     twice[:3, :3] = twice[3:, 3:] = whole
     twice[:3, 3:] = whole.diff(delta)
-    grown = acb_mat(6, 6, [ball(entry, at, _BITS) for entry in twice]).exp()
-    return grown[0, 2], grown[0, 5]
+    return tuple(tuple(twice.row(i)) for i in range(6))
+
+
+def _held(at: Mapping[sp.Symbol, acb]) -> Dual:
+    """Position after a period of unit force, and its derivative with respect to delta."""
+    known = {entry: ball(entry, at, ctx.prec).real for row in _motion() for entry in set(row)}
+    grown = arb_mat([[known[entry] for entry in row] for row in _motion()]).exp()
+    return acb(grown[0, 2]), acb(grown[0, 5])
+
+
+@dataclass(frozen=True)
+class Named:
+    """Balls of expressions in the plant's numbers, computed once for an interval of the plant."""
+
+    meanings: Mapping[sp.Symbol, Expr]
+    _known: dict[tuple[object, ...], dict[sp.Symbol, acb]] = field(
+        default_factory=dict, repr=False, compare=False
+    )
+    of: Sequence[sp.Symbol] = (gamma, delta)
+
+    def numbers(self, at: Balls) -> Balls:
+        """Balls of the plant's numbers and of their slopes."""
+        return numbers(at)
+
+    def __call__(self, at: Balls) -> Balls:
+        """Balls of the expressions, for balls of gamma, delta and what else occurs in them."""
+        parts = (at[s].real for s in self.of)
+        key = tuple(part.man_exp() for x in parts for part in (x.mid(), x.rad()))
+        if key not in self._known:
+            values = {**at, **numbers(at)}
+            named = {s: ball(expr, values, ctx.prec) for s, expr in self.meanings.items()}
+            self._known[key] = named
+        return self._known[key]
+
+    def __reduce__(self) -> tuple[type[Named], tuple[Mapping[sp.Symbol, Expr]]]:
+        return Named, (self.meanings,)  # what is known is not part of a certificate
 
 
 def named(meanings: Mapping[sp.Symbol, Expr]) -> Given:
-    """Balls of expressions in the plant's numbers, computed once for an interval of the plant."""
-    known: dict[tuple[object, ...], dict[sp.Symbol, acb]] = {}
-
-    def given(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
-        parts = (at[s].real for s in (gamma, delta))
-        key = tuple(part.man_exp() for x in parts for part in (x.mid(), x.rad()))
-        if key not in known:
-            values = {**at, **numbers(at)}
-            known[key] = {s: ball(expr, values, _BITS) for s, expr in meanings.items()}
-        return known[key]
-
-    return given
+    """What :class:`Named` finds, for an inequality on a box of plants."""
+    return Named(meanings)

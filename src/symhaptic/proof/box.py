@@ -1,18 +1,25 @@
-"""An inequality on a whole box of parameters, by ball arithmetic on ever smaller pieces.
+"""Inequalities and maxima on a whole box of parameters, by ball arithmetic on ever smaller pieces.
 
 A ball around the middle of a piece, as wide as the piece, goes through the expression and comes
-out as a ball that contains all its values there.  A piece that this does not decide is halved.
+out as a ball that contains all its values there.  Near a value that is hardly positive the mean
+value theorem does better: the value in the middle, and the slopes times the way from there.  A
+piece that neither decides is halved.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from heapq import heappop, heappush
 
 import sympy as sp
 from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.proof.ball import ball
+from symhaptic.proof.certificate import Box, Given, Largest, Positive
+from symhaptic.proof.points import Point
 from symhaptic.proof.sign import Fact, NotShown
 
 _BITS = 96
@@ -21,77 +28,195 @@ _BITS = 96
 _PIECES = 100_000
 """So many are tried before giving up."""
 
-Box = Mapping[sp.Symbol, tuple[Expr, Expr]]
-"""Closed interval of each symbol; its ends are numbers."""
+_PATIENCE = 32
+"""So many pieces are halved before the slopes, which are dear, are asked."""
+
+Interval = tuple[arb, arb]
+Piece = tuple[Interval, ...]
+"""An interval for each symbol of the box, in its order."""
+
+Value = Callable[[Sequence[arb]], arb]
+"""Balls of an expression's values, from balls of the box's symbols."""
 
 
-Piece = dict[sp.Symbol, tuple[arb, arb]]
+@dataclass(frozen=True)
+class Denied:
+    """A point of the box where the expression is not positive."""
 
-Given = Callable[[Mapping[sp.Symbol, acb]], Mapping[sp.Symbol, acb]]
-"""Balls of further symbols, from balls of those of the box."""
+    point: Point
+    touches: bool
+    """Whether it may be zero there."""
 
 
 def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
     """``expr > 0`` everywhere in the box; ``given`` finds balls of its other symbols there.
 
     Raises :class:`NotShown` where a piece has a value that is not positive, or where the pieces
-    become too many.  The expression must be real there, and so written that balls see it: an
-    interval may not meet a division by zero, removable or not.
+    become too many.  The expression must be so written that balls see its values: an interval may
+    not meet a division by zero, removable or not, and where no imaginary unit is written, no root
+    of a negative number.
 
     >>> x = sp.Symbol("x")
     >>> positive(x**2 - x + sp.Rational(1, 2), {x: (0, 1)}).reason
     'ball arithmetic on 5 pieces'
     """
+    found = search(expr, box, given)
+    if found is None:
+        raise NotShown(f"{expr}: undecided after {_PIECES} pieces")
+    if isinstance(found, Denied):
+        near = ", ".join(f"{s} = {float(v):.6g}" for s, v in found.point.items())
+        raise NotShown(f"{expr} is not positive for {near}")
+    domain = [(s - low, high - s) for s, (low, high) in box.items()]
+    rests = frozenset((sp.sympify(end), False) for pair in domain for end in pair)
+    plural = "piece" if found.pieces == 1 else "pieces"
+    reason = f"ball arithmetic on {found.pieces} {plural}"
+    return Fact(found.expr, True, reason, rests, certificates=(found,))
+
+
+def search(expr: Expr, box: Box, given: Given | None = None) -> Positive | Denied | None:
+    """A certificate that ``expr > 0`` on the box, a point that denies it, or neither."""
     expr = sp.sympify(expr)
+    with ctx.workprec(_BITS):
+        value, slopes = _values(expr, box, given), _slopes(expr, box, given)
+        pieces, cuts, tried = [_whole(box)], "", 0
+        while pieces:
+            piece = pieces.pop()
+            plain = value(_wide(piece))
+            if plain > 0:
+                cuts += "."
+                continue
+            middle = [_middle(interval) for interval in piece]
+            there = value(middle)
+            if tried >= _PATIENCE and there + _away(piece, middle, slopes) > 0:
+                cuts += ":"
+                continue
+            if there <= 0:
+                point = dict(zip(box, map(_exact, middle), strict=True))
+                return Denied(point, touches=not there < 0)
+            tried += 1
+            if tried >= _PIECES:
+                return None
+            across = _best(piece, middle, value)
+            cuts += str(across)
+            pieces += reversed(_halved(piece, across, middle[across]))
+    return Positive(expr, dict(box), cuts, _BITS, given)
+
+
+def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> Largest:
+    """The largest value on a box between two bounds not further apart than ``radius``.
+
+    Branch and bound: the piece with the largest bound is halved until no piece can exceed the best
+    value found by more than half the radius.  Raises :class:`NotShown` where the pieces become too
+    many.
+
+    >>> x = sp.Symbol("x")
+    >>> found = maximum(x*(1 - x), {x: (0, 1)}, sp.Rational(1, 1000))
+    >>> found.lower <= sp.Rational(1, 4) <= found.upper, found.where
+    (True, {x: 1/2})
+    """
+    expr = sp.sympify(expr)
+    with ctx.workprec(_BITS):
+        value, slopes = _values(expr, box, given), _slopes(expr, box, given)
+        near = ball(sp.sympify(radius), None, _BITS).real / 2
+        best, where = arb("-inf"), [_middle(interval) for interval in _whole(box)]
+        heap: list[tuple[float, int, Piece]] = []
+        pieces, count = [_whole(box)], 0
+        while True:
+            for piece in pieces:
+                middle = [_middle(interval) for interval in piece]
+                there = value(middle)
+                if there.lower() > best:
+                    best, where = there.lower(), middle
+                above = value(_wide(piece)).upper()
+                if count >= _PATIENCE and not above <= best + near:
+                    above = above.min((there + _away(piece, middle, slopes)).upper())
+                if not above <= best + near:
+                    count += 1
+                    heappush(heap, (-float(above), count, piece))
+            if not heap:
+                break
+            if count >= _PIECES:
+                raise NotShown(f"{expr}: no maximum after {_PIECES} pieces")
+            _, _, piece = heappop(heap)
+            middle = [_middle(interval) for interval in piece]
+            across = _best(piece, middle, value)
+            pieces = _halved(piece, across, middle[across])
+        lower, upper = _exact(best), _exact(best + near * 1.5)
+    below = search(upper - expr, box, given)
+    if not isinstance(below, Positive):
+        raise NotShown(f"{expr}: the bound {upper} is not shown")
+    return Largest(expr, below, dict(zip(box, map(_exact, where), strict=True)), lower, upper)
+
+
+def _values(expr: Expr, box: Box, given: Given | None) -> Value:
     unbound = expr.free_symbols - set(box)
     if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
 
-    def value(piece: Piece) -> acb:
-        values = {s: acb(low.union(high)) for s, (low, high) in piece.items()}
-        return ball(expr, {**values, **(given(values) if given else {})}, _BITS)
+    complex_parts = expr.has(sp.I)
 
-    before = ctx.prec
-    ctx.prec = _BITS
-    try:
-        pieces: list[Piece] = [{s: (_number(low), _number(high)) for s, (low, high) in box.items()}]
-        decided = 0
-        while pieces:
-            piece = pieces.pop()
-            found = value(piece)
-            if found.is_finite() and found.real > 0:
-                decided += 1
-                continue
-            if found.is_finite() and found.real <= 0:
-                near = ", ".join(
-                    f"{s} near {float(low.mid()):.6g}" for s, (low, _) in piece.items()
-                )
-                raise NotShown(f"{expr} is not positive for {near}")
-            if decided + len(pieces) >= _PIECES:
-                raise NotShown(f"{expr}: undecided after {_PIECES} pieces")
-            pieces += _halved(piece, value)
-    finally:
-        ctx.prec = before
-    domain = [(s - low, high - s) for s, (low, high) in box.items()]
-    rests = frozenset((sp.sympify(end), False) for pair in domain for end in pair)
-    plural = "piece" if decided == 1 else "pieces"
-    return Fact(expr, True, f"ball arithmetic on {decided} {plural}", rests)
+    def value(at: Sequence[arb]) -> arb:
+        values = dict(zip(box, map(acb, at), strict=True))
+        found = ball(expr, {**values, **(given(values) if given else {})}, _BITS)
+        real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
+        return found.real if real and found.is_finite() else arb("nan")
+
+    return value
+
+
+def _slopes(expr: Expr, box: Box, given: Given | None) -> Callable[[], list[Value]]:
+    """The derivatives, found when they are first asked for."""
+
+    @cache
+    def slopes() -> list[Value]:
+        return [_values(sp.diff(expr, s), box, None) for s in box]
+
+    return (lambda: []) if given else slopes
+
+
+def _away(piece: Piece, middle: Sequence[arb], slopes: Callable[[], list[Value]]) -> arb:
+    """A ball of what values in a piece differ by from that in its middle."""
+    if not slopes():
+        return arb("nan")
+    wide = _wide(piece)
+    steps = (x - m for x, m in zip(wide, middle, strict=True))
+    return sum((f(wide) * step for f, step in zip(slopes(), steps, strict=True)), arb(0))
+
+
+def _wide(piece: Piece) -> list[arb]:
+    return [low.union(high) for low, high in piece]
+
+
+def _whole(box: Box) -> Piece:
+    return tuple((_number(low), _number(high)) for low, high in box.values())
 
 
 def _number(value: Expr) -> arb:
     return ball(sp.sympify(value), None, _BITS).real
 
 
-def _halved(piece: Piece, value: Callable[[Piece], acb]) -> list[Piece]:
-    """The piece cut across the symbol without whose width the value is known best."""
+def _best(piece: Piece, middle: Sequence[arb], value: Value) -> int:
+    """The number of the symbol without whose width the value is known best."""
 
-    def left(symbol: sp.Symbol) -> float:
-        low, high = piece[symbol]
-        middle = ((low + high) / 2).mid()
-        found = value({**piece, symbol: (middle, middle)})
-        return float(found.real.rad()) if found.is_finite() else float("inf")
+    def left(i: int) -> float:
+        wide = _wide(piece)
+        found = value([*wide[:i], middle[i], *wide[i + 1 :]])
+        return float(found.rad()) if found.is_finite() else float("inf")
 
-    best = min(piece, key=left) if len(piece) > 1 else next(iter(piece))
-    low, high = piece[best]
-    middle = ((low + high) / 2).mid()
-    return [{**piece, best: (low, middle)}, {**piece, best: (middle, high)}]
+    return min(range(len(piece)), key=left) if len(piece) > 1 else 0
+
+
+def _halved(piece: Piece, across: int, middle: arb) -> list[Piece]:
+    low, high = piece[across]
+    halves: tuple[Interval, Interval] = ((low, middle), (middle, high))
+    return [(*piece[:across], half, *piece[across + 1 :]) for half in halves]
+
+
+def _middle(interval: Interval) -> arb:
+    return ((interval[0] + interval[1]) / 2).mid()
+
+
+def _exact(number: arb) -> Expr:
+    """A ball without width as a rational number."""
+    mantissa, exponent = number.mid().man_exp()
+    return sp.Integer(int(mantissa)) * sp.Integer(2) ** int(exponent)

@@ -16,7 +16,6 @@ from symhaptic.proof.ball import Value, differs_from_zero, value_at
 from symhaptic.proof.normal import Field
 from symhaptic.proof.points import Point, points
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.verdict import Kind, Verdict
 
 Form: TypeAlias = Expr | Sequence[Expr]
 
@@ -167,36 +166,6 @@ def differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> tuple[Value, Val
         return (ours, theirs) if differs_from_zero(ours - theirs) else None
     except Unsupported:
         return None
-
-
-def prove(lhs: Form, rhs: Form) -> Verdict:
-    """Decide whether two formulas, vectors or relations are the same.
-
-    Returns a :class:`Verdict` that is true only if they are: *proved*, with the field in which
-    their difference is zero.  A formula that is not the same is *refuted*, with a point where
-    the two differ; *undecided* is neither, and not true.  Equality holds wherever both sides
-    are defined, for real values of the symbols and any real exponent.
-
-    >>> from sympy.abc import x
-    >>> bool(prove(sp.tan(x/2), sp.sin(x)/(1 + sp.cos(x))))
-    True
-    >>> print(prove(sp.sin(2*x), 2*sp.sin(x)).counterexample)
-    {'x': '1'}
-    """
-    for side in (lhs, rhs):
-        if isinstance(side, str) or not isinstance(
-            side, (sp.Basic, sp.MatrixBase, Sequence, int, float)
-        ):
-            raise TypeError(
-                f"prove: {side!r} is no formula; SymPy expressions, relations and "
-                "sequences of them are allowed"
-            )
-    result = compare(lhs, rhs)
-    if result.equal:
-        return Verdict(Kind.PROVED, result.method)
-    if result.equal is None:
-        return Verdict(Kind.UNDECIDED, result.method)
-    return Verdict(Kind.REFUTED, result.method, counterexample=named(result.point))
 
 
 def named(point: Mapping[Expr, Expr] | None) -> dict[str, str] | None:

@@ -13,6 +13,7 @@ from flint import arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 from sympy import Expr
 
 from symhaptic.proof.ball import ball
+from symhaptic.proof.certificate import Zero
 
 BITS = 256
 """Precision of the balls that are found here."""
@@ -70,13 +71,18 @@ def root_between(polynomial: Expr, lower: Expr, upper: Expr) -> arb:
 
 
 def zero_between(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr) -> arb:
-    """A ball around the only zero of a function between two numbers, by Newton's interval step.
+    """The ball of :func:`zero`."""
+    return zero(expr, variable, lower, upper).ball
+
+
+def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr) -> Zero:
+    """The only zero of a function between two numbers, in a ball, by Newton's interval step.
 
     A step that ends inside the interval it started from proves that there is one zero in it.
     Raises :class:`NoSuchRoot` where the first step does not.
 
     >>> x = sp.Symbol("x")
-    >>> print(zero_between(sp.cos(x), x, sp.S.One, sp.Integer(2)).str(20))
+    >>> print(zero(sp.cos(x), x, sp.S.One, sp.Integer(2)).ball.str(20))
     [1.5707963267948966192 +/- 3.14e-20]
     """
     slope = sp.diff(expr, variable)
@@ -93,7 +99,7 @@ def zero_between(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr) -> a
             raise NoSuchRoot(f"no zero of {expr} is shown between {lower} and {upper}")
         while narrow.rad() < wide.rad():
             wide, narrow = narrow, newton(narrow)
-    return wide
+    return Zero(expr, variable, (lower, upper), wide, BITS)
 
 
 def algebraic(

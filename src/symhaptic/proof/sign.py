@@ -17,12 +17,13 @@ Nothing here samples.  A certificate that does not add up raises :class:`NotShow
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 from sympy import Expr
 
 from symhaptic.proof.ball import sign
+from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import conjugated
 from symhaptic.proof.series import limit
@@ -40,6 +41,8 @@ class Fact:
     strict: bool = True
     reason: str = "assumed"
     rests: frozenset[tuple[Expr, bool]] = frozenset()
+    certificates: tuple[Certificate, ...] = field(default=(), compare=False)
+    """Of the balls that it rests on."""
 
     @property
     def relation(self) -> Expr:
@@ -51,6 +54,11 @@ class Fact:
 def assume(expr: Expr, strict: bool = True) -> Fact:
     """An assumption: part of the domain, not a claim."""
     return Fact(sp.sympify(expr), strict, "assumed", frozenset([(sp.sympify(expr), strict)]))
+
+
+def _together(*facts: Fact) -> tuple[Certificate, ...]:
+    """The certificates on which a new fact rests through others."""
+    return tuple(c for fact in facts for c in fact.certificates)
 
 
 def number(expr: Expr) -> Fact:
@@ -111,7 +119,9 @@ def combined(expr: Expr, *products: Product) -> Fact:
         strict = strict or positive
     if not is_zero(sp.sympify(expr) - total):
         raise NotShown(f"{expr} is not {total}")
-    return Fact(sp.sympify(expr), strict, "a sum of products of positive terms", rests)
+    used = [f for product in products for f in product if isinstance(f, Fact)]
+    reason = "a sum of products of positive terms"
+    return Fact(sp.sympify(expr), strict, reason, rests, _together(*used))
 
 
 def quotient(expr: Expr, numerator: Fact, denominator: Fact) -> Fact:
@@ -121,7 +131,8 @@ def quotient(expr: Expr, numerator: Fact, denominator: Fact) -> Fact:
     if not is_zero(expr - numerator.expr / denominator.expr):
         raise NotShown(f"{expr} is not ({numerator.expr})/({denominator.expr})")
     rests = numerator.rests | denominator.rests
-    return Fact(expr, numerator.strict, "a quotient of positive terms", rests)
+    used = _together(numerator, denominator)
+    return Fact(expr, numerator.strict, "a quotient of positive terms", rests, used)
 
 
 def sine(angle: Fact, complement: Fact) -> Fact:
@@ -129,7 +140,9 @@ def sine(angle: Fact, complement: Fact) -> Fact:
     if not is_zero(angle.expr + complement.expr - sp.pi):
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi")
     strict, rests = angle.strict and complement.strict, angle.rests | complement.rests
-    return Fact(sp.sin(angle.expr), strict, "the sine of (0, pi)", rests)
+    return Fact(
+        sp.sin(angle.expr), strict, "the sine of (0, pi)", rests, _together(angle, complement)
+    )
 
 
 def cosine(angle: Fact, complement: Fact) -> Fact:
@@ -137,7 +150,8 @@ def cosine(angle: Fact, complement: Fact) -> Fact:
     if not is_zero(angle.expr + complement.expr - sp.pi / 2):
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi/2")
     rests = angle.rests | complement.rests
-    return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests)
+    used = _together(angle, complement)
+    return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests, used)
 
 
 def chord(lower: Fact, upper: Fact, gap: Fact) -> Fact:
@@ -153,7 +167,7 @@ def chord(lower: Fact, upper: Fact, gap: Fact) -> Fact:
     larger, smaller = sp.pi / 2 - upper.expr, lower.expr - sp.pi / 2
     rests = lower.rests | upper.rests | gap.rests
     expr = sp.sin(larger) - sp.sin(smaller)
-    return Fact(expr, gap.strict, "the sine rises", rests)
+    return Fact(expr, gap.strict, "the sine rises", rests, _together(lower, upper, gap))
 
 
 def exponential(exponent: Expr) -> Fact:
@@ -182,7 +196,7 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
     if not is_zero(sp.diff(expr, over.variable) - slope.expr):
         raise NotShown(f"the derivative of {expr} is not {slope.expr}")
     rests = slope.rests | over.rests
-    return Fact(expr, slope.strict, "rises from zero", rests)
+    return Fact(expr, slope.strict, "rises from zero", rests, slope.certificates)
 
 
 def either(first: Fact, second: Fact, split: Expr) -> Fact:
@@ -197,4 +211,5 @@ def either(first: Fact, second: Fact, split: Expr) -> Fact:
     if not is_zero(first.expr - second.expr):
         raise NotShown(f"{first.expr} and {second.expr} are two different things")
     rests = (first.rests - {(split, True)}) | (second.rests - {(-split, False)})
-    return Fact(first.expr, first.strict and second.strict, "two cases", rests)
+    used = _together(first, second)
+    return Fact(first.expr, first.strict and second.strict, "two cases", rests, used)

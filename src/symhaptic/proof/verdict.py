@@ -8,6 +8,8 @@ from enum import StrEnum
 
 from sympy import Expr
 
+from symhaptic.proof.certificate import Certificate
+
 
 class Kind(StrEnum):
     """The verdicts, from the best to the worst."""
@@ -44,7 +46,9 @@ class Verdict:
     """What happens at the counterexample, in words or LaTeX."""
     value: str | None = None
     radius: str | None = None
-    note: str | None = field(default=None)
+    note: str | None = None
+    certificate: Certificate | None = field(default=None, repr=False, compare=False)
+    """Of an inequality on a box; :func:`symhaptic.recheck` checks it again."""
 
     def __bool__(self) -> bool:
         return self.kind in PASSES

@@ -1,0 +1,101 @@
+"""What was found by ball arithmetic, in a form that :mod:`symhaptic.proof.recheck` can check again.
+
+A certificate says everything that the check needs and nothing of how it was found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+import sympy as sp
+from flint import acb, arb
+from sympy import Expr
+
+Box: TypeAlias = Mapping[sp.Symbol, tuple[Expr, Expr]]
+"""Closed interval of each symbol; its ends are real numbers."""
+
+Balls: TypeAlias = Mapping[sp.Symbol, acb]
+
+
+class Given(Protocol):
+    """Further symbols: what they mean, in numbers whose balls follow from those of the box."""
+
+    @property
+    def of(self) -> Sequence[sp.Symbol]:
+        """The symbols of the box on which the numbers depend."""
+
+    @property
+    def meanings(self) -> Mapping[sp.Symbol, Expr]:
+        """Each symbol as an expression in the numbers and in symbols of the box."""
+
+    def numbers(self, at: Balls) -> Balls:
+        """Balls of the numbers."""
+
+    def __call__(self, at: Balls) -> Balls:
+        """Balls of the symbols."""
+
+
+@dataclass(frozen=True)
+class Positive:
+    """``expr > 0`` on a box that was cut into pieces, each decided by one ball.
+
+    ``cuts`` is the tree of pieces, from the whole box on and the lower half first: ``.`` is a
+    piece that one ball decides, ``:`` one that its middle and its slopes do, a digit the number of
+    the symbol across which a piece is halved.
+    """
+
+    expr: Expr
+    box: Box
+    cuts: str
+    bits: int
+    given: Given | None = None
+
+    @property
+    def pieces(self) -> int:
+        """How many pieces the box was cut into."""
+        return self.cuts.count(".") + self.cuts.count(":")
+
+    @property
+    def depth(self) -> int:
+        """How often the smallest piece was halved.
+
+        >>> Positive(sp.S.One, {}, "0.0..", 53).depth
+        2
+        """
+        deepest, open_ = 0, [0]
+        for cut in self.cuts:
+            depth = open_.pop()
+            deepest = max(deepest, depth)
+            if cut not in ".:":
+                open_ += [depth + 1, depth + 1]
+        return deepest
+
+
+@dataclass(frozen=True)
+class Zero:
+    """``expr`` has one zero between two numbers, and it lies in a ball."""
+
+    expr: Expr
+    variable: sp.Symbol
+    between: tuple[Expr, Expr]
+    ball: arb
+    bits: int
+
+
+@dataclass(frozen=True)
+class Largest:
+    """The largest value on a box is not above ``upper``, and not below ``lower``.
+
+    ``below`` certifies ``upper - expr > 0``; ``where`` is a point of the box with such a value.
+    """
+
+    expr: Expr
+    below: Positive
+    where: Mapping[sp.Symbol, Expr]
+    lower: Expr
+    upper: Expr
+
+
+Certificate: TypeAlias = Positive | Zero | Largest

@@ -1,0 +1,67 @@
+"""Numbers in balls as narrow as they are asked for."""
+
+from __future__ import annotations
+
+import sympy as sp
+from flint import acb, arb, ctx
+from sympy import Expr
+
+from symhaptic.proof import box as boxes
+from symhaptic.proof.ball import ball
+from symhaptic.proof.certificate import Largest
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.prove import Ends, checked
+
+_LIMIT = 100_000
+"""Most digits that may be asked for."""
+
+
+def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
+    """A ball that contains the value of a constant, its radius below ``10**-digits`` of the value.
+
+    A python-flint ``arb``, or ``acb`` for a complex number; zero is recognised by the normal form.
+    Raises :class:`ValueError` for what is no constant, and where no precision reaches the digits
+    (an expression that is undefined, or zero without the normal form knowing it).
+
+    >>> print(enclose(sp.sqrt(2) - 1, 30).str(30))
+    [0.414213562373095048801688724210 +/- 3.02e-31]
+    >>> print(enclose(sp.sin(1)**2 + sp.cos(1)**2 - 1))
+    0
+    """
+    expr = sp.sympify(expr)
+    if not isinstance(expr, Expr) or expr.free_symbols:
+        raise ValueError(f"enclose: expr: {expr} is no constant; a number without symbols is")
+    if expr.has(sp.Float):
+        raise ValueError(f"enclose: expr: {expr} has a float; exact numbers are allowed")
+    if not isinstance(digits, int) or not 1 <= digits <= _LIMIT:
+        raise ValueError(f"enclose: digits: {digits!r} is not allowed; 1 to {_LIMIT} are")
+    need = int(digits * 3.33) + 8
+    for bits in (need + 32, 2 * need + 64, 4 * need + 256, 16 * need + 4096):
+        value = ball(expr, None, bits)
+        with ctx.workprec(bits):
+            if value.is_finite() and value.rad() < abs(value).lower() * arb(10) ** -digits:
+                return value.real if value.imag.is_zero() else value
+        if value.contains(acb(0)) and bits == need + 32 and is_zero(expr):
+            return arb(0)
+    raise ValueError(f"enclose: expr: {expr} is not known to {digits} digits at {bits} bits")
+
+
+def enclose_maximum(expr: Expr, box: Ends, digits: int = 6) -> Largest:
+    """Two bounds of the largest value on a box, and where it is nearly reached.
+
+    ``upper - lower`` is at most ``10**-digits``; ``where`` is a point with a value not below
+    ``lower``.  The result is a certificate that :func:`symhaptic.recheck` checks again.
+
+    >>> x, y = sp.symbols("x y")
+    >>> found = enclose_maximum(x*y*(1 - x*y), {x: (0, 1), y: (0, 1)}, digits=4)
+    >>> found.lower <= sp.Rational(1, 4) <= found.upper
+    True
+    """
+    expr = sp.sympify(expr)
+    inside = checked("enclose_maximum", box)
+    missing = ", ".join(sorted(map(str, expr.free_symbols - set(inside))))
+    if missing:
+        raise ValueError(f"enclose_maximum: box: no interval for {missing}")
+    if not isinstance(digits, int) or not 0 <= digits <= 15:
+        raise ValueError(f"enclose_maximum: digits: {digits!r} is not allowed; 0 to 15 are")
+    return boxes.maximum(expr, inside, sp.Rational(1, 10**digits))
