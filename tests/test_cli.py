@@ -11,6 +11,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from symhaptic.cli import main
+
 ROOT = Path(__file__).parents[1]
 
 GOOD = '''r"""A title.
@@ -83,19 +85,59 @@ def test_selected_ids_only():
     assert [line.split()[0] for line in run.stdout.splitlines()[:2]] == ["eq1", "eq8"]
 
 
-def test_strict_fails_on_undecided_only():
+@pytest.fixture
+def open_question(monkeypatch):
+    """eq1 is settled by no derivation, and the committed ledger knows it."""
+    monkeypatch.setattr("symhaptic.parallel.settled", lambda *arguments: [])
+    monkeypatch.setattr("symhaptic.ledger.expected", lambda path: {"eq1": "undecided"})
+
+
+def status(monkeypatch, *arguments):
+    """Exit status of the command, run in this process."""
+    monkeypatch.setattr(sys, "argv", ["symhaptic", *map(str, arguments)])
+    with pytest.raises(SystemExit) as left:
+        main()
+    return left.value.code
+
+
+def test_strict_fails_on_undecided_only(open_question, monkeypatch):
+    assert status(monkeypatch, "verify", "eq1") == 0
+    assert status(monkeypatch, "verify", "eq1", "--strict") == 1
     assert symhaptic("verify", "--strict", "eq1").returncode == 0
-    assert symhaptic("verify", "--strict", "eq1", "fig10").returncode == 1
 
 
-def test_junit_names_each_statement(tmp_path):
+def test_junit_names_each_statement_with_verdict_and_seconds(tmp_path):
     target = tmp_path / "out.xml"
-    assert symhaptic("verify", "eq1", "fig10", "--format", "junit", "-o", target).returncode == 0
+    assert symhaptic("verify", "eq1", "eq11", "--format", "junit", "-o", target).returncode == 0
     suite = ElementTree.parse(target).getroot()
     cases = {case.get("name"): case for case in suite.iter("testcase")}
-    assert set(cases) == {"eq1", "fig10"}
-    assert cases["fig10"].find("skipped") is not None
-    assert cases["eq1"].find("properties/property").get("value") == "definition"
+    assert set(cases) == {"eq1", "eq11"}
+    verdicts = {n: c.find("properties/property").get("value") for n, c in cases.items()}
+    assert verdicts == {"eq1": "definition", "eq11": "qualified"}
+    assert all(float(case.get("time")) >= 0 for case in cases.values())
+    assert suite.get("failures") == "0"
+
+
+def test_junit_tells_what_is_undecided(open_question, monkeypatch, tmp_path):
+    found = []
+    for name, options in (("a.xml", []), ("b.xml", ["--strict"])):
+        status(monkeypatch, "verify", "eq1", "--format", "junit", "-o", tmp_path / name, *options)
+        found.append(ElementTree.parse(tmp_path / name).getroot().find("testcase"))
+    assert found[0].find("skipped") is not None
+    assert found[1].find("failure") is not None
+
+
+def test_same_ledger_whatever_the_number_of_workers():
+    ids = ["eq1", "eq5", "eq11", "eq12", "eq28", "s3c-kmax-41", "s5a-proportional"]
+    ledgers = []
+    for workers in (1, 2, 3):
+        run = symhaptic("verify", *ids, "--format", "json", "--workers", workers)
+        records = json.loads(run.stdout)["statements"]
+        for record in records:
+            del record["seconds"]
+        ledgers.append(records)
+    assert ledgers[0] == ledgers[1] == ledgers[2]
+    assert [r["id"] for r in ledgers[0]] == ids
 
 
 def test_a_chapter_of_ones_own(tmp_path):
@@ -132,8 +174,10 @@ BAD_CHAPTERS = {
 def test_a_bad_chapter_gives_one_line_and_writes_nothing(case, tmp_path):
     text, message = BAD_CHAPTERS[case]
     path = chapter(tmp_path, text)
-    run = symhaptic("verify", "--derivation", path, "-o", tmp_path / "out.txt")
-    assert run.returncode == 2
+    alone = symhaptic("verify", "--workers", 1, "my", "--derivation", path)
+    run = symhaptic("verify", "eq1", "--derivation", path, "-o", tmp_path / "out.txt")
+    assert run.returncode == alone.returncode == 2
+    assert run.stderr == alone.stderr
     assert message in run.stderr
     assert str(path) in run.stderr
     assert run.stderr.count("\n") == 1

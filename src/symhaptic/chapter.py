@@ -22,6 +22,7 @@ from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound, largest_root
+from symhaptic.proof.certificate import Certificate, Zero
 from symhaptic.proof.decide import Form, compare, parts
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
@@ -84,6 +85,8 @@ class Page:
     blocks: list[Block] = field(default_factory=list)
     settled: dict[str, Settled] = field(default_factory=dict)
     own: dict[str, Statement] = field(default_factory=dict)
+    certificates: list[Certificate] = field(default_factory=list)
+    """Of the balls that the chapter rests on; they are checked again when it has been run."""
     _count: int = 0
     _since: float = field(default_factory=time.perf_counter)
 
@@ -160,12 +163,17 @@ class Page:
     def enclosed(
         self,
         title: str,
-        values: Sequence[tuple[Expr | str, arb]],
+        values: Sequence[tuple[Expr | str, arb | Zero]],
         because: str = "",
         places: int = 24,
     ) -> None:
         """Positive numbers by their first decimals, which the balls around them settle."""
-        rows = [(name, "=", decimals(value, places) + r"\ldots") for name, value in values]
+        rows = []
+        for name, value in values:
+            if isinstance(value, Zero):
+                self.certificates.append(value)
+                value = value.ball
+            rows.append((name, "=", decimals(value, places) + r"\ldots"))
         self._equation(title, rows, "enclosed", "ball arithmetic", because)
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
@@ -195,6 +203,7 @@ class Page:
         self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
     ) -> Fact:
         """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
+        self.certificates += fact.certificates
         sign = ">" if fact.strict else r"\ge"
         left = latex(fact.expr) if name is None else name
         right = rf"0\qquad ({on})"
@@ -344,6 +353,7 @@ class Page:
         proofs = [
             g.reason if isinstance(g, Fact) else g.method for g in grounds if isinstance(g, proving)
         ]
+        self.certificates += [c for g in grounds if isinstance(g, Fact) for c in g.certificates]
         values = () if value is None else value if isinstance(value, Sequence) else (value,)
         settlement = Settlement(
             derived=tuple(forms),

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 if TYPE_CHECKING:
+    from symhaptic.ledger import Entry
     from symhaptic.library import Chapter
 
 app = typer.Typer(
@@ -81,31 +83,48 @@ def _root(
 
 
 def _chapters(paths: list[Path]) -> list[Chapter]:
-    """Run derivations, with a progress bar where somebody watches."""
-    from symhaptic.library import BadChapter, run_all
+    """Run derivations one after the other, whole with their pages."""
+    from symhaptic.library import BadChapter, run
 
+    done: list[Chapter] = []
     try:
-        if not sys.stderr.isatty():
-            return list(run_all(paths))
-        from rich.console import Console
-        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-        with Progress(
-            TextColumn("{task.description:28}"),
-            BarColumn(),
-            TimeElapsedColumn(),
-            console=Console(stderr=True),
-            transient=True,
-        ) as bar:
-            task = bar.add_task("", total=len(paths))
-            done = []
+        with _progress(len(paths)) as told:
             for path in paths:
-                bar.update(task, description=path.stem)
-                done += list(run_all([path]))
-                bar.advance(task)
-            return done
+                told(len(done), path)
+                done.append(run(path))
     except BadChapter as wrong:
         _usage(f"--derivation {wrong}")
+    return done
+
+
+def _settled(paths: list[Path], workers: int) -> list[Entry]:
+    """The statements that derivations settle."""
+    from symhaptic import parallel
+    from symhaptic.library import BadChapter
+
+    try:
+        with _progress(len(paths)) as told:
+            return parallel.settled(paths, workers, told)
+    except BadChapter as wrong:
+        _usage(f"--derivation {wrong}")
+
+
+@contextmanager
+def _progress(total: int) -> Iterator[Callable[[int, Path], None]]:
+    """A progress bar that shows the statement under way, where somebody watches."""
+    if not sys.stderr.isatty():
+        yield lambda done, path: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    from symhaptic.listing import under_way
+
+    columns = (TextColumn("{task.description:32}"), BarColumn(), MofNCompleteColumn())
+    console = Console(stderr=True)
+    with Progress(*columns, TimeElapsedColumn(), console=console, transient=True) as bar:
+        task = bar.add_task("", total=total)
+        yield lambda done, path: bar.update(task, completed=done, description=under_way(path))
 
 
 @app.command()
@@ -121,10 +140,14 @@ def verify(
         Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
     ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Fail on undecided too.")] = False,
+    workers: Annotated[
+        int | None,
+        typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
+    ] = None,
     derivation: Derivations = None,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one."""
-    from symhaptic import ledger, library, listing
+    from symhaptic import ledger, library, listing, parallel
     from symhaptic.paper import STATEMENTS
 
     own = derivation or []
@@ -134,8 +157,8 @@ def verify(
             if id not in STATEMENTS:
                 _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, STATEMENTS)}")
     known = ledger.expected(library.expected_ledger())
-    chapters = _chapters(listing.needed(wanted, library.shipped()) + own)
-    entries = ledger.ledger(chapters)
+    paths = listing.needed(wanted, library.shipped()) + own
+    entries = ledger.ledger(_settled(paths, workers or parallel.workers()))
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.latex import latex
-from symhaptic.library import Chapter
+from symhaptic.library import Chapter, run
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
 
@@ -52,20 +52,25 @@ class Entry:
         }
 
 
-def ledger(chapters: Iterable[Chapter]) -> list[Entry]:
+def of_chapter(chapter: Chapter) -> list[Entry]:
+    """The statements that a chapter settles, or states without settling them."""
+    found = {
+        id: Entry(s.statement, s.verdict, chapter.source, s.seconds, own=id not in STATEMENTS)
+        for id, s in chapter.page.settled.items()
+    }
+    for id, statement in chapter.page.own.items():
+        found.setdefault(id, Entry(statement, UNSETTLED, chapter.source, 0.0, own=True))
+    return list(found.values())
+
+
+def of_derivation(path: Path) -> list[Entry]:
+    """Run a derivation; its statements with their verdicts, ready to be sent between processes."""
+    return of_chapter(run(path))
+
+
+def ledger(settled: Iterable[Entry]) -> list[Entry]:
     """Every statement of the paper in its order, then the users' own."""
-    found: dict[str, Entry] = {}
-    for chapter in chapters:
-        for id, settled in chapter.page.settled.items():
-            found[id] = Entry(
-                settled.statement,
-                settled.verdict,
-                chapter.source,
-                settled.seconds,
-                own=id not in STATEMENTS,
-            )
-        for id, statement in chapter.page.own.items():
-            found.setdefault(id, Entry(statement, UNSETTLED, chapter.source, 0.0, own=True))
+    found = {entry.statement.id: entry for entry in settled}
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
     return entries + [entry for entry in found.values() if entry.own]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import importlib.util
 import sys
 import time
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 
 from symhaptic.chapter import Page
+from symhaptic.proof.recheck import recheck
 
 
 class BadChapter(ValueError):
@@ -79,6 +79,9 @@ def run(path: Path) -> Chapter:
         derive(page)
     if not any(block.verdict == "proved" for block in page.blocks) and not page.settled:
         raise BadChapter(f"{path}: proves nothing; a chapter has at least one step or verdict")
+    for certificate in {id(c): c for c in page.certificates}.values():
+        if not recheck(certificate):
+            raise BadChapter(f"{path}: a certificate is not confirmed: {certificate}")
     return Chapter(path, title, introduction.strip(), page, time.perf_counter() - begin)
 
 
@@ -114,9 +117,3 @@ class _SomebodyElses:
         line = " ".join(str(wrong).split()) or "no message"
         own = kind.__module__.startswith("symhaptic")
         raise BadChapter(f"{self.path}: {line if own else f'{kind.__name__}: {line}'}") from wrong
-
-
-def run_all(paths: Iterable[Path]) -> Iterator[Chapter]:
-    """Run derivations one after the other."""
-    for path in paths:
-        yield run(path)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+from functools import cache
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -14,14 +15,25 @@ from symhaptic.library import expected_ledger
 from symhaptic.proof.verdict import Kind
 
 
+@cache
+def _places() -> dict[str, str]:
+    """The file that settles each statement, as far as the committed ledger tells."""
+    records = json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]
+    return {r["id"]: Path(r["derivation"]).name for r in records if r["derivation"]}
+
+
 def needed(ids: list[str], paths: list[Path]) -> list[Path]:
-    """The derivations that settle these statements, as far as the committed ledger tells."""
+    """The derivations that settle these statements, or all."""
     if not ids:
         return paths
-    records = json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]
-    place = {record["id"]: record["derivation"] for record in records}
-    names = {Path(place[id]).name for id in ids if place.get(id)}
+    names = {_places()[id] for id in ids if id in _places()}
     return [path for path in paths if path.name in names]
+
+
+def under_way(path: Path) -> str:
+    """What is decided while a derivation runs: its statements, or else its name."""
+    ids = [id for id, name in _places().items() if name == path.name]
+    return (ids[0] + (f" and {len(ids) - 1} more" if ids[1:] else "")) if ids else path.stem
 
 
 def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:

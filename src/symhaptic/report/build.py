@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from symhaptic.ledger import GENERATED, Entry, committed, counted, ledger
+from symhaptic.ledger import GENERATED, Entry, committed, counted, ledger, of_chapter
 from symhaptic.library import Chapter
 from symhaptic.proof.verdict import Kind
 from symhaptic.report.page import chapter_tex, escaped, prose
@@ -73,7 +73,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
             raise ReportError(
                 f"--derivation {chapter.path}: the name {chapter.name!r} is taken; rename the file"
             )
-    entries = ledger(chapters)
+    entries = ledger(entry for chapter in chapters for entry in of_chapter(chapter))
     shared = {"generated": GENERATED, "title": TITLE, "counts": counted(entries)}
     files = {
         f"{chapter.name}.tex": f"% {GENERATED}\n" + chapter_tex(chapter, number)
