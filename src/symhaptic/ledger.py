@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from symhaptic.consequences import CONSEQUENCES
 from symhaptic.latex import latex
 from symhaptic.library import Chapter, run
 from symhaptic.paper import STATEMENTS, Statement
@@ -28,6 +29,11 @@ class Entry:
     own: bool = False
     """Whether it is a user's statement rather than the paper's."""
 
+    @property
+    def consequence(self) -> str | None:
+        """What it means for somebody who built a device on it, where something is wrong."""
+        return CONSEQUENCES.get(self.statement.id)
+
     def as_json(self) -> dict[str, Any]:
         """The record of contract `verify --format json`."""
         v = self.verdict
@@ -45,6 +51,7 @@ class Entry:
             "counterexample": None if v.counterexample is None else dict(v.counterexample),
             "shows": v.shows,
             "note": v.note,
+            "consequence": self.consequence,
             "value": v.value,
             "radius": v.radius,
             "derivation": self.derivation,

@@ -15,7 +15,9 @@ from pathlib import Path
 from symhaptic.ledger import GENERATED, Entry, committed, counted, ledger, of_chapter
 from symhaptic.library import Chapter
 from symhaptic.proof.verdict import Kind
-from symhaptic.report.page import chapter_tex, escaped, prose
+from symhaptic.report.errata import errata
+from symhaptic.report.page import chapter_tex
+from symhaptic.report.words import escaped, prose
 
 MEANINGS = (
     (Kind.DEFINITION, "introduces notation, with consistent units"),
@@ -33,7 +35,7 @@ DRAFT = ".draft-"
 STALE = 3600
 """Seconds after which a draft is taken to be left over."""
 
-RESERVED = ("book", "preamble", "ledger")
+RESERVED = ("book", "errata", "ledger", "preamble")
 """Names of the report's own files, which no chapter may have."""
 
 NO_TEX = (
@@ -91,11 +93,22 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
                 "count": f"{len(entries)} statements",
             },
         ),
+        ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
         ("ledger", {"rows": rows}),
     ):
         files[f"{name}.tex"] = environment.get_template(f"{name}.tex").render(**shared, **extra)
     files["ledger.json"] = committed(entries)
     return files
+
+
+def _errors(entries: list[Entry]) -> str:
+    """How many entries the errata have."""
+    kinds = [entry.verdict.kind for entry in entries if not entry.own]
+    wrong = kinds.count(Kind.REFUTED) + kinds.count(Kind.MISPRINT)
+    return (
+        f"Of {len(kinds)} statements {wrong} are wrong as printed and "
+        f"{kinds.count(Kind.QUALIFIED)} need a condition that the paper does not give"
+    )
 
 
 def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:

@@ -7,17 +7,15 @@ from typing import Any
 
 from sympy import Expr
 
-from symhaptic.chapter import Block, Settled
+from symhaptic.chapter import Block
 from symhaptic.latex import latex
 from symhaptic.library import Chapter
-from symhaptic.proof.verdict import Kind, Verdict
 from symhaptic.report.breaking import broken, pieces, width
+from symhaptic.report.forms import printed_forms
+from symhaptic.report.words import escaped, prose
 
 LINE = 29.0
 """Width of an equation in em, the number on its right taken off."""
-
-FORM = 29.5
-"""Width of the column of printed forms, in em of its own size."""
 
 
 def chapter_tex(chapter: Chapter, number: int) -> str:
@@ -43,17 +41,6 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
     if chapter.page.settled:
         out += printed_forms(list(chapter.page.settled.values()))
     return "\n".join(out) + "\n"
-
-
-def escaped(text: str) -> str:
-    """Plain words for LaTeX."""
-    return re.sub(r"([_%#&{}])", r"\\\1", text)
-
-
-def prose(text: str) -> str:
-    """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
-    parts = re.split(r"(\$[^$]*\$)", text)
-    return "".join(p if p[:1] == "$" else re.sub(r"(?<!\\)([%#&_])", r"\\\1", p) for p in parts)
 
 
 # -- equations ------------------------------------------------------------------------
@@ -163,100 +150,3 @@ def _figure(block: Block) -> list[str]:
         "\\end{figure}",
         "",
     ]
-
-
-# -- printed forms --------------------------------------------------------------------
-
-
-def printed_forms(settled: list[Settled]) -> list[str]:
-    """The table of what is printed, beside the verdict and, where needed, the correction."""
-    out = ["\\printedforms"]
-    for item in settled:
-        statement, verdict = item.statement, item.verdict
-        lines = [line for text in statement.latex for line in broken(text)]
-        shown = _stack(lines) if lines else prose(statement.says)
-        if statement.domain:
-            shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
-        if verdict.condition:
-            running = verdict.condition.replace(r",\ ", "$, $")
-            running = running.replace(r"\ \text{and}\ ", "$ and $")
-            shown += f"\\\\[4pt]{{\\footnotesize\\kind{{{verdict.kind}}}{{for}} ${running}$}}"
-        if lines and not statement.id.startswith(("eq", "tab")):
-            shown = f"{prose(statement.says)}\\\\[2pt]{shown}"
-        out.append(f"\\form{{{_reference(statement.id)}}}{{{shown}}}{{{_verdict(verdict)}}}")
-        correction = _correction(verdict)
-        if correction:
-            out.append(f"\\form{{}}{{{correction}}}{{\\kind{{proved}}{{proved}} as corrected}}")
-    out += ["\\formsend", ""]
-    return out
-
-
-def _reference(id: str) -> str:
-    if id.startswith("eq"):
-        return f"({id[2:]})"
-    if id.startswith("tab"):
-        return f"Table {'I' * int(id[3:])}"
-    return f"\\texttt{{\\scriptsize {id.replace('-', '-' + chr(92) + 'allowbreak ')}}}"
-
-
-def _stack(lines: list[str]) -> str:
-    """Formula lines, aligned at the left, in the largest size that fits the column."""
-    lines = [_upright(line) for line in lines]
-    widest = max(width(line) for line in lines)
-    size = "" if widest <= FORM else "\\footnotesize" if widest <= 1.12 * FORM else "\\scriptsize"
-    rows = " \\\\[3pt] ".join(
-        f"&{'' if i == 0 or not _continues(line) else chr(92) + 'quad '}{line}"
-        for i, line in enumerate(lines)
-    )
-    return f"{{{size}$\\displaystyle\\begin{{aligned}}[t]{rows}\\end{{aligned}}$}}"
-
-
-def _upright(line: str) -> str:
-    """Fractions in a column vector at full size, those inside them small; a proper relation."""
-    line = line.replace(r"\hat{=}", r"\mathrel{\hat{=}}")
-    if "pmatrix" not in line:
-        return line
-    out, depth = "", 0
-    for token in re.findall(r"\\[A-Za-z]+|\\.|.", line):
-        depth += (token == "{") - (token == "}")
-        out += {r"\frac": r"\dfrac" if depth == 0 else r"\tfrac", r"\\": r"\\[10pt]"}.get(
-            token, token
-        )
-    return out
-
-
-def _continues(line: str) -> bool:
-    return line.lstrip().startswith(("+", "-", r"\left("))
-
-
-def _correction(verdict: Verdict) -> str:
-    if verdict.corrected_latex is not None:
-        lines = [
-            line for text in verdict.corrected_latex.split(r",\quad ") for line in broken(text)
-        ]
-        return _stack(lines)
-    if verdict.corrected is not None:
-        return _stack([latex(part) for part in verdict.corrected])
-    return ""
-
-
-def _verdict(verdict: Verdict) -> str:
-    parts = [f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"]
-    if verdict.kind == Kind.ENCLOSED and verdict.value:
-        parts.append(f"\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\")
-    if verdict.kind is Kind.EXTERNAL:
-        parts.append(verdict.method)
-    if verdict.shows:
-        parts.append(verdict.shows)
-    elif verdict.counterexample:
-        at = ",\\ ".join(f"{_symbol(k)}={v}" for k, v in verdict.counterexample.items())
-        parts.append(f"differs at ${at}$")
-    if verdict.note:
-        parts.append(verdict.note.replace("^2 s^-2", r"$^2$\,s$^{-2}$"))
-    return parts[0] + (": " if len(parts) > 1 else "") + "; ".join(parts[1:])
-
-
-def _symbol(name: str) -> str:
-    from sympy import Symbol
-
-    return latex(Symbol(name))

@@ -1,0 +1,68 @@
+"""What an error of the paper means for somebody who built a device on it, statement by statement.
+
+Words only: what is wrong, and what shows it, is in the ledger.  Formulas between dollar signs.
+"""
+
+from __future__ import annotations
+
+CONSEQUENCES: dict[str, str] = {
+    # -- passivity --------------------------------------------------------------------------
+    "eq4": "Check $K\\ge0$ as well. A wall that pulls (negative stiffness, as in a detent) can "
+    "pass (4) and push the hand.",
+    "eq5": "With a delay that is no whole number of periods, round it up before using (5); with "
+    "$K\\ge0$ that is safe. Used as printed, it can let a wall through that gives energy away.",
+    "eq6": "None in practice: walls on the border are passive, so $\\ge$ will do for $K\\ge0$.",
+    "eq7": "Plot it up to $\\omega T=\\pi/(d+1)$ only; what the curve does beyond is no boundary. "
+    "Without delay use (6).",
+    "eq8": "For half a period of delay a wall on this line is not passive. Round the delay up.",
+    "eq9": "The same line as (8): round a fractional delay up, and keep inside the range of "
+    "damping that is printed.",
+    "eq10": "Do not use it for more virtual damping than $B=bd/(2d+3)$. Without delay that is none "
+    "at all: every $B>0$ then costs stiffness, by (6).",
+    "eq11": "For a fractional delay this wall can give energy away, and it is not the stiffest "
+    "passive one: at half a period that is 1.8\\,\\% stiffer, with another damping.",
+    "s3a-undelayed": "None in practice; see (6).",
+    "s3b-linear-in-T": "Halving the period doubles the passive stiffness. Taken literally, one "
+    "would slow the loop down to stiffen the wall.",
+    "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
+    "s3c-bmax-frequency": "Without delay the frequency is the Nyquist frequency, which (5) leaves "
+    "out; the bound $b\\ge KT/2+B$ holds all the same.",
+    "s3c-lower-part": "None for a device: the lower part is a straight line. Who re-derives (8) as "
+    "a limit finds its upper end only.",
+    # -- the loop ---------------------------------------------------------------------------
+    "s2c-rational-delay": "With a fractional delay, a loop that was tuned by the substitution can "
+    "be unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",
+    "eq12": "A transfer function typed in from (12) is wrong unless $m=T$ in the units used. With "
+    "the factor $m/T$ it is exact.",
+    "eq14": "Code typed in from (14) divides zero by zero for a device that nobody holds and at "
+    "critical damping, and loses digits near both. Use the entire forms (\\texttt{discretize}).",
+    "eq16": "As (14).",
+    "eq17": "As (14): for $k=0$ every coefficient is zero.",
+    "eq18": "As (14): for $k=0$ the polynomial vanishes, and a root finder returns nothing or "
+    "noise. Use \\texttt{characteristic\\_polynomial}.",
+    "s4a-delay-equivalent": "None once $s$ is read as a factor. For a fractional delay $z^{-d}$ is "
+    "no discrete system.",
+    "s4d-degree": "For $k=0$ the printed polynomial is zero; the right one has degree $d+3$.",
+    # -- stability --------------------------------------------------------------------------
+    "s4d-explicit-only-undelayed": "No grid is needed: the boundary is explicit for every plant "
+    "and delay (\\texttt{stability\\_boundary}).",
+    "s4d-left-bound": "With delay and a stiff grip, softening the wall can destabilise it: some "
+    "springs are stable with a wall of a certain stiffness only.",
+    "s4d-quadratic-in-period": "Somebody who doubles the sampling rate of the same device and asks "
+    "for four times the stiffness gets an unstable wall if it was tuned to the limit.",
+    "s4d-damping-bound": "The same for the damping: twice the rate does not give quite twice.",
+    "s4d-delta-grows": "Inside (23) without delay a more damped device is never worse. With a very "
+    "stiff grip it can be: do not count on added damping there.",
+    "s4d-all-stabilising": "A firmer grip or a heavier handle can destabilise a wall that was "
+    "stable. Test the range of grips, not the loosest one.",
+    "s4d-delay-shrinks": "A wall that is stable with some delay is not for that reason stable with "
+    "less. Check the smallest delay too, not only the largest.",
+    # -- passivity and stability --------------------------------------------------------------
+    "eq27": "As (7).",
+    "s5a-subset": "Passive walls are stable if $K\\ge0$, the device is damped, and the delay is "
+    "that of the passivity condition. For a fractional delay the exact condition is needed.",
+    "s5c-robust-subset": "An undamped device has no passive wall but none at all; a wall that is "
+    "stable there has no reserve.",
+    "s6-sampling": "As for four times the stiffness: true for a free mass.",
+    "s6-mass": "Doubling the mass doubles the limit only if damping and grip are doubled too.",
+}
