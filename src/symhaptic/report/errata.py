@@ -18,7 +18,7 @@ CLASSES = (
 
 
 def errata(entries: Iterable[Entry], chapters: Mapping[str, int]) -> list[tuple[str, list[str]]]:
-    """Title and LaTeX of the errata of each class, in the ledger's order; ``chapters`` by source."""
+    """Title and LaTeX of the errata of each class; ``chapters`` are numbers by source."""
     listed = [entry for entry in entries if not entry.own]
     found = []
     for kind, title in CLASSES:
