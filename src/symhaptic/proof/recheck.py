@@ -84,13 +84,13 @@ def _on(claim: Positive) -> Callable[[list[arb]], arb]:
     own = list(claim.box)
     given = _given(claim.given) if claim.given else lambda balls: {}
     symbols = sorted(claim.expr.free_symbols, key=str)
-    run = program(claim.expr, symbols)
+    run, complex_parts = program(claim.expr, symbols), claim.expr.has(sp.I)
 
     def value(at: list[arb]) -> arb:
         balls = {s: acb(x) for s, x in zip(own, at, strict=True)}
         balls |= given(balls)
         found = run(*(balls[s] for s in symbols))
-        real = found.imag.contains(0) if claim.expr.has(sp.I) else found.imag.is_zero()
+        real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
         return found.real if real else arb("nan")
 
     return value
