@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -37,9 +37,7 @@ class Entry:
     def as_json(self) -> dict[str, Any]:
         """The record of contract `verify --format json`."""
         v = self.verdict
-        corrected = v.corrected_latex
-        if corrected is None and v.corrected is not None:
-            corrected = latex(v.corrected)
+        corrected = _corrected(v)
         return {
             "id": self.statement.id,
             "location": self.statement.location,
@@ -72,7 +70,18 @@ def of_chapter(chapter: Chapter) -> list[Entry]:
 
 def of_derivation(path: Path) -> list[Entry]:
     """Run a derivation; its statements with their verdicts, ready to be sent between processes."""
-    return of_chapter(run(path))
+    return [
+        replace(entry, verdict=replace(v, corrected=None, corrected_latex=_corrected(v)))
+        for entry in of_chapter(run(path))
+        for v in (entry.verdict,)
+    ]
+
+
+def _corrected(verdict: Verdict) -> str | None:
+    """LaTeX of the right form."""
+    if verdict.corrected_latex is None and verdict.corrected is not None:
+        return latex(verdict.corrected)
+    return verdict.corrected_latex
 
 
 def ledger(settled: Iterable[Entry]) -> list[Entry]:

@@ -28,6 +28,10 @@ class Statement:
     quoted: tuple[Quoted, ...] = ()
     """Numbers that the text quotes."""
 
+    def __getstate__(self) -> dict[str, object]:
+        """Without what was read from the LaTeX, which not every SymPy can send to a process."""
+        return {name: value for name, value in self.__dict__.items() if name != "printed"}
+
     @cached_property
     def printed(self) -> Printed:
         """The printed formula as SymPy relations or expressions; empty for one in words."""
