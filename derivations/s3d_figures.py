@@ -5,7 +5,7 @@ Fig. 5 the largest stiffness over the delay. The chapters before tell what both 
 which delays are they the passive walls?
 """
 
-from sympy import Rational, S, cos, pi, symbols, tan
+from sympy import Rational, S, cos, pi, sin, symbols, tan
 
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, h, l, theta, x
@@ -25,14 +25,8 @@ def derive(page):
     angle = pi / (2 * (d + 1))
     tip = [e.subs(theta, angle) for e in (stiffness, damping)]
     page.say(
-        "In units of $b$ and $T$ every curve of Fig. 4 runs straight from $(0,-1)$ to a corner, "
-        "on to the point of largest stiffness, and ends at $(0,1)$. For its seven delays:"
-    )
-    page.table(
-        "Corner (end of the straight part) and tip (largest stiffness) of the curves (7), with all "
-        "decimals cut off.",
-        ["$d$", "corner $KT/b$", "corner $B/b$", "tip $KT/b$", "tip $B/b$"],
-        [row(text, *corner, *tip) for text in DELAYS],
+        "In units of $b$ and $T$ a curve of Fig. 4 runs straight from $(0,-1)$ to a corner, bends "
+        "to its tip, the point of largest stiffness, and ends at $(0,1)$."
     )
     y = symbols("y")
     delay = 3 * y / (1 - 2 * y)
@@ -51,17 +45,23 @@ def derive(page):
         name=r"\frac{KT}{b}",
         because="this is Fig. 5; it falls with every delay",
     )
+    low = (cos(angle) - d / (d + 1)) / sin(angle)
+    page.step("Their damping", tip[1], low, name=r"\frac Bb")
+    page.table(
+        "Corner and tip of the seven curves (7) of Fig. 4; decimals cut off.",
+        ["$d$", "corner $KT/b$", "corner $B/b$", "tip $KT/b$", "tip $B/b$"],
+        [row(text, *corner, tips, low) for text in DELAYS],
+    )
     far = {d: 1 / h - 1}
     page.limit("For long delays", tips.subs(far) / h, h, S.Zero, pi / 2, name=r"\frac{KT}{bh}")
     page.limit(
         "The damping that belongs to it",
-        tip[1].subs(far),
+        low.subs(far),
         h,
         S.Zero,
         2 / pi,
         name=r"\frac Bb",
-        because="with $h=1/(d+1)$: the tips run into $(0,\\tfrac2\\pi)$, the corners into "
-        "$(0,\\tfrac12)$",
+        because="with $h=1/(d+1)$; the corners run into $(0,\\tfrac12)$",
     )
     fractions(page)
     half = {d: S.Half, T: S.One, b: S.One}
@@ -86,8 +86,7 @@ def derive(page):
     passive = larger(page)
     page.figure(
         "fig5",
-        "Fig. 5 of the paper: the largest stiffness that satisfies (5). It is passive for whole "
-        "delays.",
+        "Fig. 5 of the paper: the largest stiffness that satisfies (5).",
         largest_stiffness,
     )
     page.settle(
@@ -104,20 +103,22 @@ def derive(page):
 
 def row(text, *values):
     """Decimals of the four coordinates for one delay."""
-    cells = [ball(v.subs(d, Rational(text)), None, 128).real for v in values]
-    return [f"${text}$", *(f"${decimals(c, 4)}$" if c > 0 else "$0$" for c in cells)]
+    cells = [v.subs(d, Rational(text)) for v in values]
+    return [
+        f"${text}$",
+        *(v if v.is_Rational else f"${decimals(ball(v, None, 128).real, 4)}$" for v in cells),
+    ]
 
 
 def fractions(page):
-    """Where the curves of fractional delays leave the passive walls."""
+    """On the straight part, a fractional delay leaves the passive walls."""
     page.say(
         "For whole delays the walls inside are the passive ones. A fraction of a period, "
-        "$d=\\ell+\\varepsilon$, has another condition, $D\\ge0$ at all angles (chapters on "
-        "fractional delays). On the straight part of the curve (7) it reads"
+        "$d=\\ell+\\varepsilon$, has another condition, $D\\ge0$ (chapters on fractional delays)."
     )
     line = {B: K * T * (l + epsilon + Rational(1, 2)) - b}
     page.limit(
-        "Low frequencies on the straight part",
+        "Low frequencies on the straight part of (7)",
         fractional.margin().subs(line),
         theta,
         S.Zero,

@@ -33,7 +33,7 @@ SLIPS = (
     Statement(
         "s5c-springs-drawn",
         "Fig. 13",
-        r"all $\gamma$ with $0\le\gamma\le\pi^2+\delta^2/4$ are said to reach the Nyquist frequency",
+        r"all $\gamma$ with $0\le\gamma\le\pi^2+\delta^2/4$ reach the Nyquist frequency",
     ),
     Statement("s5c-nyquist-spring", "Sec. V-C", r"the Nyquist frequency is $\gamma=\pi^2$"),
 )
