@@ -104,10 +104,8 @@ def derive(page):
 def row(text, *values):
     """Decimals of the four coordinates for one delay."""
     cells = [v.subs(d, Rational(text)) for v in values]
-    return [
-        f"${text}$",
-        *(v if v.is_Rational else f"${decimals(ball(v, None, 128).real, 4)}$" for v in cells),
-    ]
+    known = [v if v.is_Rational else decimals(ball(v, None, 128).real, 4) for v in cells]
+    return [f"${text}$", *(f"${v}$" for v in known)]
 
 
 def fractions(page):

@@ -56,8 +56,6 @@ def derive(page):
         provided=r"d\in\mathbb{N}_0",
         unless={d: S.Half},
         truth=Eq(late, 0),
-        shows=r"half a period late the free mass is at $\tfrac18$ one period after the sample, "
-        r"not at 0",
-        note="and for an external force that is held, as the paper assumes; a ramp leads to "
-        r"$\tfrac16$, not to 0",
+        shows=r"half a period late $x_1=\tfrac18$, not 0",
+        note="and for an external force that is held, as the paper says",
     )

@@ -4,52 +4,52 @@ The loop has seven physical parameters. Their units decide how many of them can 
 choice of units, and how many numbers must remain.
 """
 
-from sympy import Integer, Matrix, Rational
+from sympy import Integer, Matrix, Symbol, zeros
 
-from symhaptic.notation import SYMBOLS, TABLE_I, K, T, alpha, b, beta, d, delta, gamma, k, m, t_d
-from symhaptic.notation import B as VIRTUAL_DAMPING
+from symhaptic.notation import SYMBOLS, TABLE_I
+from symhaptic.paper.reading import read
 
 
 def derive(page):
     names = [row.variable for row in TABLE_I]
-    powers = [[Rational(p) for p in SYMBOLS[name].dimension] for name in names]
+    powers = Matrix([[Integer(power) for power in SYMBOLS[name].dimension] for name in names])
+    head = ["", *(f"${name}$" for name in names)]
+    units = ("kilogram", "metre", "second")
     page.table(
-        "Powers of kilogram, metre and second in the units of Table I.",
-        ["", *(f"${name}$" for name in names)],
-        [
-            [unit, *(row[i] for row in powers)]
-            for i, unit in enumerate(("kilogram", "metre", "second"))
-        ],
+        "Powers of the units in the parameters of Table I.",
+        head,
+        [[unit, *powers.col(i)] for i, unit in enumerate(units)],
     )
-    rank = Integer(Matrix(powers).rank())
     page.say(
         "A product of powers of the seven is a pure number if the powers of all three units "
-        "vanish. The three equations for the seven exponents have the rank"
+        "vanish. These are three equations for seven exponents."
     )
-    page.step(
-        "The rank of the table",
-        rank,
+    rank = page.step(
+        "Their rank",
+        Integer(powers.rank()),
         Integer(2),
-        because="the metre drops out: with it every force and every length would only be scaled",
+        name=r"\text{rank}",
+        because="the metre does not occur: force and length are scaled together in a linear loop",
     )
     left = page.step(
         "Independent pure numbers",
         len(names) - rank,
         Integer(5),
-        because="parameters minus rank (Buckingham)",
+        name=r"7-\text{rank}",
+        because="no more and no fewer (Buckingham's theorem)",
     )
-    groups = {
-        d: t_d / T,
-        alpha: K * T**2 / m,
-        beta: VIRTUAL_DAMPING * T / m,
-        gamma: k * T**2 / m,
-        delta: b * T / m,
-    }
-    for name, group in groups.items():
-        page.define("A pure number", name, group)
-    page.say("Each of them has a parameter that the others have not: they are independent.")
-    page.settle(
-        "s4b-seven-to-five",
-        page.same("five are left", left, Integer(len(groups))),
-        note="no choice of units leaves fewer than five",
+    rules = [read(row.dimensionless)[0] for row in TABLE_I if row.dimensionless is not None]
+    chosen = Matrix([[r.rhs.as_powers_dict()[Symbol(name)] for name in names] for r in rules])
+    page.table(
+        "Powers of the parameters in the five numbers of Table I.",
+        head,
+        [[rule.lhs, *chosen.row(i)] for i, rule in enumerate(rules)],
     )
+    pure = page.same("pure numbers", chosen * powers, zeros(len(rules), len(units)))
+    apart = page.same("independent", Integer(chosen.rank()), left)
+    page.say(
+        "The product of both tables is zero, so that all five are pure numbers, and the rank of "
+        "the second is five: none of them follows from the others. So the loop depends on "
+        "these five, and on mass and period as units only."
+    )
+    page.settle("s4b-seven-to-five", pure, apart, note="no choice of units leaves fewer than five")

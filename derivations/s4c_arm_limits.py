@@ -26,9 +26,21 @@ def derive(page):
 def largest(page):
     """(21): largest ratios of the rows that are kept, the second rounded up to its last digit."""
     stiff, slow = (max(KEPT, key=lambda name: KEPT[name][i]) for i in (0, 1))
-    spring, damper = KEPT[stiff][0], KEPT[slow][1]
-    page.step(f"Largest stiffness per mass, {stiff}", spring, S(568) / Rational("0.8"), S(710))
-    page.step(f"Largest damping per mass, {slow}", damper, Rational("26.2") / Rational("1.8"))
+    printed = {row.authors: row for row in TABLE_II}
+    hogan, tsuji = printed[stiff], printed[slow]
+    spring = page.step(
+        f"{stiff} has the largest stiffness per mass",
+        KEPT[stiff][0],
+        S(710),
+        name=rf"\frac{{{hogan.stiffness}}}{{{hogan.mass}}}",
+    )
+    damper = page.step(
+        f"{slow} have the largest damping per mass",
+        KEPT[slow][1],
+        Rational(131, 9),
+        name=rf"\frac{{{tsuji.damping}}}{{{tsuji.mass}}}",
+        because="$14.555\\ldots$, rounded up to 14.6",
+    )
     up = ceiling(10 * damper) / S(10)
     page.settle(
         "eq21",
@@ -36,23 +48,20 @@ def largest(page):
         b_H / m_H <= up / second,
         note=r"equality for Hogan, $\tfrac{131}9$ rounded up for Tsuji et al.",
     )
-    half = Rational(1, 20)
     page.say(
-        "The bound 710 is sharp, but its mass of 0.8 kg is given by one digit, so that half a unit "
-        "of the last digits of Hogan's row would allow"
+        "The bound 710 is attained, but the mass of 0.8 kg is given by one digit. Half a unit of "
+        "the last digits would allow"
     )
-    page.step("Not more certain than this", (568 + half * 10) / (Rational("0.8") - half), S(758))
+    page.step(
+        "The same arm",
+        Rational("568.5") / Rational("0.75"),
+        S(758),
+        name=r"\frac{568.5}{0.75}",
+    )
+    page.say(f"The row of {EXCLUDED} is left out. At $T=1$ ms, with a device of no mass, it has")
     hard, viscous = RATIOS[EXCLUDED]
-    page.step(
-        f"{EXCLUDED}, left out: stiffness", hard * PERIOD**2, Rational(1, 150), name=r"\gamma"
-    )
-    page.step(
-        f"{EXCLUDED}, left out: damping",
-        viscous * PERIOD,
-        Rational(1, 20),
-        name=r"\delta",
-        because="for $T=1$ ms and a device without mass; both lie outside (23)",
-    )
+    page.step("A stiffness beyond (23)", hard * PERIOD**2, Rational(1, 150), name=gamma)
+    page.step("A damping beyond (23)", viscous * PERIOD, Rational(1, 20), name=delta)
     return spring, up
 
 
@@ -65,7 +74,14 @@ def limits(page, spring, damper):
     soft = assume(spring / second**2 * m_H - k_H, False)
     tame = assume(damper / second * m_H - b_H, False)
     light = assume(DEVICE / second * m_D - b_D)
-    total = page.step("Arm and device", damper + DEVICE, Rational("15.225"), paper="22")
+    total = damper + DEVICE
+    page.show(
+        "Arm and device together",
+        "14.6+0.625",
+        "15.225",
+        page.same("sum", total, Rational("15.225")),
+        paper="22",
+    )
     page.settle_external(
         "s4c-device-damping",
         "on the devices listed in [8]",

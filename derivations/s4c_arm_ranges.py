@@ -23,10 +23,10 @@ def derive(page):
     before = (STIFFNESS * PERIOD**2, DAMPING * PERIOD)
     page.say("At $T=1$ ms the limits (22) are 0.00071 and 0.015225. With 30 % more they become")
     wide = []
-    for name, value, more in zip(
-        (gamma, delta), before, (Rational("0.000923"), Rational("0.0197925")), strict=True
-    ):
-        page.step(f"A wider ${NAMES[name]}$", value * 13 / 10, more, name=NAMES[name])
+    for name, value, text in zip(NAMES, before, ("0.000923", "0.0197925"), strict=True):
+        more = Rational(text)
+        proof = page.same("30 % more", value * 13 / 10, more)
+        page.show(f"A wider ${NAMES[name]}$", rf"1.3\,{NAMES[name]}", text, proof)
         wide.append(ceiling(more / PERIOD) * PERIOD)
     page.say("Rounded up to whole thousandths this is (23): 0.001 and 0.020.")
     page.settle(
@@ -109,12 +109,13 @@ def periods(page):
     others = {row.authors: Rational(row.damping) / Rational(row.mass) for row in TABLE_II}
     for name in (EXCLUDED, "Tsuji et al."):
         del others[name]
-    page.step(
-        "Without the values of Tsuji et al. the limit of (22) for the damping",
-        max(others.values()) + Rational(DEVICE_RATIO),
-        Rational("13.225"),
-        name=r"\delta/T",
-        because="from the first row of Table II; now it is 15.225",
+    limit = max(others.values()) + Rational(DEVICE_RATIO)
+    page.show(
+        "Without the values of Tsuji et al.",
+        "12.6+0.625",
+        "13.225",
+        page.same("limit", limit, Rational("13.225")),
+        because="would limit $\\delta/T$ in (22), in place of 15.225",
     )
     page.settle_external(
         "s4c-wider-delta",

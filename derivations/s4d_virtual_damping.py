@@ -1,7 +1,7 @@
 r"""Can too much virtual damping make a wall unstable?
 
-A physical damper only takes energy. The virtual one acts on a speed that was measured a period
-ago and is held for a period. We look for a bound that no stable wall can exceed.
+A physical damper only takes energy. The virtual one acts on the mean speed of the last period
+and is held for the next. We look for a bound that no stable wall can exceed.
 """
 
 from sympy import Rational, S
