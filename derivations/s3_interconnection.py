@@ -61,15 +61,6 @@ def derive(page):
         name=r"x/v_0",
         because="it takes in energy only when pushed, and drifts for ever",
     )
-    swing = symbols("Omega")
-    motion = Plant(m, None, m * swing**2).transition(t, 2 * I * swing)
-    page.step(
-        "A mass on a spring",
-        (motion[1, 1] ** 2 + swing**2 * motion[0, 1] ** 2),
-        S.One,
-        name=r"\frac{v^2+\frac km x^2}{v_0^2}",
-        because="the energy stays; with $\\Omega^2=k/m$",
-    )
     page.settle(
         "s3-interconnection",
         kept,

@@ -75,7 +75,12 @@ def derive(page):
         "the whole is a mean of the two:"
     )
     mean = b_D / m_D * m_D / (m_D + m_H) + b_H / m_H * m_H / (m_D + m_H)
-    page.step("A mean of two ratios", damper / T, mean, name=r"\frac{\delta}{T}")
+    page.show(
+        "A mean of two ratios",
+        r"\frac{\delta}{T}",
+        r"\frac{m_D}{m_D+m_H}\cdot\frac{b_D}{m_D}+\frac{m_H}{m_D+m_H}\cdot\frac{b_H}{m_H}",
+        page.same("the mean", damper / T, mean),
+    )
     page.state(
         "arm-mean-ratio",
         r"$\delta/T$ is the mean of $b_D/m_D$ and $b_H/m_H$, weighted by the masses",

@@ -111,7 +111,7 @@ def periods(page):
         del others[name]
     limit = max(others.values()) + Rational(DEVICE_RATIO)
     page.show(
-        "Without the values of Tsuji et al.",
+        "Without the row of Tsuji et al. the sum",
         "12.6+0.625",
         "13.225",
         page.same("limit", limit, Rational("13.225")),
