@@ -90,7 +90,7 @@ def derive(page):
     page.settle("arm-mean-ratio", Eq(delta, T * mean), note="so it is at most the larger of them")
     q, x = symbols("q x")
     below = [assume(q * part - value, False) for part, value in ((m_D, b_D), (m_H, b_H))]
-    page.positive(
+    calm = page.positive(
         "At most the larger one",
         quotient(
             q - damper / T,
@@ -113,4 +113,4 @@ def derive(page):
         because="so limits for the arm and for the device, each on its own, are enough, and they "
         "hold for $k_H=0$ too",
     )
-    page.settle("s4c-independent-limits", firm, page.same("the mean", damper / T, mean))
+    page.settle("s4c-independent-limits", firm, calm)

@@ -39,8 +39,8 @@ def derive(page):
     )
     checks = converted(page)
     page.say(
-        "One row stands out. Its wrist was held by a strap, while the other articles speak of "
-        "arms. Over the next largest ratios, of Hogan and of Tsuji et al.:"
+        "One row stands out. There, says the paper, the arm was strapped down and only the hand "
+        "was measured. Over the next largest ratios, of Hogan and of Tsuji et al.:"
     )
     factors, shown = [], []
     for column, name in ((1, "k_H/m_H"), (2, "b_H/m_H")):

@@ -43,7 +43,7 @@ TABLE_II = (
 )
 
 EXCLUDED = "Kuchenbecker et al."
-"""The row that (21) leaves out: a strapped wrist, not an arm."""
+"""The row that (21) leaves out: the arm was strapped down, only the hand measured."""
 
 DEVICE_RATIO = "0.625"
 """Bound of b_D/m_D in 1/s for the devices of the paper's reference [8]."""
