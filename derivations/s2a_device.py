@@ -8,7 +8,7 @@ stand for both, and what is left when nothing is assumed of the arm?
 from sympy import Eq, Poly
 
 from symhaptic.model.plant import Plant
-from symhaptic.notation import b, b_D, b_H, k, k_H, m, m_D, m_H, s
+from symhaptic.notation import F_E, b, b_D, b_H, k, k_H, m, m_D, m_H, s, x
 
 
 def derive(page):
@@ -37,3 +37,12 @@ def derive(page):
     page.settle(
         "eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False), definition=True
     )
+    page.say("Nothing is lost by this, as long as that force is free to be anything:")
+    outside = page.step(
+        "The arm as an external force",
+        both * x - F_E,
+        device * x - (F_E - arm * x),
+        name=r"(ms^2+bs+k)\,x-F_E",
+        because="zero for the motion of both; the last bracket is the force on the device alone",
+    )
+    page.settle("s2d-arm-in-force", page.same("the same motion", outside, both * x - F_E))

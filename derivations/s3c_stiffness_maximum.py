@@ -8,7 +8,6 @@ from sympy import Eq, Rational, S, cos, diff, pi, sin, solve, sqrt, tan
 
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta
-from symhaptic.report.figures import largest_stiffness, passive_regions
 
 
 def derive(page):
@@ -78,13 +77,3 @@ def derive(page):
     )
     page.settle("s3c-kmax-41", value=one)
     page.settle("s3c-kmax-27", value=two)
-    page.figure(
-        "fig4",
-        "Passive walls (Fig. 4 of the paper): boundary for seven delays, the "
-        "points of largest stiffness (dash-dotted) and the ends of the straight part "
-        "(dashed).",
-        passive_regions,
-    )
-    page.figure(
-        "fig5", "Largest passive stiffness over the delay (Fig. 5 of the paper).", largest_stiffness
-    )

@@ -373,12 +373,24 @@ class Page:
         )
         return self._record(statement, settlement)
 
-    def settle_external(self, id: str, rests: str, checked: str) -> Verdict:
-        """A statement that rests on something outside the paper: on what, and what was checked."""
+    def settle_external(
+        self,
+        id: str,
+        rests: str,
+        checked: str,
+        *follows: Form,
+        given: Mapping[Expr, Expr] | None = None,
+    ) -> Verdict:
+        """A statement that rests on something outside the paper: on what, and what was checked.
+
+        A printed formula that ``follows`` from it is compared with what was derived.
+        """
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
-        return self._record(statement, Settlement(external=rests, note=checked))
+        derived = tuple(p for form in follows for p in parts(form))
+        settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
+        return self._record(statement, settlement)
 
     # -- internals ----------------------------------------------------------------------
 

@@ -58,6 +58,13 @@ def test_printed_formula_is_not_settled_by_words():
     assert verdict.kind not in PASSING
 
 
+def test_what_follows_from_data_outside_is_compared():
+    outside = Settlement(external="on a table elsewhere", derived=RIGHT)
+    assert outside.decide(PRINTED).kind == Kind.EXTERNAL
+    assert outside.decide(read(r"K = \frac{2b}{T}")).kind == Kind.MISPRINT
+    assert Settlement(external="on a table elsewhere").decide(PRINTED).kind == Kind.EXTERNAL
+
+
 # -- misprints ----------------------------------------------------------------------------
 
 DERIVED = (Eq(K, 2 * b / T),)

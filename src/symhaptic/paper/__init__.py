@@ -10,9 +10,12 @@ from __future__ import annotations
 from symhaptic.paper.claims import CLAIMS
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.figures import FIGURES
+from symhaptic.paper.slips import SLIPS
 from symhaptic.paper.statement import Statement
 from symhaptic.paper.tables import TABLES
 
-STATEMENTS: dict[str, Statement] = {s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS)}
+STATEMENTS: dict[str, Statement] = {
+    s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS, *SLIPS)
+}
 
 __all__ = ["STATEMENTS", "Statement"]

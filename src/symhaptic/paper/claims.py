@@ -21,6 +21,16 @@ CLAIMS = (
         "a rational delay reduces to a whole one by substituting $z$",
     ),
     Statement(
+        "s2d-arm-in-force",
+        "Sec. II-D",
+        "without a model of the arm, its mass, damper and spring are part of $F_E$",
+    ),
+    Statement(
+        "s3-interconnection",
+        "Sec. III",
+        "any interconnection of passive systems is passive and therefore stable",
+    ),
+    Statement(
         "s3-unilateral", "Sec. III", "condition (4) also holds for walls that only push, not pull"
     ),
     Statement("s3a-mass-free", _III_A, "condition (5) does not depend on the mass"),
@@ -81,11 +91,44 @@ CLAIMS = (
         (r"e^{-dT_s} \hat{=} z^{-d}",),
     ),
     Statement(
+        "s4a-exact-instants",
+        _IV_A,
+        "with (12) and $z^{-d}$ the system behaves exactly as before at the sampling instants",
+    ),
+    Statement(
         "s4b-five-parameters",
         _IV_B,
         r"$p(z)$ depends on $\alpha,\beta,\gamma,\delta,d$ only",
     ),
-    Statement("s4c-extension-30", _IV_C, r"the ranges (23) extend (22) by roughly 30\%"),
+    Statement(
+        "s4b-seven-to-five",
+        _IV_B,
+        "the substitution turns seven parameters into five",
+    ),
+    Statement(
+        "s4c-independent-limits",
+        _IV_C,
+        r"limits for arm and device, each on its own, limit $\gamma$ and $\delta$",
+    ),
+    Statement("s4c-outlier", _IV_C, "the ratios of Kuchenbecker et al. are far above all others"),
+    Statement(
+        "s4c-series", _IV_C, "joints in series make the arm softer than each joint is on its own"
+    ),
+    Statement(
+        "s4c-device-damping",
+        _IV_C,
+        r"for the devices listed in [8], $b_D/m_D$ is below $0.625\,\mathrm{s}^{-1}$",
+    ),
+    Statement(
+        "s4c-extension-30",
+        _IV_C,
+        r"the ranges (23) extend (22) by roughly 30\%, in the caption of Fig. 6 by 30\%",
+    ),
+    Statement(
+        "s4c-wider-delta",
+        _IV_C,
+        r"the range of $\delta$ is wider than in [10], mainly by the values of Tsuji et al.",
+    ),
     Statement("s4d-degree", _IV_D, "$p(z)$ has degree $d+3$"),
     Statement(
         "s4d-explicit-only-undelayed",
@@ -121,6 +164,11 @@ CLAIMS = (
         _IV_D,
         "mass, spring and damper of the operator all stabilise",
     ),
+    Statement(
+        "s4d-too-much-damping",
+        _IV_D,
+        r"$\beta$ has an upper bound: too much virtual damping can itself destabilise",
+    ),
     Statement("s4d-delay-shrinks", _IV_D, "a larger delay gives a smaller stable region"),
     Statement("s4e-same-as-passive", _IV_E, "(24) is the linear part (9)"),
     Statement("s4e-stiffness-free", _IV_E, "$k$ does not influence (24)"),
@@ -137,6 +185,11 @@ CLAIMS = (
     ),
     Statement("s5a-subset", _V_A, r"the passive region lies inside the stable one for all $d\ge0$"),
     Statement("s5a-proportional", _V_A, r"the passive region is proportional to $\delta$"),
+    Statement(
+        "s5b-soft-contacts",
+        _V_B,
+        "the virtual stiffness can be lowered down to zero without loss of stability",
+    ),
     Statement("s5b-eta-d0", _V_B, r"at $d=0$ more than 17.8 times, $\eta<0.0562$"),
     Statement("s5b-eta-d1", _V_B, r"at $d=1$ more than 9.3 times, $\eta<0.1074$"),
     Statement("s5b-eta-grows", _V_B, r"$\eta$ grows with $d$ until it is 1"),

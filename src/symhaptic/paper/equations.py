@@ -195,7 +195,7 @@ EQUATIONS = (
     Statement(
         "eq21",
         "Sec. IV-C",
-        "largest ratios of Table II",
+        "largest ratios of Table II without Kuchenbecker et al.",
         (
             r"\frac{k_H}{m_H} \leq 710 \text{ s}^{-2}",
             r"\frac{b_H}{m_H} \leq 14.6 \text{ s}^{-1}",

@@ -60,7 +60,7 @@ class Settlement:
 
     def decide(self, printed: Printed) -> Verdict:
         """The verdict on a printed form."""
-        if self.external is not None:
+        if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         if not self.values:
             return self._without_constants(printed)
@@ -88,6 +88,8 @@ class Settlement:
                 shows=self.shows,
                 note=note,
             )
+        if self.external is not None:
+            return Verdict(Kind.EXTERNAL, self.external, note=note)
         if self.provided is not None:
             return self._qualified(printed, result.method, note)
         kind = Kind.DEFINITION if self.definition else Kind.PROVED

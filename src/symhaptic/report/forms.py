@@ -58,7 +58,9 @@ def reference(id: str) -> str:
         return f"({id[2:]})"
     if id.startswith("tab"):
         return f"Table {'I' * int(id[3:])}"
-    return f"\\texttt{{\\scriptsize {id.replace('-', '-' + chr(92) + 'allowbreak ')}}}"
+    # the column holds thirteen letters; the longest word, "interconnection", breaks after five
+    breaking = re.sub(r"-|\b\w{5}(?=\w{9})", r"\g<0>\\allowbreak ", id)
+    return f"\\texttt{{\\scriptsize {breaking}}}"
 
 
 def stack(lines: list[str]) -> str:

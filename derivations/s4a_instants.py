@@ -1,0 +1,61 @@
+r"""Does the sampled loop move exactly like the real one at the sampling instants?
+
+The paper replaces the device by its samples and the delay by $z^{-d}$, and says that the behaviour
+at the sampling instants stays exactly the same. For which forces and which delays?
+"""
+
+from sympy import Eq, Rational, S, integrate
+
+from symhaptic.model.plant import normalised
+from symhaptic.notation import c, d, delta, gamma, t
+from symhaptic.scene import FULL, Parts
+
+
+def derive(page):
+    device, given = normalised(FULL), {gamma: (delta**2 - c**2) / 4}
+    page.say(
+        "Over a period the state moves as $x_{k+1}=\\Phi x_k+\\Gamma F_k$ if the force $F_k$ is "
+        "held all the time. That is a law for the samples alone. Two periods after each other are "
+        "one of twice the length:"
+    )
+    one = [part(S.One, c).xreplace(given) for part in (device.transition, device.held)]
+    two = [part(S(2), c).xreplace(given) for part in (device.transition, device.held)]
+    motion = page.same("motion", two[0], one[0] * one[0])
+    push = page.same("push", two[1], one[0] * one[1] + one[1])
+    page.show("The free motion", r"\Phi(2)", r"\Phi(1)\,\Phi(1)", motion)
+    page.show("The same force twice", r"\Gamma(2)", r"\Phi(1)\,\Gamma(1)+\Gamma(1)", push)
+    page.say(
+        "A delay of $d$ whole periods puts $F_{k-d}$ in place of $F_k$; the force is still held "
+        "from one sampling instant to the next. So for whole delays, and as long as the external "
+        "force is held too, the samples are exact. Take the free mass, in units of mass and "
+        "period, and let one of the two be different."
+    )
+    free = normalised(Parts(stiffness=False, damping=False))
+    ramp = page.step(
+        "A force that grows in time, $F_E=t$",
+        integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
+        Rational(1, 6),
+        name="x_1",
+        because="by its samples $F_0=0$ the mass has not moved at all",
+    )
+    sampled = page.same("samples", free.held(S.One)[0] * t.subs(t, 0), S.Zero)
+    page.show("By the samples", "n_1F_0", S.Zero, sampled)
+    late = page.step(
+        "A held force that comes $d$ periods late",
+        free.held(1 - d)[0],
+        (1 - d) ** 2 / 2,
+        name="x_1",
+        because="a period after the sample, for $d\\le1$; $z^{-d}P(z)$ begins with $z^{-d-1}$ and "
+        "says 0 for every $d>0$",
+    )
+    page.settle(
+        "s4a-exact-instants",
+        motion,
+        push,
+        page.same("the ramp", ramp, Rational(1, 6)),
+        provided=r"d\in\mathbb{N}_0",
+        unless={d: S.Half},
+        truth=Eq(late, 0),
+        shows=r"half a period late $x_1=\tfrac18$, not 0",
+        note="and for an external force that is held, as the paper says",
+    )

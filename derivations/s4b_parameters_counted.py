@@ -1,0 +1,55 @@
+r"""Why do seven parameters become five?
+
+The loop has seven physical parameters. Their units decide how many of them can be removed by a
+choice of units, and how many numbers must remain.
+"""
+
+from sympy import Integer, Matrix, Symbol, zeros
+
+from symhaptic.notation import SYMBOLS, TABLE_I
+from symhaptic.paper.reading import read
+
+
+def derive(page):
+    names = [row.variable for row in TABLE_I]
+    powers = Matrix([[Integer(power) for power in SYMBOLS[name].dimension] for name in names])
+    head = ["", *(f"${name}$" for name in names)]
+    units = ("kilogram", "metre", "second")
+    page.table(
+        "Powers of the units in the parameters of Table I.",
+        head,
+        [[unit, *powers.col(i)] for i, unit in enumerate(units)],
+    )
+    page.say(
+        "A product of powers of the seven is a pure number if the powers of all three units "
+        "vanish. These are three equations for seven exponents."
+    )
+    rank = page.step(
+        "Their rank",
+        Integer(powers.rank()),
+        Integer(2),
+        name=r"\text{rank}",
+        because="the metre does not occur: force and length are scaled together in a linear loop",
+    )
+    left = page.step(
+        "Independent pure numbers",
+        len(names) - rank,
+        Integer(5),
+        name=r"7-\text{rank}",
+        because="no more and no fewer (Buckingham's theorem)",
+    )
+    rules = [read(row.dimensionless)[0] for row in TABLE_I if row.dimensionless is not None]
+    chosen = Matrix([[r.rhs.as_powers_dict()[Symbol(name)] for name in names] for r in rules])
+    page.table(
+        "Powers of the parameters in the five numbers of Table I.",
+        head,
+        [[rule.lhs, *chosen.row(i)] for i, rule in enumerate(rules)],
+    )
+    pure = page.same("pure numbers", chosen * powers, zeros(len(rules), len(units)))
+    apart = page.same("independent", Integer(chosen.rank()), left)
+    page.say(
+        "The product of both tables is zero, so that all five are pure numbers, and the rank of "
+        "the second is five: none of them follows from the others. So the loop depends on "
+        "these five, and on mass and period as units only."
+    )
+    page.settle("s4b-seven-to-five", pure, apart, note="no choice of units leaves fewer than five")

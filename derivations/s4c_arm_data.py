@@ -1,0 +1,118 @@
+r"""What do the arms of the literature have in common?
+
+Table II of the paper lists eleven arms from eleven articles. The articles are not at hand, but
+what the numbers say of themselves can be checked: ratios, damping, and units that were converted.
+"""
+
+from sympy import Rational, S, pi, sqrt, symbols
+
+from symhaptic.paper.tables import EXCLUDED, TABLE_II
+from symhaptic.proof.ball import ball
+from symhaptic.proof.sign import assume, combined, number, quotient
+
+POUND, GRAVITY, INCH = Rational("0.45359237"), Rational("9.80665"), Rational("0.0254")
+"""kg, m/s^2 and m, exact by their international definitions."""
+
+ROWS = {
+    row.authors: tuple(Rational(text) for text in (row.mass, row.stiffness, row.damping))
+    for row in TABLE_II
+}
+
+
+def derive(page):
+    page.say(
+        "Only the ratios to the mass enter $\\gamma$ and $\\delta$. The damping ratio "
+        "$\\zeta=b_H/(2\\sqrt{k_Hm_H})$ tells how each arm swings by itself:"
+    )
+    page.table(
+        "From the printed decimals of Table II, rounded.",
+        ["article", "$k_H/m_H$ in s$^{-2}$", "$b_H/m_H$ in s$^{-1}$", "$\\zeta$"],
+        [
+            [
+                f"{row.authors} [{row.reference}]",
+                f"{float(k / m):.2f}",
+                f"{float(b / m):.2f}",
+                f"{float(b / (2 * sqrt(k * m))):.2f}",
+            ]
+            for row, (m, k, b) in zip(TABLE_II, ROWS.values(), strict=True)
+        ],
+    )
+    checks = converted(page)
+    page.say(
+        "One row stands out. There, says the paper, the arm was strapped down and only the hand "
+        "was measured. Over the next largest ratios, of Hogan and of Tsuji et al.:"
+    )
+    factors, shown = [], []
+    for column, name in ((1, "k_H/m_H"), (2, "b_H/m_H")):
+        all_of_them = ratios(column)
+        most = all_of_them.pop(EXCLUDED)
+        factors += [number(most - 3 * less) for less in all_of_them.values()]
+        shown.append((name, ball(most / max(all_of_them.values()), None, 128).real))
+    page.enclosed("How many times", shown, places=6)
+    page.settle(
+        "s4c-outlier", *factors, note="at least 3 times each of them; 9.4 and 3.4 times the next"
+    )
+    one, two = symbols("k_1 k_2")
+    first, second = assume(one), assume(two)
+    page.say("Two springs in series share the force, and their displacements add up:")
+    series = page.positive(
+        "Softer than each",
+        quotient(
+            one - 1 / (1 / one + 1 / two),
+            combined(one**2, [first, first]),
+            combined(one + two, [first], [second]),
+        ),
+        on="k_1,k_2>0",
+        name=r"k_1-\frac{1}{1/k_1+1/k_2}",
+    )
+    page.settle("s4c-series", series, note="how much softer an arm is, rests on its joints")
+    page.settle_external(
+        "tab2",
+        "on the eleven articles that it cites",
+        r"two rows are conversions: of $4\pi^2$ and $4\pi$ (a model of arm and device), and of "
+        rf"0.1, 1 and 1 in pounds and inches; {len(checks)} numbers agree to the last digit",
+    )
+
+
+def ratios(column):
+    """Stiffness (1) or damping (2) per mass, by article."""
+    return {authors: numbers[column] / numbers[0] for authors, numbers in ROWS.items()}
+
+
+def converted(page):
+    """The numbers of two rows, recognised; each rounds to what is printed."""
+    daniel, lawrence = TABLE_II[0], TABLE_II[6]
+    force = POUND * GRAVITY / INCH
+    page.say(
+        "The first row is a mass of 1 kg that swings at 1 Hz with critical damping: "
+        "$k_H=4\\pi^2$, $b_H=4\\pi$. By its footnote it is arm and device together, so that its "
+        "mass is no $m_H$. The row of Lawrence is 0.1, 1 and 1 in pounds of force, inches and "
+        "seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ 9.80665 m/s$^2$."
+    )
+    page.step(
+        "Critical damping at 1 Hz",
+        (4 * pi) ** 2 - 4 * (4 * pi**2),
+        S.Zero,
+        name=r"b_H^2-4k_Hm_H\,\big|_{m_H=1,\ k_H=4\pi^2,\ b_H=4\pi}",
+    )
+    found = (
+        (r"4\pi^2", 4 * pi**2, daniel.stiffness),
+        (r"4\pi", 4 * pi, daniel.damping),
+        (r"0.1\,\mathrm{lbf\,s^2/in}", force / 10, lawrence.mass),
+        (r"1\,\mathrm{lbf/in}", force, lawrence.stiffness),
+        (r"1\,\mathrm{lbf\,s/in}", force, lawrence.damping),
+    )
+    page.enclosed(
+        "In SI units",
+        [(name, ball(value, None, 128).real) for name, value, _ in found],
+        because="printed as 39.5, 12.6, 17.51, 175.1 and 175.1",
+        places=6,
+    )
+    return [rounded(value, printed) for _, value, printed in found]
+
+
+def rounded(value, printed):
+    """A number that rounds to the printed decimal: less than half a unit of its last digit away."""
+    digits = len(printed.partition(".")[2])
+    half = Rational(1, 2 * 10**digits)
+    return number(half**2 - (value - Rational(printed)) ** 2)

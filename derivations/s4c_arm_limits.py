@@ -1,0 +1,120 @@
+r"""Which stiffness and damping per mass do the arms of the literature reach?
+
+The paper takes the largest ratios of Table II and adds the damping of a device. We follow the
+numbers in exact fractions.
+"""
+
+from sympy import Rational, S, ceiling
+
+from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
+from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
+from symhaptic.proof.sign import assume, combined, quotient
+
+RATIOS = {
+    row.authors: [Rational(r) / Rational(row.mass) for r in (row.stiffness, row.damping)]
+    for row in TABLE_II
+}
+KEPT = {authors: pair for authors, pair in RATIOS.items() if authors != EXCLUDED}
+DEVICE, PERIOD = Rational(DEVICE_RATIO), Rational(1, 1000)
+"""b_D/m_D in 1/s, and the longest period in s."""
+
+
+def derive(page):
+    limits(page, *largest(page))
+
+
+def largest(page):
+    """(21): largest ratios of the rows that are kept, the second rounded up to its last digit."""
+    stiff, slow = (max(KEPT, key=lambda name: KEPT[name][i]) for i in (0, 1))
+    printed = {row.authors: row for row in TABLE_II}
+    hogan, tsuji = printed[stiff], printed[slow]
+    spring = page.step(
+        f"{stiff} has the largest stiffness per mass",
+        KEPT[stiff][0],
+        S(710),
+        name=rf"\frac{{{hogan.stiffness}}}{{{hogan.mass}}}",
+    )
+    damper = page.step(
+        f"{slow} have the largest damping per mass",
+        KEPT[slow][1],
+        Rational(131, 9),
+        name=rf"\frac{{{tsuji.damping}}}{{{tsuji.mass}}}",
+        because="$14.555\\ldots$, rounded up to 14.6",
+    )
+    up = ceiling(10 * damper) / S(10)
+    page.settle(
+        "eq21",
+        k_H / m_H <= spring / second**2,
+        b_H / m_H <= up / second,
+        note=r"equality for Hogan, $\tfrac{131}9$ rounded up for Tsuji et al.",
+    )
+    page.say(
+        "The bound 710 is attained, but the mass of 0.8 kg is given by one digit. Half a unit of "
+        "the last digits would allow"
+    )
+    page.step(
+        "The same arm",
+        Rational("568.5") / Rational("0.75"),
+        S(758),
+        name=r"\frac{568.5}{0.75}",
+    )
+    page.say(f"The row of {EXCLUDED} is left out. At $T=1$ ms, with a device of no mass, it has")
+    hard, viscous = RATIOS[EXCLUDED]
+    page.step("A stiffness beyond (23)", hard * PERIOD**2, Rational(1, 150), name=gamma)
+    page.step("A damping beyond (23)", viscous * PERIOD, Rational(1, 20), name=delta)
+    return spring, up
+
+
+def limits(page, spring, damper):
+    """(22) from (19), (21) and the devices of the paper's reference [8]."""
+    rate, push = assume(1 / second), assume(T)
+    device, arm = assume(m_D), assume(m_H)
+    both = combined(m_D + m_H, [device], [arm])
+    held = {gamma: T**2 * k_H / (m_D + m_H), delta: T * (b_D + b_H) / (m_D + m_H)}
+    soft = assume(spring / second**2 * m_H - k_H, False)
+    tame = assume(damper / second * m_H - b_H, False)
+    light = assume(DEVICE / second * m_D - b_D)
+    total = damper + DEVICE
+    page.show(
+        "Arm and device together",
+        "14.6+0.625",
+        "15.225",
+        page.same("sum", total, Rational("15.225")),
+        paper="22",
+    )
+    page.settle_external(
+        "s4c-device-damping",
+        "on the devices listed in [8]",
+        "the paper uses it in (22) only, where $14.6+0.625=15.225$",
+    )
+    reach = [spring / second**2, total / second]
+    above = [
+        combined(
+            T**2 * (reach[0] * (m_D + m_H) - k_H),
+            [push, push, soft],
+            [spring, push, push, rate, rate, device],
+        ),
+        combined(
+            T * (reach[1] * (m_D + m_H) - b_D - b_H),
+            [push, light],
+            [push, tame],
+            [damper, push, rate, device],
+            [DEVICE, push, rate, arm],
+        ),
+    ]
+    least = [
+        combined(T**2 * k_H, [push, push, assume(k_H, False)]),
+        combined(T * (b_D + b_H), [push, assume(b_D, False)], [push, assume(b_H, False)]),
+    ]
+    forms = []
+    for i, name in enumerate((gamma, delta)):
+        forms.append(quotient(held[name], least[i], both).relation)
+        top = quotient(T ** (2 - i) * reach[i] - held[name], above[i], both)
+        forms.append(top.relation)
+    page.settle_external(
+        "eq22",
+        "on $b_D/m_D<0.625\\,\\mathrm{s}^{-1}$ for the devices of [8], and on Table II",
+        r"follows from both; the mean of the chapter on arm and device gives $14.6\,T$ already",
+        *forms,
+        given=held,
+    )
