@@ -1,0 +1,81 @@
+"""What the oracles are held against: the formulas of the chapters, and numbers put into them."""
+
+from functools import cache
+
+import mpmath
+import sympy as sp
+
+from symhaptic.library import folder, run
+
+DIGITS = 60
+
+
+@cache
+def page(chapter):
+    """The page of a chapter, run once per process."""
+    return run(folder() / f"{chapter}.py").page
+
+
+def shown(chapter, title, which=0):
+    """Right side of an equation on a chapter's page, its last line; ``which`` of equal titles."""
+    found = [block for block in page(chapter).blocks if block.title == title]
+    assert found, f"{chapter} has no equation titled {title!r}"
+    return sp.sympify(found[which].lines[-1][2])
+
+
+def decimals(chapter, title):
+    """The numbers of all equations of this title, all printed digits, cut and not rounded."""
+    found = [block for block in page(chapter).blocks if block.title == title]
+    assert found, f"{chapter} has no numbers titled {title!r}"
+    with mpmath.workdps(DIGITS):
+        return [mpmath.mpf(n.removesuffix(r"\ldots")) for b in found for _, _, n in b.lines]
+
+
+def settled(chapter, statement):
+    """The derived form of a statement that a chapter settles, line by line."""
+    return page(chapter).settled[statement].settlement.derived
+
+
+@cache
+def _function(expr):
+    names = sorted(expr.free_symbols, key=str)
+    return [s.name for s in names], sp.lambdify(names, expr, "mpmath")
+
+
+def value(expr, **at):
+    """An expression with numbers in place of its symbols, to 60 digits less rounding."""
+    names, function = _function(sp.sympify(expr))
+    with mpmath.workdps(DIGITS):
+        return function(*(mpmath.mpmathify(at[name]) for name in names))
+
+
+def number(expr, **at):
+    """The same, real, as a float."""
+    found = mpmath.mpmathify(value(expr, **at))
+    # a real value that goes through complex numbers: what rounding leaves of its imaginary part
+    assert abs(mpmath.im(found)) <= 1e-30 * (1 + abs(found)), f"not real: {found}"
+    return float(mpmath.re(found))
+
+
+def altered(expr, by):
+    """The expression times 1 + by (or 0 + by), and with each of its symbols times 1 + by."""
+    yield expr * (1 + sp.Float(by)) if expr else sp.Float(by)
+    for symbol in sorted(expr.free_symbols, key=str):
+        yield expr.xreplace({symbol: symbol * (1 + sp.Float(by))})
+
+
+def only(agrees, *formulas, by=0.01, ignores=()):
+    """``agrees`` accepts these formulas, and no variant that is off by a factor or an argument.
+
+    ``ignores`` are the names of symbols that a formula contains without depending on them.
+    """
+    agrees(*formulas)
+    for place, formula in enumerate(formulas):
+        free = sp.sympify(formula).free_symbols
+        kept = {symbol: 1 for symbol in free if symbol.name in ignores}
+        for mutant in altered(sp.sympify(formula).xreplace(kept), by):
+            try:
+                agrees(*formulas[:place], mutant, *formulas[place + 1 :])
+            except AssertionError:
+                continue
+            raise AssertionError(f"the oracle accepts {mutant} in place of {formula}")

@@ -1,0 +1,23 @@
+"""Every chapter has an oracle, and every oracle a chapter."""
+
+from symhaptic.library import shipped
+
+from oracles.guarding import guarded
+
+
+def test_every_chapter_has_an_oracle():
+    missing = [path.stem for path in shipped() if path.stem not in guarded()]
+    assert not missing, f'no oracle in tests/oracles says @guards("{missing[0]}"); all: {missing}'
+
+
+def test_no_oracle_guards_a_chapter_that_is_not_there():
+    chapters = {path.stem for path in shipped()}
+    strangers = {name: tests for name, tests in guarded().items() if name not in chapters}
+    assert not strangers
+
+
+def test_oracles_are_found_by_their_mark(tmp_path):
+    text = "@guards('s1_a', 's1_b')\ndef test_one(): ...\n\ndef test_two(): ...\n"
+    (tmp_path / "test_section_1.py").write_text(text)
+    one = ["test_section_1.py::test_one"]
+    assert guarded(tmp_path) == {"s1_a": one, "s1_b": one}
