@@ -10,6 +10,7 @@ from fractions import Fraction
 import flint
 import mpmath
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 _BITS = 256
 """Precision of the certified oracle: 77 decimal digits."""
@@ -92,6 +93,35 @@ def radius(alpha, beta, gamma, delta, delay):
     return each(lambda *a: moduli(*a).max(axis=-1), alpha, beta, gamma, delta, delay)
 
 
+def stable(alpha, beta, gamma, delta, delay):
+    """Whether all eigenvalues of one loop lie inside the unit circle."""
+    return bool(moduli(alpha, beta, gamma, delta, delay).max() < 1)
+
+
+def edge(inside, outside, holds, steps=48):
+    """Where ``holds`` changes between two numbers, by halving: the last digits of a float."""
+    for _ in range(steps):
+        middle = (inside + outside) / 2
+        inside, outside = (middle, outside) if holds(middle) else (inside, middle)
+    return inside
+
+
+def stiffest(gamma, delta, delay, low, high, top=4.0):
+    """(alpha, beta) of the largest stable alpha, for low < beta < high.
+
+    For each beta the walls are stable from just above -gamma on; the best beta is found to about
+    1e-7, and alpha to its square.
+    """
+
+    def most(beta):
+        return edge(1e-7 - gamma, top, lambda x: stable(x, beta, gamma, delta, delay))
+
+    found = minimize_scalar(
+        lambda beta: -most(beta), bounds=(low, high), method="bounded", options={"xatol": 1e-7}
+    )
+    return -found.fun, found.x
+
+
 def principal(alpha, beta, gamma, delta, delay):
     """Moduli of the roots on the principal sheet of z^delay, for one wall and a rational delay.
 
@@ -169,6 +199,29 @@ def _held_mp(gamma, delta, span):
     motion = mpmath.matrix([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]]) * span
     moved = mpmath.expm(motion, method="taylor")
     return moved[:2, :2], moved[:2, 2]
+
+
+def numbers(gamma, delta, digits=60):
+    """n1, n0, a and e: the sampled device is (n1 z + n0)/(z^2 - a z + e)."""
+    with mpmath.workdps(digits):
+        free, push = _held_mp(mpmath.mpmathify(gamma), mpmath.mpmathify(delta), 1)
+        trace, product = free[0, 0] + free[1, 1], mpmath.det(free)
+        return push[0], free[0, 1] * push[1] - free[1, 1] * push[0], trace, product
+
+
+def wall(theta, gamma, delta, delay, digits=60):
+    """(alpha, beta) with a root at exp(j theta), z^delay on the principal sheet.
+
+    The wall must be -1/P there: two real equations, solved as such.
+    """
+    n1, n0, trace, product = numbers(gamma, delta, digits)
+    with mpmath.workdps(digits):
+        theta = mpmath.mpmathify(theta)
+        z = mpmath.expj(theta)
+        wanted = -mpmath.expj(delay * theta) * (z**2 - trace * z + product) / (n1 * z + n0)
+        rows = mpmath.matrix([[1, 1 - mpmath.cos(theta)], [0, mpmath.sin(theta)]])
+        found = mpmath.lu_solve(rows, mpmath.matrix([wanted.real, wanted.imag]))
+        return found[0], found[1]
 
 
 def residual(alpha, beta, theta, gamma, delta, delay, digits=50, sheet="exact"):

@@ -57,23 +57,23 @@ def number(expr, **at):
     return float(mpmath.re(found))
 
 
-def altered(expr, by):
+def altered(expr, by, kept=()):
     """The expression times 1 + by (or 0 + by), and with each of its symbols times 1 + by."""
     yield expr * (1 + sp.Float(by)) if expr else sp.Float(by)
     for symbol in sorted(expr.free_symbols, key=str):
-        yield expr.xreplace({symbol: symbol * (1 + sp.Float(by))})
+        if symbol.name not in kept:
+            yield expr.xreplace({symbol: symbol * (1 + sp.Float(by))})
 
 
-def only(agrees, *formulas, by=0.01, ignores=()):
+def only(agrees, *formulas, by=0.01, kept=()):
     """``agrees`` accepts these formulas, and no variant that is off by a factor or an argument.
 
-    ``ignores`` are the names of symbols that a formula contains without depending on them.
+    ``kept`` are the names of symbols that are left alone, since the formula does not depend on
+    them where it is looked at.
     """
     agrees(*formulas)
-    for place, formula in enumerate(formulas):
-        free = sp.sympify(formula).free_symbols
-        kept = {symbol: 1 for symbol in free if symbol.name in ignores}
-        for mutant in altered(sp.sympify(formula).xreplace(kept), by):
+    for place, formula in enumerate(map(sp.sympify, formulas)):
+        for mutant in altered(formula, by, kept):
             try:
                 agrees(*formulas[:place], mutant, *formulas[place + 1 :])
             except AssertionError:

@@ -1,12 +1,13 @@
 """Every chapter has an oracle, and every oracle a chapter."""
 
-from symhaptic.library import shipped
-
 from oracles.guarding import guarded
+
+from symhaptic.library import shipped
 
 
 def test_every_chapter_has_an_oracle():
-    missing = [path.stem for path in shipped() if path.stem not in guarded()]
+    oracles = guarded()
+    missing = [path.stem for path in shipped() if path.stem not in oracles]
     assert not missing, f'no oracle in tests/oracles says @guards("{missing[0]}"); all: {missing}'
 
 

@@ -3,7 +3,6 @@
 import mpmath
 import numpy as np
 import pytest
-
 from oracles import motion
 from oracles.guarding import guards
 from oracles.subject import number, only, settled, shown, value
