@@ -122,11 +122,8 @@ def stiffest(gamma, delta, delay, low, high, top=4.0):
     return -found.fun, found.x
 
 
-def principal(alpha, beta, gamma, delta, delay):
-    """Moduli of the roots on the principal sheet of z^delay, for one wall and a rational delay.
-
-    With z = w^q the equation is a polynomial in w; the sheet is |arg w| < pi/q.
-    """
+def sheets(alpha, beta, gamma, delta, delay):
+    """The roots w = z^(1/q) of the polynomial with z^(p/q) in it, for a delay p/q, and q."""
     late = Fraction(delay)
     q, r = late.denominator, late.numerator
     (free, effect) = sampled(gamma, delta)
@@ -138,7 +135,15 @@ def principal(alpha, beta, gamma, delta, delay):
     for power, number in ((2 * q, n1 * (alpha + beta)), (q, n0 * (alpha + beta) - n1 * beta)):
         p[power] += number
     p[0] -= n0 * beta
-    w = np.roots(p[::-1])
+    return np.roots(p[::-1]), q
+
+
+def principal(alpha, beta, gamma, delta, delay):
+    """Moduli of the roots on the principal sheet of z^delay, for one wall and a rational delay.
+
+    With z = w^q the equation is a polynomial in w; the sheet is |arg w| < pi/q.
+    """
+    w, q = sheets(alpha, beta, gamma, delta, delay)
     w = w[np.abs(np.angle(w)) < np.pi / q]
     return np.abs(w) ** q
 

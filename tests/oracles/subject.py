@@ -36,6 +36,12 @@ def settled(chapter, statement):
     return page(chapter).settled[statement].settlement.derived
 
 
+def counterexample(chapter, statement):
+    """The point at which a statement was shown to fail, by names."""
+    unless = page(chapter).settled[statement].settlement.unless
+    return {symbol.name: float(sp.N(number)) for symbol, number in unless.items()}
+
+
 @cache
 def _function(expr):
     names = sorted(expr.free_symbols, key=str)

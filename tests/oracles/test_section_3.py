@@ -160,15 +160,14 @@ def test_each_point_of_the_envelope_is_where_two_lines_meet():
         share = z**-d / (z - 1)
         return mpmath.re(share), mpmath.re(share * (1 - 1 / z)), mpmath.mpf(b) / T
 
-    with mpmath.workdps(60):
-        step = mpmath.mpf(10) ** -20  # errors of the order of the step, and 1e-40 of rounding
-        crossed = []
-        for d, angle in points:
-            angle = mpmath.mpf(angle)
-            k, c, e = zip(line(d, angle - step), line(d, angle + step), strict=True)
-            det = k[0] * c[1] - k[1] * c[0]
-            K, B = (c[0] * e[1] - c[1] * e[0]) / det, T * (k[1] * e[0] - k[0] * e[1]) / det
-            crossed.append((float(K), float(B)))
+    step = mpmath.mpf(10) ** -20  # errors of the order of the step, and 1e-40 of rounding
+    crossed = []
+    for d, angle in points:
+        angle = mpmath.mpf(angle)
+        k, c, e = zip(line(d, angle - step), line(d, angle + step), strict=True)
+        det = k[0] * c[1] - k[1] * c[0]
+        K, B = (c[0] * e[1] - c[1] * e[0]) / det, T * (k[1] * e[0] - k[0] * e[1]) / det
+        crossed.append((float(K), float(B)))
 
     def agrees(stiffness, damping):
         for (d, angle), (K, B) in zip(points, crossed, strict=True):

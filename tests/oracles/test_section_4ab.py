@@ -21,8 +21,7 @@ PLANTS = [(1e-3, 0.02), (2.0, 0.5), (0.1, 3.0), (9.0, 0.01)]
 
 def split(gamma, delta):
     """c_1 of the print, to 50 digits."""
-    with mpmath.workdps(60):
-        return mpmath.sqrt(mpmath.mpf(delta) ** 2 - 4 * mpmath.mpf(gamma))
+    return mpmath.sqrt(mpmath.mpf(delta) ** 2 - 4 * mpmath.mpf(gamma))
 
 
 @guards("s4a_discretisation")
@@ -51,9 +50,8 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
     def agrees(n1, n0, trace, product):
         for gamma, delta in PLANTS:
             numbers = {"gamma": gamma, "delta": delta, "c_1": split(gamma, delta)}
-            with mpmath.workdps(60):
-                half = [(-mpmath.mpf(delta) + s * numbers["c_1"]) / 2 for s in (-1, 1)]
-                numbers["c_2"], numbers["c_3"] = (mpmath.exp(h) for h in half)
+            half = [(-mpmath.mpf(delta) + s * numbers["c_1"]) / 2 for s in (-1, 1)]
+            numbers["c_2"], numbers["c_3"] = (mpmath.exp(h) for h in half)
             for ours, theirs in zip(
                 (n1, n0, trace, product), oracle.numbers(gamma, delta), strict=True
             ):
@@ -70,8 +68,7 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
 
         def agrees_there(n1, n0, spring=spring):
             for delta in (0.02, 0.5, 3.0):
-                with mpmath.workdps(60):
-                    exact = oracle.numbers(spring * mpmath.mpf(delta) ** 2, delta)
+                exact = oracle.numbers(spring * mpmath.mpf(delta) ** 2, delta)
                 for ours, theirs in zip((n1, n0), exact, strict=False):
                     assert abs(value(ours, delta=delta) - theirs) < 1e-45
 
@@ -150,8 +147,7 @@ def test_five_numbers_and_as_many_roots_as_states():
         for d in range(4):
             at = {"alpha": 0.3, "beta": 0.2, "d": d, **numbers(0.1, 0.1)}
             size = mpmath.mpf(10) ** 20  # the next power is 10^20 times smaller
-            with mpmath.workdps(60):
-                assert abs(value(polynomial, z=size, **at) / size ** (d + 3) - 1) < 1e-18
+            assert abs(value(polynomial, z=size, **at) / size ** (d + 3) - 1) < 1e-18
 
     shape = shown("s4b_polynomial_degree", "Two derivations, one polynomial")
     only(agrees, shape, kept=("alpha", "beta", "n_1", "n_0", "a", "e"))

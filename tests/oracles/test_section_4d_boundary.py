@@ -31,8 +31,7 @@ def test_walls_of_the_explicit_boundary_have_a_root_on_the_circle():
 
     def agrees(stiffness, damping):
         for gamma, delta, d, theta in cases:
-            with mpmath.workdps(60):
-                apart = mpmath.sqrt(mpmath.mpf(delta) ** 2 - 4 * mpmath.mpf(gamma))
+            apart = mpmath.sqrt(mpmath.mpf(delta) ** 2 - 4 * mpmath.mpf(gamma))
             at = {"gamma": gamma, "delta": delta, "c": apart, "d": d, "theta": theta}
             alpha, beta = number(stiffness, **at), number(damping, **at)
             # the two walls are rounded to floats
@@ -101,9 +100,8 @@ def short(gamma, delta):
 
 @guards("s4d_explicit_boundary_ends")
 def test_the_boundary_at_small_angles():
-    with mpmath.workdps(60):
-        angle = mpmath.mpf("1e-20")
-        walls = [oracle.wall(angle, g, f, d, 100) for g, f, d in PLANTS]
+    angle = mpmath.mpf("1e-20")
+    walls = [oracle.wall(angle, g, f, d, 100) for g, f, d in PLANTS]
 
     def agrees(stiffness, damping, right, up, slope):
         for (gamma, delta, d), (alpha, beta) in zip(PLANTS, walls, strict=True):
@@ -139,21 +137,20 @@ def test_the_start_without_a_spring_and_its_gap_with_one():
         "The boundary starts at $(0,-\\delta)$ with the slope",
     )
     only(agrees, *(shown(ENDS, title) for title in titles))
-    with mpmath.workdps(60):
-        gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
-        gap = -oracle.wall(mpmath.mpf("1e-25"), gamma, delta, 0, 100)[1] - delta - gamma / 2
-        (printed,) = decimals(ENDS, "At the corner of (23)")
-        assert 0 <= gap - printed < 1e-24  # its digits are cut
+    gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
+    gap = -oracle.wall(mpmath.mpf("1e-25"), gamma, delta, 0, 100)[1] - delta - gamma / 2
+    (printed,) = decimals(ENDS, "At the corner of (23)")
+    assert 0 <= gap - printed < 1e-24  # its digits are cut
 
-        def agrees_with_the_gap(formula):
-            at = {"gamma": gamma, "delta": delta, "c": mpmath.sqrt(delta**2 - 4 * gamma)}
-            assert abs(value(formula, **at, **named(gamma, delta)) - gap) < 1e-30
+    def agrees_with_the_gap(formula):
+        at = {"gamma": gamma, "delta": delta, "c": mpmath.sqrt(delta**2 - 4 * gamma)}
+        assert abs(value(formula, **at, **named(gamma, delta)) - gap) < 1e-30
 
-        only(agrees_with_the_gap, shown(ENDS, "How far the start lies below that line"))
-        small = mpmath.mpf("1e-6")  # the next terms are smaller by this
-        gap = -oracle.wall(mpmath.mpf("1e-40"), small**2, small, 0, 120)[1]
-        gap = 720 * (gap - small - small**2 / 2) / small**5
-        assert abs(gap - 1) < 1e-5
+    only(agrees_with_the_gap, shown(ENDS, "How far the start lies below that line"))
+    small = mpmath.mpf("1e-6")  # the next terms are smaller by this
+    gap = -oracle.wall(mpmath.mpf("1e-40"), small**2, small, 0, 120)[1]
+    gap = 720 * (gap - small - small**2 / 2) / small**5
+    assert abs(gap - 1) < 1e-5
 
 
 @guards("s4d_explicit_boundary_ends")
@@ -176,8 +173,7 @@ def test_the_boundary_without_damping():
 
     def agrees(spring, stiffness, both):
         for Omega, d, theta in cases:
-            with mpmath.workdps(60):
-                gamma = mpmath.mpf(Omega) ** 2
+            gamma = mpmath.mpf(Omega) ** 2
             alpha, beta = oracle.wall(theta, gamma, 0, d)
             g = value(spring, gamma=gamma, Omega=Omega, theta=theta)
             assert abs(value(stiffness, g=g, d=d, theta=theta) - alpha) < 1e-45
@@ -214,12 +210,11 @@ def test_both_ends_of_the_boundary_without_damping():
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
     def agrees_at_half_swings(stiffness, both):
-        with mpmath.workdps(60):
-            for d, theta in ((1, 0.7), (2, 3.0)):
-                gamma = mpmath.pi**2
-                alpha, beta = oracle.wall(theta, gamma, 0, d)
-                assert abs(value(stiffness, d=d, theta=theta) - alpha / gamma) < 1e-45
-                assert abs(value(both, d=d, theta=theta) - (alpha + 2 * beta) / gamma) < 1e-45
+        for d, theta in ((1, 0.7), (2, 3.0)):
+            gamma = mpmath.pi**2
+            alpha, beta = oracle.wall(theta, gamma, 0, d)
+            assert abs(value(stiffness, d=d, theta=theta) - alpha / gamma) < 1e-45
+            assert abs(value(both, d=d, theta=theta) - (alpha + 2 * beta) / gamma) < 1e-45
 
     titles = ("For odd half swings, $x=-1$, it stays finite", "Its damping then")
     only(agrees_at_half_swings, *(shown(UNDAMPED, title) for title in titles))
@@ -236,12 +231,11 @@ def test_without_delay_the_spring_moves_the_curve_by_its_own_size():
     cases += [(1e-3, f, x) for f in (0.0, 0.02) for x in (-0.02, 0.3, 0.9, 0.9999)]
 
     def walls(gamma):
-        with mpmath.workdps(60):
-            angles = [mpmath.acos(mpmath.mpf(x)) for _, _, x in cases]
-            kept = [gamma(g) for g, _, _ in cases]
-            return [
-                oracle.wall(t, g, f, 0) for t, g, (_, f, _) in zip(angles, kept, cases, strict=True)
-            ]
+        angles = [mpmath.acos(mpmath.mpf(x)) for _, _, x in cases]
+        kept = [gamma(g) for g, _, _ in cases]
+        return [
+            oracle.wall(t, g, f, 0) for t, g, (_, f, _) in zip(angles, kept, cases, strict=True)
+        ]
 
     found, free = walls(lambda g: g), walls(lambda g: 0)
 
@@ -277,11 +271,10 @@ def test_with_a_delay_the_spring_is_a_visible_part_of_the_width():
             for theta in (0.2, 1.0, 2.5):
                 at = {"theta": theta, "d": d, **named(gamma, delta)}
                 alpha, beta = oracle.wall(theta, gamma, delta, d)
-                with mpmath.workdps(60):
-                    z = mpmath.expj(theta)
-                    size = abs(at["n_1"] * z + at["n_0"]) ** 2
-                    one = alpha * size * mpmath.cos(mpmath.mpf(theta) / 2)
-                    two = beta * size * mpmath.sin(theta)
+                z = mpmath.expj(theta)
+                size = abs(at["n_1"] * z + at["n_0"]) ** 2
+                one = alpha * size * mpmath.cos(mpmath.mpf(theta) / 2)
+                two = beta * size * mpmath.sin(theta)
                 assert abs(value(along, **at) - one) < 1e-45
                 assert abs(value(across, **at) - two) < 1e-45
 

@@ -88,10 +88,9 @@ def test_minimal_polynomials_have_these_roots():
     (polynomials,) = (b for b in page(EXTREMES).blocks if b.title == "Minimal polynomials")
     printed = decimals(EXTREMES, "Largest stable stiffness of a free mass")
     for (_, _, polynomial), alpha in zip(polynomials.lines, printed, strict=True):
-        with mpmath.workdps(60):
-            # alpha is cut after 24 digits; the slopes are of the size of the coefficients
-            size = max(abs(int(c)) for c in polynomial.as_poly().all_coeffs())
-            assert abs(value(polynomial, rho=alpha / 4)) < 1e-22 * size
+        # alpha is cut after 24 digits; the slopes are of the size of the coefficients
+        size = max(abs(int(c)) for c in polynomial.as_poly().all_coeffs())
+        assert abs(value(polynomial, rho=alpha / 4)) < 1e-22 * size
 
 
 @guards("s4d_free_mass_extremes")
@@ -122,10 +121,9 @@ def test_long_delays():
         at = mpmath.findroot(lambda phi: scaled(phi + step) - scaled(phi - step), 1.0769)
         return scaled(at)
 
-    with mpmath.workdps(60):
-        found = mpmath.findroot(lambda x: mpmath.diff(lambda y: y**2 * mpmath.cos(y), x), 1.0769)
-        assert 0 <= found - angle < 1e-24
-        assert 0 <= found**2 * mpmath.cos(found) - largest < 1e-24
+    found = mpmath.findroot(lambda x: mpmath.diff(lambda y: y**2 * mpmath.cos(y), x), 1.0769)
+    assert 0 <= found - angle < 1e-24
+    assert 0 <= found**2 * mpmath.cos(found) - largest < 1e-24
     with mpmath.workdps(80):
         h = mpmath.mpf("1e-4")
         exact = found**2 * mpmath.cos(found)
@@ -179,7 +177,6 @@ def test_the_product_of_the_roots_bounds_the_damping():
     for delta in (0.02, 0.5):
         limit = 1 / float(oracle.numbers(0, delta)[1])
         assert not any(oracle.stable(a, 1.001 * limit, 0, delta, 0) for a in np.geomspace(1e-6, 1))
-    with mpmath.workdps(60):
-        small = mpmath.mpf("1e-20")
-        found = (1 / oracle.numbers(0, small, 100)[1] - 2) / small
-        assert abs(value(shown(DAMPED, "For small damping")) - found) < 1e-18
+    small = mpmath.mpf("1e-20")
+    found = (1 / oracle.numbers(0, small, 100)[1] - 2) / small
+    assert abs(value(shown(DAMPED, "For small damping")) - found) < 1e-18
