@@ -10,7 +10,6 @@ from fractions import Fraction
 import flint
 import mpmath
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 _BITS = 256
 """Precision of the certified oracle: 77 decimal digits."""
@@ -96,30 +95,6 @@ def radius(alpha, beta, gamma, delta, delay):
 def stable(alpha, beta, gamma, delta, delay):
     """Whether all eigenvalues of one loop lie inside the unit circle."""
     return bool(moduli(alpha, beta, gamma, delta, delay).max() < 1)
-
-
-def edge(inside, outside, holds, steps=48):
-    """Where ``holds`` changes between two numbers, by halving: the last digits of a float."""
-    for _ in range(steps):
-        middle = (inside + outside) / 2
-        inside, outside = (middle, outside) if holds(middle) else (inside, middle)
-    return inside
-
-
-def stiffest(gamma, delta, delay, low, high, top=4.0):
-    """(alpha, beta) of the largest stable alpha, for low < beta < high.
-
-    For each beta the walls are stable from just above -gamma on; the best beta is found to about
-    1e-7, and alpha to its square.
-    """
-
-    def most(beta):
-        return edge(1e-7 - gamma, top, lambda x: stable(x, beta, gamma, delta, delay))
-
-    found = minimize_scalar(
-        lambda beta: -most(beta), bounds=(low, high), method="bounded", options={"xatol": 1e-7}
-    )
-    return -found.fun, found.x
 
 
 def sheets(alpha, beta, gamma, delta, delay):
@@ -212,6 +187,11 @@ def numbers(gamma, delta, digits=60):
         free, push = _held_mp(mpmath.mpmathify(gamma), mpmath.mpmathify(delta), 1)
         trace, product = free[0, 0] + free[1, 1], mpmath.det(free)
         return push[0], free[0, 1] * push[1] - free[1, 1] * push[0], trace, product
+
+
+def named(gamma, delta, digits=60):
+    """The same by their names."""
+    return dict(zip(("n_1", "n_0", "a", "e"), numbers(gamma, delta, digits), strict=True))
 
 
 def wall(theta, gamma, delta, delay, digits=60):

@@ -52,3 +52,25 @@ def worst(K, B, b=1.0, T=1.0, late=0.0, periods=150):
     motion = np.linalg.eigh(form(wall(K, B, T), b, T, late, periods))[1][:, 0]
     spectrum = np.abs(np.fft.rfft(motion, 64 * periods))
     return 2 * np.pi * spectrum.argmax() / (64 * periods)
+
+
+# -- endless motions ------------------------------------------------------------------------
+
+ANGLES = np.linspace(0, np.pi, 2001)[1:]
+
+
+def need(K, B, late, angles=ANGLES):
+    """Damping that one angle asks for, T = 1: -Re of the wall's transfer function over z - 1.
+
+    For a fraction of a period this is the paper's reading, z^-d on the principal sheet.
+    """
+    z = np.exp(1j * angles)
+    law = (K + B * (1 - 1 / z)) * np.exp(-1j * late * angles)
+    return -(law / (z - 1)).real
+
+
+def bounds(K, B, b, T, late, short=0.99, wide=1.03):
+    """The wall lies on the border: a little less cannot give energy away, a little more does."""
+    assert left(short * K, short * B, b, T, late) > -1e-12  # rounding of an eigenvalue
+    # 150 periods and d <= 3 miss at most 16 pi^2/150^2 = 0.007 of 0.03
+    assert left(wide * K, wide * B, b, T, late) < 0

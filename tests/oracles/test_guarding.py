@@ -1,8 +1,13 @@
 """Every chapter has an oracle, and every oracle a chapter."""
 
+import numpy as np
+import pytest
 from oracles.guarding import guarded
+from oracles.subject import altered, number, only
+from sympy import cos
 
 from symhaptic.library import shipped
+from symhaptic.notation import a, theta
 
 
 def test_every_chapter_has_an_oracle():
@@ -22,3 +27,18 @@ def test_oracles_are_found_by_their_mark(tmp_path):
     (tmp_path / "test_section_1.py").write_text(text)
     one = ["test_section_1.py::test_one"]
     assert guarded(tmp_path) == {"s1_a": one, "s1_b": one}
+
+
+def test_an_oracle_that_accepts_a_wrong_formula_is_refused():
+    formula = a * cos(theta)
+
+    def agrees(expr):
+        assert number(expr, a=2, theta=1.1) == pytest.approx(2 * np.cos(1.1))
+
+    only(agrees, formula)
+    with pytest.raises(AssertionError, match="accepts"):
+        only(lambda _: None, formula)
+    with pytest.raises(AssertionError):
+        only(agrees, 1.01 * formula)
+    assert list(altered(a * theta, 0.5)) == [1.5 * a * theta, 1.5 * a * theta, 1.5 * a * theta]
+    assert len(list(altered(formula, 0.5, kept=("theta",)))) == 2

@@ -93,11 +93,6 @@ def test_table_1_takes_the_same_motion_to_other_units():
     only(agrees, *(line.rhs for line in settled("s4b_normalisation", "tab1")))
 
 
-def numbers(gamma, delta):
-    """The plant's numbers by name."""
-    return dict(zip(("n_1", "n_0", "a", "e"), oracle.numbers(gamma, delta), strict=True))
-
-
 WALLS = [(0.3, 0.5, 0), (1.2, -0.4, 1), (-0.2, 0.1, 3)]
 
 
@@ -106,7 +101,7 @@ def test_the_polynomial_vanishes_at_the_eigenvalues():
     def agrees(polynomial):
         for gamma, delta in PLANTS:
             for alpha, beta, d in WALLS:
-                at = {"alpha": alpha, "beta": beta, "d": d, **numbers(gamma, delta)}
+                at = {"alpha": alpha, "beta": beta, "d": d, **oracle.named(gamma, delta)}
                 matrix = oracle.loops(alpha, beta, gamma, delta, d)
                 characteristic = np.poly(matrix)
                 for z in (0.4 + 0.9j, -1.2):
@@ -145,7 +140,7 @@ def test_five_numbers_and_as_many_roots_as_states():
 
     def agrees(polynomial):
         for d in range(4):
-            at = {"alpha": 0.3, "beta": 0.2, "d": d, **numbers(0.1, 0.1)}
+            at = {"alpha": 0.3, "beta": 0.2, "d": d, **oracle.named(0.1, 0.1)}
             size = mpmath.mpf(10) ** 20  # the next power is 10^20 times smaller
             assert abs(value(polynomial, z=size, **at) / size ** (d + 3) - 1) < 1e-18
 

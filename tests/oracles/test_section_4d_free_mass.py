@@ -5,6 +5,7 @@ import numpy as np
 import oracle
 import pytest
 from oracles.guarding import guards
+from oracles.search import edge, stiffest
 from oracles.subject import decimals, number, only, page, shown, value
 
 MASS, EXTREMES, LONG = "s4d_free_mass", "s4d_free_mass_extremes", "s4d_free_mass_long_delay"
@@ -30,7 +31,7 @@ def test_walls_between_the_two_ends_of_the_first_arc_are_stable_and_no_others(d)
             alpha = share * alphas[peak]
             ends = []
             for inside, outside in ((peak, 0), (peak, len(alphas) - 1)):
-                angle = oracle.edge(
+                angle = edge(
                     angles[every][inside],
                     angles[every][outside],
                     lambda a, alpha=alpha: (
@@ -76,7 +77,7 @@ def test_the_largest_stiffness_by_a_search_with_eigenvalues():
     printed = decimals(EXTREMES, "Largest stable stiffness of a free mass")
     for d in (0, 1, 2, 4, 8):
         low, high = 0.02, 0.95 * 2 * np.tan(np.pi / 4 / (d + 1))
-        found, _ = oracle.stiffest(0, 0, d, low, high, top=2.0)
+        found, _ = stiffest(0, 0, d, low, high, top=2.0)
         # the search ends where beta is 1e-7 off; a simple root crosses: 1e-12 of rounding
         assert found == pytest.approx(float(printed[d]), rel=1e-9)
     one = shown(EXTREMES, "Without delay in closed form")
@@ -145,7 +146,7 @@ def test_a_long_delay_by_eigenvalues():
     _, largest, second, third = (float(n) for n in decimals(LONG, "In numbers"))
     d = 30
     h = 1 / (d + 1)
-    found, _ = oracle.stiffest(0, 0, d, 0.02, 0.05, top=0.01)
+    found, _ = stiffest(0, 0, d, 0.02, 0.05, top=0.01)
     # the series ends with h^6 = 1e-9; eigenvalues of a matrix of order 33
     series = largest * (1 + second * h**2 + third * h**4)
     assert found * (d + 1) ** 2 == pytest.approx(series, rel=1e-8)
@@ -155,11 +156,11 @@ def test_a_long_delay_by_eigenvalues():
 
 @guards("s4d_mass_with_damper")
 def test_the_largest_stiffness_of_a_damped_mass_by_a_search():
-    found = {delta: oracle.stiffest(0, delta, 0, 0.1, 1.6)[0] for delta in (0.02, 0.3, 1.0)}
+    found = {delta: stiffest(0, delta, 0, 0.1, 1.6)[0] for delta in (0.02, 0.3, 1.0)}
 
     def agrees(formula):
         for delta, alpha in found.items():
-            numbers = dict(zip(("n_1", "n_0", "a", "e"), oracle.numbers(0, delta), strict=True))
+            numbers = oracle.named(0, delta)
             assert number(formula, **numbers) == pytest.approx(alpha, rel=1e-10)
 
     only(agrees, shown(DAMPED, "The largest stiffness"))
@@ -169,7 +170,7 @@ def test_the_largest_stiffness_of_a_damped_mass_by_a_search():
 def test_the_product_of_the_roots_bounds_the_damping():
     def agrees(product):
         for delta, beta in ((0.02, 1.2), (1.5, -0.7)):
-            numbers = dict(zip(("n_1", "n_0", "a", "e"), oracle.numbers(0, delta), strict=True))
+            numbers = oracle.named(0, delta)
             found = -np.prod(np.linalg.eigvals(oracle.loops(0.2, beta, 0, delta, 0))).real
             assert number(product, beta=beta, **numbers) == pytest.approx(found, rel=1e-13)
 

@@ -8,16 +8,12 @@ import oracle
 import pytest
 import sympy as sp
 from oracles.guarding import guards
+from oracles.search import edge
 from oracles.subject import number, only, page, shown
 
 from symhaptic.model import jury
 
 COUNTED, EXPLICIT, IMPLICIT = "s4d_jury_counted", "s4d_jury_explicit", "s4d_jury_implicit"
-
-
-def named(gamma, delta):
-    found = (float(n) for n in oracle.numbers(gamma, delta))
-    return dict(zip(("n_1", "n_0", "a", "e"), found, strict=True))
 
 
 def polynomials(degree, count, rng):
@@ -68,14 +64,12 @@ def test_the_four_inequalities_without_delay_are_those_of_the_eigenvalues():
             def inside(r, step=step, center=center, device=(gamma, delta)):
                 return oracle.stable(*(center + r * step), *device, 0)
 
-            far = oracle.edge(
-                0.0, next(r for r in 2.0 ** np.arange(-6, 8) if not inside(r)), inside
-            )
+            far = edge(0.0, next(r for r in 2.0 ** np.arange(-6, 8) if not inside(r)), inside)
             cases += [(center + r * far * step, gamma, delta, r < 1) for r in (0.98, 1.02)]
 
     def agrees(*expressions):
         for (alpha, beta), gamma, delta, stable in cases:
-            at = {"alpha": alpha, "beta": beta, **named(gamma, delta)}
+            at = {"alpha": alpha, "beta": beta, **oracle.named(gamma, delta)}
             assert all(number(e, **at) > 0 for e in expressions) == stable
 
     (result,) = (b for b in page(COUNTED).blocks if b.kind == "result")
@@ -92,7 +86,7 @@ def test_none_of_the_four_is_idle_and_the_last_one_is_a_product_of_pairs():
     (result,) = (b for b in page(COUNTED).blocks if b.kind == "result")
     walls = [(-1, 1, 0), (25, -4, 0), (1, 8, 4.6), (5, 1, 0)]
     for violated, (alpha, beta, delta) in enumerate(walls):
-        at = {"alpha": alpha, "beta": beta, **named(0, delta)}
+        at = {"alpha": alpha, "beta": beta, **oracle.named(0, delta)}
         signs = [number(line[0], **at) > 0 for line in result.lines]
         assert signs.index(False) == violated
         assert sum(signs) == 3
@@ -124,7 +118,7 @@ def test_none_of_the_four_is_idle_and_the_last_one_is_a_product_of_pairs():
 @cache
 def most(beta, gamma, delta, d, top=3.0):
     """Largest stable alpha of one beta, by halving."""
-    return oracle.edge(1e-6 - gamma, top, lambda alpha: oracle.stable(alpha, beta, gamma, delta, d))
+    return edge(1e-6 - gamma, top, lambda alpha: oracle.stable(alpha, beta, gamma, delta, d))
 
 
 @guards("s4d_jury_explicit")
@@ -134,9 +128,8 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
     def agrees(solved):
         for beta, gamma, delta in held:
             found = most(beta, gamma, delta, 0) + gamma
-            assert number(solved, beta=beta, **named(gamma, delta), gamma=gamma) == pytest.approx(
-                found, rel=1e-10
-            )
+            at = {"beta": beta, "gamma": gamma, **oracle.named(gamma, delta)}
+            assert number(solved, **at) == pytest.approx(found, rel=1e-10)
 
     only(agrees, shown(EXPLICIT, "Solved, with any spring"))
     alone = [(0.5, 0.02), (1.3, 0.3), (-0.05, 0.2)]
@@ -177,7 +170,7 @@ def test_one_period_of_delay():
         for beta, gamma, delta in held:
             alpha = most(beta, gamma, delta, 1)
             for a in (0.7 * alpha, alpha, 1.5 * alpha):
-                at = {"alpha": a, "beta": beta, **named(gamma, delta)}
+                at = {"alpha": a, "beta": beta, **oracle.named(gamma, delta)}
                 # eigenvalues of a matrix of order 4, none of them double
                 found = product(a, beta, gamma, delta)
                 assert number(minor, **at) == pytest.approx(found, abs=1e-12)
@@ -190,7 +183,7 @@ def test_one_period_of_delay():
         for beta, delta in alone:
             alpha = most(beta, 0, delta, 1)
             for a in (alpha, 1.5 * alpha):
-                at = {"alpha": a, "beta": beta, "delta": delta, **named(0, delta)}
+                at = {"alpha": a, "beta": beta, "delta": delta, **oracle.named(0, delta)}
                 found = product(a, beta, 0, delta)
                 assert number(minor, **at) == pytest.approx(found, abs=1e-12)
 

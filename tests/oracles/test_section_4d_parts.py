@@ -6,13 +6,10 @@ import oracle
 import pytest
 from oracles import motion
 from oracles.guarding import guards
+from oracles.search import stiffest
 from oracles.subject import counterexample, decimals, number, only, shown, value
 
 LEFT, DELAYED = "s4d_left_bound", "s4d_left_bound_delayed"
-
-
-def named(gamma, delta):
-    return dict(zip(("n_1", "n_0", "a", "e"), oracle.numbers(gamma, delta), strict=True))
 
 
 def radius(wall, delay=None, **other):
@@ -30,7 +27,7 @@ def test_the_polynomial_at_one_and_the_sum_of_the_plants_numbers():
         for gamma, delta in PLANTS:
             for d in (0, 2):
                 found = np.linalg.det(np.eye(d + 3) - oracle.loops(0.7, 0.4, gamma, delta, d))
-                at = {"alpha": 0.7, "gamma": gamma, **named(gamma, delta)}
+                at = {"alpha": 0.7, "gamma": gamma, **oracle.named(gamma, delta)}
                 assert number(at_one, **at) == pytest.approx(found, abs=1e-13)
 
     only(agrees, shown(LEFT, "The polynomial at $z=1$"))
@@ -95,7 +92,7 @@ def test_polynomials_on_the_line():
     def agrees_on_soft(line):
         for gamma, delta in ((0.3, 0.2), (0.9, 1.0)):
             free, _ = oracle.sampled(gamma, delta)
-            at = {"r": free[1, 1], "z": 0.7 + 0.6j, **named(gamma, delta)}
+            at = {"r": free[1, 1], "z": 0.7 + 0.6j, **oracle.named(gamma, delta)}
             found = np.polyval(np.poly(oracle.loops(-gamma, 0, gamma, delta, 1)), at["z"])
             assert complex(value(line, **at)) == pytest.approx(found, abs=1e-13)
 
@@ -144,7 +141,7 @@ def test_a_period_of_delay_lowers_the_corner_and_can_stabilise():
     def agrees(corner):
         for gamma, delta, d in ((0.001, 0.01, 0), (0.3, 0.2, 1), (2.0, 0.5, 4)):
             beta = oracle.wall(mpmath.mpf("1e-20"), gamma, delta, d)[1]
-            assert abs(value(corner, gamma=gamma, d=d, **named(gamma, delta)) - beta) < 1e-17
+            assert abs(value(corner, gamma=gamma, d=d, **oracle.named(gamma, delta)) - beta) < 1e-17
 
     only(agrees, shown("s4d_parts_delay", "Where the boundary begins"))
     wall = counterexample("s4d_parts_delay", "s4d-delay-shrinks")
@@ -188,7 +185,7 @@ def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_sti
     stiffness, damping = decimals(
         "s4d_scaling", "The bounds of the chapter before for $\\delta=\\frac1{100}$"
     )
-    assert oracle.stiffest(0, 0.01, 0, 0.5, 1.2)[0] == pytest.approx(float(stiffness), rel=1e-10)
+    assert stiffest(0, 0.01, 0, 0.5, 1.2)[0] == pytest.approx(float(stiffness), rel=1e-10)
     # its digits are cut
     assert 0 <= 1 / oracle.numbers(0, mpmath.mpf("0.01"))[1] - damping < 1e-24
     assert oracle.stable(0.713, 33 / 40, 0, 0.02, 0)
