@@ -14,6 +14,7 @@ def form(law, b, T, late=0.0, periods=150):
 
     ``law`` are the wall's coefficients: the force is law[0] x_k + law[1] x_(k-1) + ...
     """
+    assert b > 0, "without a damper every motion that the wall feels gives energy away"
     whole = int(np.floor(late))
     part = late - whole
     times = np.array([part * T, (1 - part) * T] if part else [T])

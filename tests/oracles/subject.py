@@ -64,15 +64,26 @@ def number(expr, **at):
 
 
 def altered(expr, by, kept=()):
-    """The expression times 1 + by (or 0 + by), and with each of its symbols times 1 + by."""
+    """The expression off by a factor, in one of its symbols, in one sign and in one function.
+
+    Factors are 1 + by; zero becomes ``by``.  The sign is that of a term in the outermost sum, and
+    symbols and terms with what is ``kept`` are left alone.
+    """
     yield expr * (1 + sp.Float(by)) if expr else sp.Float(by)
     for symbol in sorted(expr.free_symbols, key=str):
         if symbol.name not in kept:
             yield expr.xreplace({symbol: symbol * (1 + sp.Float(by))})
+    nodes = list(sp.preorder_traversal(expr))
+    for node in [n for n in nodes if n.is_Add][:1]:
+        for term in [t for t in node.args if not {s.name for s in t.free_symbols} & set(kept)][-1:]:
+            yield expr.xreplace({node: node - 2 * term})
+    for node in [n for n in nodes if isinstance(n, (sp.sin, sp.cos))][:1]:
+        swapped = sp.cos if isinstance(node, sp.sin) else sp.sin
+        yield expr.xreplace({node: swapped(*node.args)})
 
 
 def only(agrees, *formulas, by=0.01, kept=()):
-    """``agrees`` accepts these formulas, and no variant that is off by a factor or an argument.
+    """``agrees`` accepts these formulas, and no variant that is altered as above.
 
     ``kept`` are the names of symbols that are left alone, since the formula does not depend on
     them where it is looked at.
@@ -82,6 +93,6 @@ def only(agrees, *formulas, by=0.01, kept=()):
         for mutant in altered(formula, by, kept):
             try:
                 agrees(*formulas[:place], mutant, *formulas[place + 1 :])
-            except AssertionError:
+            except (AssertionError, ZeroDivisionError):
                 continue
             raise AssertionError(f"the oracle accepts {mutant} in place of {formula}")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from oracles.guarding import guarded
 from oracles.subject import altered, number, only
-from sympy import cos
+from sympy import cos, sin
 
 from symhaptic.library import shipped
 from symhaptic.notation import a, theta
@@ -40,5 +40,7 @@ def test_an_oracle_that_accepts_a_wrong_formula_is_refused():
         only(lambda _: None, formula)
     with pytest.raises(AssertionError):
         only(agrees, 1.01 * formula)
-    assert list(altered(a * theta, 0.5)) == [1.5 * a * theta, 1.5 * a * theta, 1.5 * a * theta]
-    assert len(list(altered(formula, 0.5, kept=("theta",)))) == 2
+    assert list(altered(a * theta, 0.5)) == [1.5 * a * theta] * 3
+    changed = altered(theta - sin(a), 1, kept=("theta",))
+    wrong = {2.0 * theta - 2.0 * sin(a), theta - sin(2.0 * a), theta + sin(a), theta - cos(a)}
+    assert set(changed) == wrong

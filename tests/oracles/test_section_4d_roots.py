@@ -104,7 +104,7 @@ def test_roots_leave_and_come_back_at_the_delays_that_are_said():
             changes = []
             for theta in device:
                 turned = loop.phase(theta, 0) + 2 * theta
-                for k in range(-40, 40):
+                for k in range(40):
                     # (d + 2) theta is what the chapter shows
                     delay = float(value(product, Phi_0=turned, k=k)) / theta - 2
                     changes.append((delay, 2 if leads else -2))
