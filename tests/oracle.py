@@ -6,6 +6,7 @@ u = -(alpha x + beta (x - x one period ago)), which arrives ``delay`` periods la
 """
 
 from fractions import Fraction
+from functools import lru_cache
 
 import flint
 import mpmath
@@ -181,6 +182,7 @@ def _held_mp(gamma, delta, span):
     return moved[:2, :2], moved[:2, 2]
 
 
+@lru_cache(maxsize=256)
 def numbers(gamma, delta, digits=60):
     """n1, n0, a and e: the sampled device is (n1 z + n0)/(z^2 - a z + e)."""
     with mpmath.workdps(digits):
