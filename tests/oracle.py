@@ -6,6 +6,7 @@ u = -(alpha x + beta (x - x one period ago)), which arrives ``delay`` periods la
 """
 
 from fractions import Fraction
+from functools import lru_cache
 
 import flint
 import mpmath
@@ -92,11 +93,13 @@ def radius(alpha, beta, gamma, delta, delay):
     return each(lambda *a: moduli(*a).max(axis=-1), alpha, beta, gamma, delta, delay)
 
 
-def principal(alpha, beta, gamma, delta, delay):
-    """Moduli of the roots on the principal sheet of z^delay, for one wall and a rational delay.
+def stable(alpha, beta, gamma, delta, delay):
+    """Whether all eigenvalues of one loop lie inside the unit circle."""
+    return bool(moduli(alpha, beta, gamma, delta, delay).max() < 1)
 
-    With z = w^q the equation is a polynomial in w; the sheet is |arg w| < pi/q.
-    """
+
+def sheets(alpha, beta, gamma, delta, delay):
+    """The roots w = z^(1/q) of the polynomial with z^(p/q) in it, for a delay p/q, and q."""
     late = Fraction(delay)
     q, r = late.denominator, late.numerator
     (free, effect) = sampled(gamma, delta)
@@ -108,7 +111,15 @@ def principal(alpha, beta, gamma, delta, delay):
     for power, number in ((2 * q, n1 * (alpha + beta)), (q, n0 * (alpha + beta) - n1 * beta)):
         p[power] += number
     p[0] -= n0 * beta
-    w = np.roots(p[::-1])
+    return np.roots(p[::-1]), q
+
+
+def principal(alpha, beta, gamma, delta, delay):
+    """Moduli of the roots on the principal sheet of z^delay, for one wall and a rational delay.
+
+    With z = w^q the equation is a polynomial in w; the sheet is |arg w| < pi/q.
+    """
+    w, q = sheets(alpha, beta, gamma, delta, delay)
     w = w[np.abs(np.angle(w)) < np.pi / q]
     return np.abs(w) ** q
 
@@ -169,6 +180,35 @@ def _held_mp(gamma, delta, span):
     motion = mpmath.matrix([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]]) * span
     moved = mpmath.expm(motion, method="taylor")
     return moved[:2, :2], moved[:2, 2]
+
+
+@lru_cache(maxsize=256)
+def numbers(gamma, delta, digits=60):
+    """n1, n0, a and e: the sampled device is (n1 z + n0)/(z^2 - a z + e)."""
+    with mpmath.workdps(digits):
+        free, push = _held_mp(mpmath.mpmathify(gamma), mpmath.mpmathify(delta), 1)
+        trace, product = free[0, 0] + free[1, 1], mpmath.det(free)
+        return push[0], free[0, 1] * push[1] - free[1, 1] * push[0], trace, product
+
+
+def named(gamma, delta, digits=60):
+    """The same by their names."""
+    return dict(zip(("n_1", "n_0", "a", "e"), numbers(gamma, delta, digits), strict=True))
+
+
+def wall(theta, gamma, delta, delay, digits=60):
+    """(alpha, beta) with a root at exp(j theta), z^delay on the principal sheet.
+
+    The wall must be -1/P there: two real equations, solved as such.
+    """
+    n1, n0, trace, product = numbers(gamma, delta, digits)
+    with mpmath.workdps(digits):
+        theta = mpmath.mpmathify(theta)
+        z = mpmath.expj(theta)
+        wanted = -mpmath.expj(delay * theta) * (z**2 - trace * z + product) / (n1 * z + n0)
+        rows = mpmath.matrix([[1, 1 - mpmath.cos(theta)], [0, mpmath.sin(theta)]])
+        found = mpmath.lu_solve(rows, mpmath.matrix([wanted.real, wanted.imag]))
+        return found[0], found[1]
 
 
 def residual(alpha, beta, theta, gamma, delta, delay, digits=50, sheet="exact"):

@@ -1,0 +1,28 @@
+"""Borders and largest values found by trying: halving and a search, with eigenvalues as judge."""
+
+import oracle
+from scipy.optimize import minimize_scalar
+
+
+def edge(inside, outside, holds, steps=48):
+    """Where ``holds`` changes between two numbers, by halving: the last digits of a float."""
+    for _ in range(steps):
+        middle = (inside + outside) / 2
+        inside, outside = (middle, outside) if holds(middle) else (inside, middle)
+    return inside
+
+
+def stiffest(gamma, delta, delay, low, high, top=4.0):
+    """(alpha, beta) of the largest stable alpha, for low < beta < high.
+
+    For each beta the walls are stable from just above -gamma on; the best beta is found to about
+    1e-7, and alpha to its square.
+    """
+
+    def most(beta):
+        return edge(1e-7 - gamma, top, lambda x: oracle.stable(x, beta, gamma, delta, delay))
+
+    found = minimize_scalar(
+        lambda beta: -most(beta), bounds=(low, high), method="bounded", options={"xatol": 1e-7}
+    )
+    return -found.fun, found.x

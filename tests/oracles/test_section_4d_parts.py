@@ -1,0 +1,201 @@
+"""Left bound, arm, damping, delay, period, mass: eigenvalues, and loops simulated in SI units."""
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+from oracles import motion
+from oracles.guarding import guards
+from oracles.search import stiffest
+from oracles.subject import counterexample, decimals, number, only, shown, value
+
+LEFT, DELAYED = "s4d_left_bound", "s4d_left_bound_delayed"
+
+
+def radius(wall, delay=None, **other):
+    """Spectral radius at a point by names."""
+    at = {**wall, **other}
+    return oracle.moduli(*(at[n] for n in ("alpha", "beta", "gamma", "delta")), at["d"]).max()
+
+
+PLANTS = [(0.3, 0.2), (4.0, 0.5), (0.1, 3.0), (9.0, 0.05)]
+
+
+@guards("s4d_left_bound")
+def test_the_polynomial_at_one_and_the_sum_of_the_plants_numbers():
+    def agrees(at_one):
+        for gamma, delta in PLANTS:
+            for d in (0, 2):
+                found = np.linalg.det(np.eye(d + 3) - oracle.loops(0.7, 0.4, gamma, delta, d))
+                at = {"alpha": 0.7, "gamma": gamma, **oracle.named(gamma, delta)}
+                assert number(at_one, **at) == pytest.approx(found, abs=1e-13)
+
+    only(agrees, shown(LEFT, "The polynomial at $z=1$"))
+
+    def agrees_in_sum(overdamped, swinging, alone):
+        for gamma, delta in ((0.1, 3.0), (0.2, 0.9)):
+            c = mpmath.sqrt(mpmath.mpf(delta) ** 2 - 4 * mpmath.mpf(gamma))
+            found = sum(oracle.numbers(gamma, delta)[:2]) * gamma
+            assert abs(value(overdamped, c=c, delta=delta) - found) < 1e-45
+        for gamma, delta in ((4.0, 0.5), (9.0, 0.05)):
+            phi = mpmath.sqrt(mpmath.mpf(gamma) - mpmath.mpf(delta) ** 2 / 4)
+            found = sum(oracle.numbers(gamma, delta)[:2]) * gamma
+            assert abs(value(swinging, phi=phi, delta=delta) - found) < 1e-45
+        found = sum(oracle.numbers(0, 0.7)[:2])
+        assert abs(value(alone, delta=0.7) - found) < 1e-45
+
+    ends = ("is positive, overdamped", "is positive, swinging", "without a spring")
+    only(agrees_in_sum, *(shown(LEFT, f"The sum {end}") for end in ends))
+
+
+@guards("s4d_left_bound")
+def test_without_delay_walls_beside_the_line_are_stable_on_the_right_only():
+    rng = np.random.default_rng(61)
+    for _ in range(60):
+        gamma, delta = rng.uniform(0.1, 9.5), rng.uniform(0.01, 2)
+        assert oracle.stable(-gamma + 1e-6, 0, gamma, delta, 0)
+        for d in (0, 1, 2):
+            betas = rng.uniform(-3, 3, size=5)
+            assert not any(oracle.stable(-1.001 * gamma, b, gamma, delta, d) for b in betas)
+
+
+@guards("s4d_left_bound_delayed")
+def test_one_period_late_soft_springs_reach_the_line_and_a_stiff_one_does_not():
+    rng = np.random.default_rng(62)
+    for _ in range(60):
+        gamma, delta = rng.uniform(0.01, 1), rng.uniform(0, 2)
+        assert oracle.stable(-gamma + 1e-6, 0, gamma, delta, 1)
+    assert oracle.stable(1e-6, 0.5, 0, 0, 1)  # the free mass
+    stiff = counterexample(DELAYED, "s4d-left-bound")
+    gamma = stiff["gamma"]
+    for share in (1, 0.999, 0.99):
+        betas = np.linspace(-20, 20, 4001)
+        assert oracle.moduli(-share * gamma, betas, gamma, 0, 1).max(axis=-1).min() > 1.001
+    n1 = float(oracle.numbers(gamma, 0)[0])
+    assert radius(stiff, alpha=0, beta=-0.1 / n1) < 0.97
+
+
+@guards("s4d_left_bound_delayed")
+def test_polynomials_on_the_line():
+    gamma = counterexample(DELAYED, "s4d-left-bound")["gamma"]
+    n1 = float(oracle.numbers(gamma, 0)[0])
+
+    def agrees(others):
+        for x in (-0.4, 0.3, 1.1):
+            found = np.poly(oracle.loops(-gamma, x / n1, gamma, 0, 1))
+            for z in (0.5, 2j):
+                ours = complex(value(others, x=x, z=z)) * (z - 1)
+                assert ours == pytest.approx(np.polyval(found, z), abs=1e-12)
+
+    only(agrees, shown(DELAYED, "The other three roots"))
+
+    def agrees_on_soft(line):
+        for gamma, delta in ((0.3, 0.2), (0.9, 1.0)):
+            free, _ = oracle.sampled(gamma, delta)
+            at = {"r": free[1, 1], "z": 0.7 + 0.6j, **oracle.named(gamma, delta)}
+            found = np.polyval(np.poly(oracle.loops(-gamma, 0, gamma, delta, 1)), at["z"])
+            assert complex(value(line, **at)) == pytest.approx(found, abs=1e-13)
+
+    only(agrees_on_soft, shown(DELAYED, "One period of delay, $\\beta=0$"))
+
+
+@guards("s4d_parts_damping")
+def test_damping_pulls_roots_inwards_inside_the_ranges():
+    rng = np.random.default_rng(63)
+    for _ in range(60):
+        gamma, delta = rng.uniform(0, 1e-3), rng.uniform(0, 0.019)
+        theta = rng.uniform(0.05, np.arccos(-0.1))
+        alpha, beta = (float(x) for x in oracle.wall(theta, gamma, delta, 0))
+        roots = np.linalg.eigvals(oracle.loops(alpha, beta, gamma, delta + 1e-3, 0))
+        assert np.abs(roots[np.abs(roots - np.exp(1j * theta)).argmin()]) < 1
+    worse = counterexample("s4d_parts_damping", "s4d-delta-grows")
+    assert radius(worse, delta=1.2) < 1 < radius(worse)
+
+
+@guards("s4d_parts_damping")
+def test_the_pull_on_a_free_mass():
+    """Re of dp/d(delta) times the conjugate of z dp/dz, times |N|^4, is y G(y)."""
+    step = mpmath.mpf(10) ** -20
+
+    def polynomial(z, delta, alpha, beta):
+        n1, n0, a, e = oracle.numbers(0, delta, 80)
+        return z * (z**2 - a * z + e) + (n1 * z + n0) * ((alpha + beta) * z - beta)
+
+    def agrees(pull):
+        for theta in (0.3, 1.0, 1.6):
+            with mpmath.workdps(80):
+                wall, z = oracle.wall(theta, 0, 0, 0, 80), mpmath.expj(theta)
+                change, slope = (
+                    (polynomial(*up, *wall) - polynomial(*down, *wall)) / (2 * step)
+                    for up, down in (((z, step), (z, -step)), ((z + step, 0), (z - step, 0)))
+                )
+                found = mpmath.re(change * mpmath.conj(z * slope)) * abs((z + 1) / 2) ** 4
+                y = 4 * mpmath.sin(mpmath.mpf(theta) / 2) ** 2
+            assert abs(y * value(pull, y=y) - found) < 1e-35  # the square of the step, 1e-40
+
+    only(agrees, shown("s4d_parts_damping", "The pull on a free mass"))
+
+
+@guards("s4d_parts_delay")
+def test_a_period_of_delay_lowers_the_corner_and_can_stabilise():
+    def agrees(corner):
+        for gamma, delta, d in ((0.001, 0.01, 0), (0.3, 0.2, 1), (2.0, 0.5, 4)):
+            beta = oracle.wall(mpmath.mpf("1e-20"), gamma, delta, d)[1]
+            assert abs(value(corner, gamma=gamma, d=d, **oracle.named(gamma, delta)) - beta) < 1e-17
+
+    only(agrees, shown("s4d_parts_delay", "Where the boundary begins"))
+    wall = counterexample("s4d_parts_delay", "s4d-delay-shrinks")
+    assert radius(wall, d=1) < 1 < radius(wall)
+    stiff = {"alpha": 1e-4, "beta": -0.022, "gamma": 1e-3, "delta": 0.02}
+    assert radius(stiff, d=40) < 1 < radius(stiff, d=0)
+
+
+@guards("s4d_parts_of_the_arm")
+def test_a_spring_and_a_mass_that_destabilise():
+    """In SI units: a device of 0.1 kg at 1 kHz; then with twice the mass and all else kept."""
+    sprung = counterexample("s4d_parts_of_the_arm", "s4d-all-stabilising")
+    assert radius(sprung, gamma=0) < 1 < radius(sprung)
+    m, T = 0.1, 1e-3
+    wall = 9 / 800 * m / T**2, -13 / 4000 * m / T
+    light = {"alpha": 9 / 800, "beta": -13 / 4000, "gamma": 0, "delta": 0.02, "d": 1}
+    heavy = {name: v if name == "d" else v / 2 for name, v in light.items()}
+    assert radius(light) < 1 < radius(heavy)
+    b, steps, start = 0.02 * m / T, 100_000, 1000  # a root at 1.0000119 grows by e in 1e5 periods
+    for mass, grows in ((m, False), (2 * m, True)):
+        place = np.abs(motion.positions(*wall, mass, b, 0.0, T, 1.0, steps=steps))
+        assert (place[-start:].max() > place[start : 2 * start].max()) == grows
+
+
+@guards("s4d_scaling")
+def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
+    m, b, k, T, K, B = 0.4, 3.0, 250.0, 2e-3, 9e3, 30.0
+    for late in (0, 2):
+        before = motion.positions(K, B, m, b, k, T, late, speed=1 / T)
+        size = 1e-11 * np.abs(before).max()  # 200 steps of rounding
+        faster = motion.positions(4 * K, 2 * B, m, 2 * b, 4 * k, T / 2, late, speed=2 / T)
+        heavier = motion.positions(2 * K, 2 * B, 2 * m, 2 * b, 2 * k, T, late, speed=1 / T)
+        assert np.allclose(faster, before, rtol=0, atol=size)
+        assert np.allclose(heavier, before, rtol=0, atol=size)
+        kept = motion.positions(4 * K, 2 * B, m, b, k, T / 2, late, speed=2 / T)
+        assert not np.allclose(kept, before, rtol=0, atol=1e3 * size)
+
+
+@guards("s4d_scaling")
+def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_stiffness():
+    stiffness, damping = decimals(
+        "s4d_scaling", "The bounds of the chapter before for $\\delta=\\frac1{100}$"
+    )
+    assert stiffest(0, 0.01, 0, 0.5, 1.2)[0] == pytest.approx(float(stiffness), rel=1e-10)
+    # its digits are cut
+    assert 0 <= 1 / oracle.numbers(0, mpmath.mpf("0.01"))[1] - damping < 1e-24
+    assert oracle.stable(0.713, 33 / 40, 0, 0.02, 0)
+    assert not any(oracle.stable(0.713, beta, 0, 0.01, 0) for beta in np.linspace(-1, 3, 401))
+    assert oracle.stable(1e-3, 2.02, 0, 0.02, 0)
+    assert not any(oracle.stable(a, 2.02, 0, 0.01, 0) for a in np.geomspace(1e-8, 1, 200))
+    # in SI units: m = 0.1 kg, b = 2 Ns/m; at T = 1 ms the stable wall, at 0.5 ms four times it
+    m, b, T = 0.1, 2.0, 1e-3
+    K, B = 0.713 * m / T**2, 0.825 * m / T
+    slow = motion.positions(K, B, m, b, 0.0, T, steps=60_000)
+    assert np.abs(slow[-500:]).max() < np.abs(slow[:500]).max() / 20
+    fast = motion.positions(4 * K, 2 * B, m, b, 0.0, T / 2, steps=3_000)
+    assert motion.grows(fast)

@@ -1,0 +1,257 @@
+"""Passive and stable walls: finite-horizon energies beside eigenvalues, and swinging springs."""
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+from oracles import energy, motion
+from oracles.guarding import guards
+from oracles.subject import number, only, settled, shown, value
+
+
+def on_border(direction, delta, d):
+    """The wall of a direction that needs just the damping delta, by (5)."""
+    wall = np.array([np.cos(direction), np.sin(direction)])
+    return wall * delta / energy.need(*wall, d).max()
+
+
+PLANTS = [(1e-3, 0.02), (2.0, 0.5), (0.1, 3.0), (9.0, 0.05)]
+
+
+@guards("s5a_figure")
+def test_at_the_angle_of_a_root_passivity_wants_more_than_the_damper():
+    """For a wall with that root, from its energy at that angle; d fractional too."""
+    cases = [(g, f, d, t) for g, f in PLANTS for d in (0, 0.25, 2) for t in (0.2, 1.5, 3.0)]
+
+    def agrees(wanted):
+        for gamma, delta, d, theta in cases:
+            alpha, beta = (float(x) for x in oracle.wall(theta, gamma, delta, d))
+            found = energy.need(alpha, beta, d, np.array([theta]))[0]
+            ours = number(wanted, theta=theta, **oracle.named(gamma, delta))
+            assert ours == pytest.approx(found, rel=1e-9)
+            assert ours > delta
+
+    only(agrees, shown("s5a_figure", "At the root's own angle"))
+
+
+@guards("s5a_figure")
+def test_walls_of_the_passive_curves_of_fig_11_are_stable():
+    """gamma = 0.001, delta = 0.02; d = 1/4 and 1/2 in both readings of the delay."""
+    for d in (0.25, 0.5, 1, 2):
+        for direction in np.linspace(-1.5, 1.55, 16):
+            alpha, beta = on_border(direction, 0.02, d)
+            assert oracle.stable(alpha, beta, 1e-3, 0.02, d)
+            assert oracle.principal(alpha, beta, 1e-3, 0.02, str(d)).max() < 1
+    # far outside they are not
+    assert not oracle.stable(*(40 * on_border(0.3, 0.02, 1)), 1e-3, 0.02, 1)
+
+
+@guards("s5a_passive_is_stable")
+@pytest.mark.parametrize("d", [0, 1, 3])
+def test_walls_that_give_no_energy_away_are_stable_with_every_spring(d):
+    rng = np.random.default_rng(81 + d)
+    least = []
+    for _ in range(60):
+        delta = rng.uniform(0.01, 2)
+        alpha, beta = rng.uniform(0.7, 0.99) * on_border(rng.uniform(-1.5, 1.5), delta, d)
+        assert energy.left(alpha, beta, delta, 1.0, d, 60) > 0
+        for gamma in (0.0, 1e-3, rng.uniform(0, 12)):
+            assert oracle.stable(alpha, beta, gamma, delta, d)
+        # three times the wall is not passive, and a third of them not stable
+        springs = rng.uniform(0, 12, size=20)
+        radius = oracle.moduli(3 * alpha, 3 * beta, springs, delta, d).max()
+        assert energy.left(3 * alpha, 3 * beta, delta, 1.0, d, 60) < 0
+        least.append(radius < 1)
+    assert not all(least)
+
+
+@guards("s5a_passive_is_stable")
+def test_a_pulling_wall_runs_away_and_the_need_is_proportional():
+    place = motion.positions(-0.5, 0.0, b=1.0, steps=100)
+    assert motion.grows(place)
+    assert energy.need(-0.5, 0.0, 0).max() < 1  # though (5) allows it
+
+    def agrees(scaled):
+        for y, theta in ((0.4, 0.9), (2.5, 2.2)):
+            at = {"y": y, "K": 0.7, "B": -0.3, "T": 1.0, "d": 2, "theta": theta}
+            found = energy.need(0.7 * y, -0.3 * y, 2, np.array([theta]))[0]
+            assert number(scaled, **at) == pytest.approx(found, abs=1e-14)
+
+    only(agrees, shown("s5a_passive_is_stable", "Scaling"))
+
+
+TIP = "s5b_figure"
+
+
+@guards("s5b_figure")
+def test_the_tips_of_both_regions():
+    def agrees(passive, stable):
+        for gamma, delta in PLANTS:
+            for d in (0.4, 1, 6):
+                theta = np.pi / (2 * (d + 1))
+                found = oracle.wall(theta, gamma, delta, d)[0]
+                assert number(stable, theta=theta, **oracle.named(gamma, delta)) == pytest.approx(
+                    float(found), rel=1e-12
+                )
+                wanted = energy.need(0.8, 0.3, d, np.array([theta]))[0]
+                assert number(passive, alpha=0.8, theta=theta) == pytest.approx(wanted, rel=1e-12)
+
+    titles = ("The damping needed there", "The stability boundary there")
+    only(agrees, *(shown(TIP, title) for title in titles))
+
+    def agrees_at_low_angles(more):
+        theta = mpmath.mpf("1e-15")  # the next term is of its square
+        for delta in (0.02, 1.0):
+            alpha = oracle.wall(theta, 0, delta, mpmath.pi / (2 * theta) - 1, 90)[0]
+            found = (alpha / (2 * delta * mpmath.tan(theta / 2)) - 1) / theta**2
+            assert abs(found - value(more, delta=delta)) < 1e-9
+
+    only(agrees_at_low_angles, shown(TIP, "How much larger, without a spring"))
+
+
+@guards("s5b_figure")
+def test_long_delays_and_a_wall_that_no_delay_destabilises():
+    def agrees(stable, passive):
+        u = mpmath.mpf("1e-15")  # the next term is of this size
+        for phi, delta in ((0.7, 0.02), (2.029, 1.0)):
+            alpha = oracle.wall(phi * u, 0, delta, 1 / u - 1, 90)[0]
+            assert abs(alpha / u - value(stable, phi=phi, delta=delta)) < 1e-12
+            tip = 1 / energy.need(1.0, 0.0, 1e4 - 1, np.array([np.pi / 2e4]))[0]
+            assert number(passive, delta=delta) == pytest.approx(1e4 * delta * tip, rel=1e-7)
+
+    only(agrees, shown(TIP, "A long delay, no spring"), shown(TIP, "The passive wall"))
+    phi = np.linspace(0, np.pi, 100_001)
+    assert (phi * np.sin(phi)).max() == pytest.approx(1.8197, abs=5e-5)
+    assert phi[(phi * np.sin(phi)).argmax()] == pytest.approx(2.029, abs=5e-4)
+    assert np.pi / 2 / 1.8197 == pytest.approx(0.863, abs=5e-4)
+    for d in (0, 1, 4, 15, 40, 90, 150):
+        assert oracle.stable(0.0005, 0.0, 1e-3, 0.02, d)
+    assert not oracle.stable(0.002, 0.0, 1e-3, 0.02, 40)
+    # the ratio at the two delays that the chapter names
+    for d, gamma, ratio in ((122, 0.0, 0.99999), (40, 1e-3, 0.9998)):
+        angles = np.linspace(0.2, 1.6, 1500) / (d + 1)
+        n1, n0, a, e = (float(n) for n in oracle.numbers(gamma, 0.02))
+        z = np.exp(1j * angles)
+        q = -np.exp(1j * d * angles) * (z * z - a * z + e) / (n1 * z + n0)
+        alpha = q.real - q.imag / np.sin(angles) * (1 - np.cos(angles))
+        found = 2 * 0.02 * np.tan(np.pi / 4 / (d + 1)) / alpha.max()
+        assert found == pytest.approx(ratio, abs=1e-5 if gamma == 0 else 1e-4)
+        assert found < 1
+
+
+@guards("s5c_nyquist")
+def test_a_device_swings_with_the_frequency_that_is_said():
+    devices = [(0.4, 3.0, 250.0), (0.1, 0.0, 987_000.0), (2.0, 9.0, 90.0)]
+
+    def agrees(frequency):
+        for m, b, k in devices:
+            half = np.pi / number(frequency, m=m, b=b, k=k)
+            state, _ = motion.held(m, b, k, half)
+            # after half a swing the device is back, with its speed reversed
+            assert state[0, 1] == pytest.approx(0, abs=1e-10 * half)
+            assert state[1, 1] == pytest.approx(-np.exp(-b * half / (2 * m)), rel=1e-10)
+
+    only(agrees, settled("s5c_nyquist", "eq28")[0].rhs)
+
+    def agrees_in_numbers(frequency):
+        for gamma, delta, T in ((0.5, 0.2, 1e-3), (9.0, 1.0, 0.2)):
+            half = np.pi / number(frequency, gamma=gamma, delta=delta, T=T) / T
+            assert motion.held(1, delta, gamma, half)[0][0, 1] == pytest.approx(0, abs=1e-12)
+
+    only(agrees_in_numbers, settled("s5c_nyquist", "eq29")[0].rhs)
+    limit = settled("s5c_nyquist", "eq30")[0]
+    for delta in (0.0, 0.02, 1.0):
+        # half a swing per period: the sampled device turns into its mirror image
+        move, _ = oracle.sampled(np.pi**2 + delta**2 / 4, delta)
+        assert move == pytest.approx(-np.exp(-delta / 2) * np.eye(2), abs=1e-12)
+        for off, holds in ((-1e-6, True), (1e-6, False)):
+            at = {"gamma": np.pi**2 + delta**2 / 4 + off, "delta": delta}
+            assert (number(limit.lhs, **at) <= number(limit.rhs)) == holds
+
+
+@guards("s5c_nyquist")
+def test_the_polynomial_at_half_a_swing_per_period():
+    def agrees(polynomial):
+        for alpha, beta, d in ((0.7, 0.2, 0), (-1.0, 0.4, 2)):
+            roots = np.poly(oracle.loops(alpha, beta, np.pi**2, 0, d))
+            for z in (0.6 + 0.2j, -1):
+                at = {"alpha": alpha, "beta": beta, "d": d, "z": z}
+                found = np.polyval(roots, z)
+                assert complex(value(polynomial, **at)) == pytest.approx(found, abs=1e-12)
+
+    only(agrees, shown("s5c_nyquist", "The polynomial at $\\gamma=\\pi^2$, $\\delta=0$"))
+
+
+@guards("s5c_robust")
+@pytest.mark.parametrize("d", [0, 0.5, 1, 1.5, 2])
+def test_without_damping_one_of_two_springs_destabilises_every_wall(d):
+    rng = np.random.default_rng(83)
+    spring = (np.pi / 2 / (d + 1)) ** 2
+    walls = rng.normal(size=(300, 2)) * 10 ** rng.uniform(-2.5, 1, size=(300, 1))
+    for alpha, beta in walls:
+        # 1e-12: rounding of a root that stays on the circle
+        largest = max(oracle.moduli(alpha, beta, g, 0, d).max() for g in (0.0, spring))
+        assert largest > 1 - 1e-12
+    # with some damping walls are left
+    alpha, beta = 0.5 * on_border(0.5, 0.2, d)
+    assert all(oracle.stable(alpha, beta, g, 0.2, d) for g in (0.0, spring))
+
+
+@guards("s5c_robust")
+def test_how_the_argument_falls_where_the_wall_is_real():
+    def agrees(slope):
+        for d, theta in ((0, 0.8), (2, 1.1)):
+            r = mpmath.tan((d + 1) * mpmath.mpf(theta)) / mpmath.tan(mpmath.mpf(theta) / 2)
+
+            def argument(angle, d=d, r=r):
+                wall = mpmath.cos(angle / 2) + 1j * r * mpmath.sin(angle / 2)
+                return mpmath.log(wall * mpmath.expj(-(d + 1) * angle)).imag
+
+            found = mpmath.diff(argument, theta)
+            ours = value(slope, d=d, theta=theta, phi=(d + 1) * mpmath.mpf(theta))
+            assert abs(found - ours) < 1e-20
+
+    title = "Where $V$ is real, with $\\varphi=(d+1)\\theta$"
+    only(agrees, shown("s5c_robust", title))
+
+
+@guards("s5c_robust_figure")
+def test_how_far_a_weak_wall_pulls_the_roots_out():
+    def agrees(pull):
+        for swing, d in ((0.7, 0), (1.9, 2), (2.8, 1)):
+            n1, n0, a, e = oracle.numbers(mpmath.mpf(swing) ** 2, 0)
+            weak = mpmath.mpf("1e-20")  # the next term is of this size
+
+            def polynomial(z, d=d, weak=weak, four=(n1, n0, a, e)):
+                n1, n0, a, e = four
+                wall = weak * (mpmath.mpf("0.8") * z - mpmath.mpf("-0.3") * (1 - z))
+                return z ** (d + 1) * (z * z - a * z + e) + (n1 * z + n0) * wall
+
+            root = mpmath.findroot(polynomial, mpmath.expj(swing))
+            at = {"alpha": 0.8, "beta": -0.3, "d": d, "theta": swing, "n_1": n1}
+            assert abs((abs(root) - 1) / weak - value(pull, **at)) < 1e-12
+
+    only(agrees, shown("s5c_robust_figure", "How far the wall pulls a root out"))
+
+
+@guards("s5c_robust_figure")
+def test_the_robust_region_is_a_little_larger_than_the_passive_one():
+    """41 springs and 96 directions; the area to the last but one of the printed digits."""
+    delta, directions = 0.02, np.linspace(-np.pi / 2, np.pi / 2, 97)[1:-1]
+    springs = np.linspace(0, np.pi**2 + delta**2 / 4, 41)
+    rays = np.array([np.cos(directions), np.sin(directions)])[:, :, None]
+    for d, larger in ((0, 1.25), (1, 1.19), (2, 1.08)):
+        passive = np.array([np.hypot(*on_border(u, delta, d)) for u in directions])
+        inside, outside = 0.5 * passive, 4 * passive
+        for _ in range(16):
+            middle = (inside + outside) / 2
+            alpha, beta = rays * middle[:, None]
+            stable = oracle.moduli(alpha, beta, springs, delta, d).max(axis=(1, 2)) < 1
+            inside, outside = np.where(stable, middle, inside), np.where(stable, outside, middle)
+        assert np.all(inside > 0.999 * passive)
+        area = [
+            (radius[1:] * radius[:-1] * np.sin(np.diff(directions))).sum()
+            for radius in (inside, passive)
+        ]
+        # 96 directions: the area of a polygon in a curve
+        assert area[0] / area[1] == pytest.approx(larger, abs=0.02)
