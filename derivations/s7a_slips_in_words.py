@@ -29,8 +29,7 @@ def derive(page):
     slip(page, "s5b-captions-alike", [1, 1, 1], alike, Eq(sum(alike), 2), each)
     page.say(
         "By Table I, $B$ is the virtual damping, and a bound that is linear in $m$ and $1/T$ has "
-        "its unit. The table has no dimensionless counterpart of $m$ and $T$, which stay in (14) "
-        "and (16) as $T^2/m$. Three articles of Table II have two authors, as [27] has, which the "
+        "its unit. Three articles of Table II have two authors, as [27] has, which the "
         "table gives by both."
     )
     unit, stiffness = dimension_of(m / T), SYMBOLS["K"].dimension
@@ -43,9 +42,6 @@ def derive(page):
         Eq(*(powers(u)[2] for u in (stiffness, unit))),
         rf"\text{{{name}}}\ B",
     )
-    rest = [row.variable for row in TABLE_I if row.dimensionless is None]
-    kept = r"\text{all but}\ " + r"\ \text{and}\ ".join(rest)
-    slip(page, "s4b-all-replaced", [2], [S(len(rest))], Eq(len(rest), 0), kept)
     pairs = [row.reference for row in TABLE_II if row.writers == 2 and "et al." in row.authors]
     names = r"\text{two names for each of}\ " + ",".join(f"[{number}]" for number in pairs)
     slip(page, "s4c-et-al", [21, 28, 30], [S(n) for n in pairs], Eq(len(pairs), 0), names)

@@ -6,7 +6,7 @@ stiffness that is called a frequency: each is held against the formula that it s
 
 from sympy import Eq, Rational, S, pi, sqrt
 
-from symhaptic.notation import T, b_D, b_H, delta, gamma, m_D, m_H, t_d
+from symhaptic.notation import T, delta, gamma, t_d
 from symhaptic.proof.sign import assume, combined
 
 END = Rational(1, 50)
@@ -23,17 +23,6 @@ def derive(page):
         unless=none,
         truth=t_d > 0,
         shows=r"$t_d=0$, and so $d=0$, as in Fig. 7",
-    )
-    page.say("An undamped device in a hand is not an undamped loop:")
-    held = T * (b_D + b_H) / (m_D + m_H)
-    alone = page.step("A device with $b_D=0$", held.subs(b_D, 0), T * b_H / (m_D + m_H), name=delta)
-    page.settle(
-        "s4c-undamped-device",
-        page.same("in a hand", alone, held.subs(b_D, 0)),
-        corrected=(r"\delta=0\ \text{is}\ b_D=b_H=0",),
-        unless={b_D: S.Zero, b_H: S.One, m_D: S.One, m_H: S.One, T: S.One},
-        truth=Eq(held, 0),
-        shows=r"$b_D=0$, $b_H=1$: $\delta=\tfrac12$",
     )
     interval(page)
     frequency(page)
@@ -76,19 +65,11 @@ def frequency(page):
     )
     turn = sqrt(gamma - delta**2 / 4)
     last = {gamma: pi**2 + delta**2 / 4}
-    reached = page.step(
+    page.step(
         "The Nyquist frequency",
         turn.subs(last),
         pi,
         name=r"\omega T\big|_{\gamma=\pi^2+\delta^2/4}",
-    )
-    page.settle(
-        "s5c-springs-drawn",
-        page.same("the last one", turn.subs(last), reached),
-        corrected=(r"\text{from}\ \gamma=0\ \text{up to the one that reaches it}",),
-        unless={gamma: S.One, delta: S.Zero},
-        truth=Eq(turn, pi),
-        shows=r"$\gamma=1$, $\delta=0$: $\omega T=1$",
     )
     undamped = {gamma: pi**2, delta: S.Zero}
     page.settle(

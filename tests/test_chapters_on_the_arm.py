@@ -328,14 +328,11 @@ SLIPS = {
         "s5b-ratio-panels",
         "s5b-captions-alike",
         "s4d-bound-of-b",
-        "s4b-all-replaced",
         "s4c-et-al",
     ],
     "s7b_slips_in_relations": [
         "s2c-positive-delay",
-        "s4c-undamped-device",
         "s5c-interval",
-        "s5c-springs-drawn",
         "s5c-nyquist-spring",
     ],
 }

@@ -29,6 +29,12 @@ CONSEQUENCES: dict[str, str] = {
     "out; the bound $b\\ge KT/2+B$ holds all the same.",
     "s3c-lower-part": "None for a device: the lower part is a straight line. Who re-derives (8) as "
     "a limit finds its upper end only.",
+    "fig4": "Read the curves for 0.25 and 0.5 periods as (5), not as a limit; use the one for the "
+    "next whole delay.",
+    "fig5": "Between whole delays the curve is on either side of the truth. Read it at the next "
+    "whole delay, which is safe.",
+    "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
+    "and walls by force and velocity, side by side or in a loop.",
     # -- the loop ---------------------------------------------------------------------------
     "s2c-rational-delay": "With a fractional delay, a loop that was tuned by the substitution can "
     "be unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",
@@ -43,6 +49,14 @@ CONSEQUENCES: dict[str, str] = {
     "s4a-delay-equivalent": "None once $s$ is read as a factor. For a fractional delay $z^{-d}$ is "
     "no discrete system.",
     "s4d-degree": "For $k=0$ the printed polynomial is zero; the right one has degree $d+3$.",
+    "s4a-exact-instants": "For a fractional delay simulate the held force as it arrives, not "
+    "$z^{-d}$.",
+    "s2c-positive-delay": "None: no delay is allowed, and treated.",
+    # -- arm and device ---------------------------------------------------------------------
+    "eq20": "None: for an arm that does not pull both sides are zero.",
+    "s4c-extension-30": "The range of $\\gamma$ has more reserve than the text says, that of "
+    "$\\delta$ just the 30\\,\\%. A grip a third stiffer than any in Table II is still inside.",
+    "s4c-et-al": "None.",
     # -- stability --------------------------------------------------------------------------
     "s4d-explicit-only-undelayed": "No grid is needed: the boundary is explicit for every plant "
     "and delay (\\texttt{stability\\_boundary}).",
@@ -57,6 +71,7 @@ CONSEQUENCES: dict[str, str] = {
     "stable. Test the range of grips, not the loosest one.",
     "s4d-delay-shrinks": "A wall that is stable with some delay is not for that reason stable with "
     "less. Check the smallest delay too, not only the largest.",
+    "s4d-bound-of-b": "None once $B$ is read as the damping that it is.",
     # -- passivity and stability --------------------------------------------------------------
     "eq27": "As (7).",
     "s5a-subset": "Passive walls are stable if $K\\ge0$, the device is damped, and the delay is "
@@ -65,4 +80,11 @@ CONSEQUENCES: dict[str, str] = {
     "stable there has no reserve.",
     "s6-sampling": "As for four times the stiffness: true for a free mass.",
     "s6-mass": "Doubling the mass doubles the limit only if damping and grip are doubled too.",
+    "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
+    "delay, softening the wall alone can destabilise it: lower $B$ with $K$.",
+    "s5b-ratio-panels": "None: read (b) and (c).",
+    "s5b-captions-alike": "None: (c) has the longer delays.",
+    "s5c-interval": "None: $\\gamma=\\pi^2$ will do as the limit for a device.",
+    "s5c-nyquist-spring": "None.",
+    "s1-conclusion": "None.",
 }

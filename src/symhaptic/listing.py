@@ -23,10 +23,10 @@ def _places() -> dict[str, str]:
 
 
 def needed(ids: list[str], paths: list[Path]) -> list[Path]:
-    """The derivations that settle these statements, or all."""
-    if not ids:
+    """The derivations that settle these statements; all where one is not known to the ledger."""
+    names = {_places().get(id) for id in ids}
+    if not names or None in names:
         return paths
-    names = {_places()[id] for id in ids if id in _places()}
     return [path for path in paths if path.name in names]
 
 

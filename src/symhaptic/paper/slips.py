@@ -8,16 +8,6 @@ SLIPS = (
     Statement("s1-conclusion", "Sec. I", "Section IV draws the conclusions"),
     Statement("s2c-positive-delay", "Sec. II-C", r"the delay is positive, $t_d\ge0$"),
     Statement(
-        "s4b-all-replaced",
-        "Sec. IV-B",
-        "all physical parameters are replaced by dimensionless ones, by Table I",
-    ),
-    Statement(
-        "s4c-undamped-device",
-        "Sec. IV-C",
-        r"$\delta=0$ is the case of an ideal device, one without damping",
-    ),
-    Statement(
         "s4c-et-al",
         "Table II",
         "three articles by two authors are given as by one author and others",
@@ -30,10 +20,5 @@ SLIPS = (
         "(b) and (c) have the same caption; the delays that tell them apart are not named",
     ),
     Statement("s5c-interval", "Sec. V-C", r"$\gamma\le[\pi^2,\pi^2+0.0001]$"),
-    Statement(
-        "s5c-springs-drawn",
-        "Fig. 13",
-        r"all $\gamma$ with $0\le\gamma\le\pi^2+\delta^2/4$ reach the Nyquist frequency",
-    ),
     Statement("s5c-nyquist-spring", "Sec. V-C", r"the Nyquist frequency is $\gamma=\pi^2$"),
 )
