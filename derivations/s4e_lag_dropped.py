@@ -79,8 +79,8 @@ def plane(page, kept, whole):
         line + delta * (d + HALF) * (beta + delta + gamma * (d + HALF)),
         name=r"\tfrac T{m^2}(a_2a_1-a_3a_0)",
         because="on the line $\\beta+\\delta=\\alpha(\\tfrac12+d)$ the last term is the share "
-        "$\\delta(d+\\tfrac12)(1+\\gamma/\\alpha)$: 1\\,\\% for $\\delta=0.02$, $d=0$, and 17\\,\\% "
-        "for $d=8$, without a spring",
+        "$\\delta(d+\\tfrac12)(1+\\gamma/\\alpha)$: 1\\,\\% for $\\delta=0.02$, $d=0$, and "
+        "17\\,\\% for $d=8$, without a spring",
     )
     page.settle(
         "eq25",
