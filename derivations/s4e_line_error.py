@@ -23,7 +23,7 @@ from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
 Y = linear.CHORD
-GAP = s_1 - delta - gamma / 2
+GAP = linear.GAP
 
 
 def derive(page):

@@ -12,7 +12,7 @@ from symhaptic.notation import Omega, d, delta, gamma, nu, s_1, s_2, theta, z
 from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
-GAP = s_1 - delta - gamma / 2
+GAP = linear.GAP
 
 
 def derive(page):

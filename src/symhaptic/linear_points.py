@@ -9,15 +9,24 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.model import linear, plant
-from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1
+from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
+from symhaptic.plant_balls import LATE, LOSS, TOGETHER, named
 from symhaptic.proof.ball import ball
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.roots import BITS, NoSuchRoot, real_roots
 
 HALF = sp.Rational(1, 2)
 
+RANGES = {gamma: (0, sp.Rational(1, 1000)), delta: (0, sp.Rational(1, 50))}
+"""The paper's (23)."""
+
+_SHARE, _FIRST = LATE / TOGETHER, (LOSS + gamma * LATE) / TOGETHER
+SHAPE = named({nu: _SHARE, s_1: _FIRST, s_2: 1 / TOGETHER - (1 - _SHARE) * _FIRST})
+"""nu, s_1 and s_2 in balls, for intervals of gamma and delta."""
+
 UNDAMPED = {nu: HALF, s_1: gamma / 2, delta: sp.S.Zero}
-"""What is known exactly without damping; chapter s4e_line_error_start."""
+UNSPRUNG = {s_1: delta, s_2: sp.S.One, gamma: sp.S.Zero}
+"""What is known exactly without damping or spring; chapter s4e_line_error_start."""
 
 
 class Arc:
@@ -25,7 +34,10 @@ class Arc:
 
     def __init__(self, stiffness: Expr, damping: Expr, delay: int) -> None:
         self.delay, self.form = delay, linear.arc(delay)
-        self.exact = UNDAMPED if damping == 0 else {}
+        self.exact = {
+            **(UNSPRUNG if stiffness == 0 else {}),
+            **(UNDAMPED if damping == 0 else {}),
+        }
         point = {gamma: stiffness, delta: damping}
         known: dict[Expr, Expr | acb | arb] = {
             name: ball(value, None, BITS)
@@ -41,7 +53,7 @@ class Arc:
 
     def zeros(self, polynomial: Expr) -> list[arb]:
         """All real zeros but 0 of a polynomial in the chord."""
-        exact = [c.subs(self.exact) for c in self.form.coefficients(polynomial)]
+        exact = [c.subs(self.exact).subs(self.exact) for c in self.form.coefficients(polynomial)]
         while is_zero(exact[0]):
             exact.pop(0)
         return real_roots([ball(c, self.at, BITS).real for c in exact])
@@ -54,7 +66,7 @@ class Arc:
         """The point of the arc with this chord."""
         at = {**self.at, linear.CHORD: chord}
         right, up, size = (
-            ball(part.subs(self.exact), at, BITS).real
+            ball(part.subs(self.exact).subs(self.exact), at, BITS).real
             for part in (self.form.right, self.form.up, self.form.size)
         )
         with ctx.workprec(BITS):

@@ -20,6 +20,9 @@ from symhaptic.notation import alpha, beta, d, delta, gamma, nu, s_1, s_2, z
 CHORD = sp.Symbol("y")
 """4 sin(theta/2)^2, the square of the distance of a root on the circle from 1."""
 
+GAP = s_1 - delta - gamma / 2
+"""How far the boundary starts below the line."""
+
 _TOP = nu + (1 - nu) * z
 
 
