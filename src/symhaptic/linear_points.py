@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import sympy as sp
@@ -11,6 +12,8 @@ from sympy import Expr
 from symhaptic.model import linear, plant
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
 from symhaptic.plant_balls import LATE, LOSS, TOGETHER, named
+from symhaptic.plant_balls import NUMBERS as SAMPLED
+from symhaptic.plant_balls import SLOPES as SAMPLED_SLOPES
 from symhaptic.proof.ball import ball
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.roots import BITS, NoSuchRoot, real_roots
@@ -20,9 +23,31 @@ HALF = sp.Rational(1, 2)
 RANGES = {gamma: (0, sp.Rational(1, 1000)), delta: (0, sp.Rational(1, 50))}
 """The paper's (23)."""
 
+NUMBERS = (nu, s_1, s_2)
+SLOPES = sp.symbols("nu' s_1' s_2'")
+"""Derivatives of the arm's numbers with respect to delta."""
+
 _SHARE, _FIRST = LATE / TOGETHER, (LOSS + gamma * LATE) / TOGETHER
-SHAPE = named({nu: _SHARE, s_1: _FIRST, s_2: 1 / TOGETHER - (1 - _SHARE) * _FIRST})
-"""nu, s_1 and s_2 in balls, for intervals of gamma and delta."""
+_MEANT = (_SHARE, _FIRST, 1 / TOGETHER - (1 - _SHARE) * _FIRST)
+
+
+def _slope(expr: Expr, numbers: Sequence[Expr], slopes: Sequence[Expr]) -> Expr:
+    """The derivative with respect to delta, of which the numbers are functions."""
+    inner = (sp.diff(expr, x) * dx for x, dx in zip(numbers, slopes, strict=True))
+    return sp.diff(expr, delta) + sum(inner)
+
+
+SHAPE = named(
+    dict(zip(NUMBERS, _MEANT, strict=True))
+    | {dx: _slope(x, SAMPLED, SAMPLED_SLOPES) for dx, x in zip(SLOPES, _MEANT, strict=True)}
+)
+"""The arm's numbers and slopes in balls, for intervals of gamma and delta."""
+
+
+def by_damping(expr: Expr) -> Expr:
+    """The derivative with respect to delta of an expression in the arm's numbers."""
+    return _slope(expr, NUMBERS, SLOPES)
+
 
 UNDAMPED = {nu: HALF, s_1: gamma / 2, delta: sp.S.Zero}
 UNSPRUNG = {s_1: delta, s_2: sp.S.One, gamma: sp.S.Zero}
@@ -92,3 +117,23 @@ def points(arc: Arc, level: Expr) -> list[Point]:
     form = arc.form
     apart = form.above - level * (arc.delay + HALF) * form.right
     return [arc.point(y) for y in arc.chords(apart)]
+
+
+def error_without_stiffness(stiffness: Expr, damping: Expr, delay: int) -> arb:
+    """(alpha_lin - alpha)/(alpha + gamma) where the boundary has alpha = 0, without a spring there.
+
+    For gamma > 0 the point where the arc meets alpha = 0, for gamma = 0 the limit at its start.
+    """
+    arc = Arc(stiffness, damping, delay)
+    form = arc.form
+    if stiffness == 0:
+        chord = arb(0)
+        above, right = (
+            (part / linear.CHORD).expand().subs(UNSPRUNG) for part in (form.above, form.right)
+        )
+    else:
+        chord, *_ = arc.chords(form.right - gamma * form.size)
+        above, right = form.above, form.right
+    at = {**arc.at, linear.CHORD: chord}
+    with ctx.workprec(BITS):
+        return (ball(above, at, BITS) / ball((delay + HALF) * right, at, BITS)).real

@@ -6,7 +6,7 @@ that a step of Newton's interval method does.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -212,3 +212,33 @@ def rounded(value: arb, digits: int = 15, power: int = 0) -> str:
     text = str(whole).rjust(places + 1, "0")
     sign = "-" if value < 0 else ""
     return f"{sign}{text[:-places]}.{text[-places:]}"
+
+
+def between_decimals(
+    value: Callable[[sp.Rational], arb], lower: Expr, upper: Expr, places: int = 24
+) -> arb:
+    """The interval between two neighbouring decimals at which a function has opposite signs.
+
+    A continuous function has a zero in it.  Found by the secant method; only the two signs at the
+    end are claimed.  Raises :class:`NoSuchRoot` where it does not end at such decimals.
+
+    >>> print(between_decimals(lambda x: ball(sp.cos(x), None, BITS).real, 1, 2).str(20))
+    [1.5707963267948966192 +/- 3.14e-20]
+    """
+    scale = 10**places
+    one, two = sp.Rational(lower), sp.Rational(upper)
+    with ctx.workprec(BITS):
+        first, second = value(one), value(two)
+        for _ in range(30):
+            near, far = ball(two, None, BITS).real, ball(one, None, BITS).real
+            guess = near - second * (near - far) / (second - first)
+            count = int((guess.mid() * scale).floor().unique_fmpz() or 0)
+            three = sp.Rational(count, scale)
+            if three in (one, two):
+                break
+            one, first, two, second = two, second, three, value(three)
+        for low in (count, count - 1, count + 1):
+            ends = sp.Rational(low, scale), sp.Rational(low + 1, scale)
+            if value(ends[0]) * value(ends[1]) < 0:
+                return ball(ends[0], None, BITS).real.union(ball(ends[1], None, BITS).real)
+    raise NoSuchRoot(f"no neighbouring decimals with opposite signs from {lower} and {upper}")
