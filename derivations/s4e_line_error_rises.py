@@ -46,6 +46,7 @@ def rises(page, delay, end):
         ),
     )
     box, on = {**RANGES, Y: (0, Rational(1, 10))}, rf"0\le y\le0.1,\ {INSIDE}"
+    factor = r"1.7\," if delay else ""
     last, weight = Rational(end, 100), 1 + Rational(7, 10) * delay
     less = weight * arc.up - above + LEVEL * (delay + HALF) * right
     rows = [
@@ -60,7 +61,7 @@ def rises(page, delay, end):
         ),
         (
             "Where $\\beta\\le0$",
-            rf"{float(weight):g}\,|M|^2\beta+0.02\,(d+\tfrac12)R-F",
+            factor + r"|M|^2\beta+0.02\,(d+\tfrac12)R-F",
             positive(less, box, SHAPE),
             on,
             "so that $\\varepsilon<2\\,\\%$ there",

@@ -28,8 +28,19 @@ def derive(page):
         "and damping up to (30), $\\varepsilon\\to-\\infty$. With "
         "$g\\approx\\frac1{720}\\delta\\gamma^2$ this happens on a stretch too short for Fig. 10",
     )
-    error = linear.surplus(stiffness, damping) / ((d + HALF) * (stiffness + gamma))
-    bare = error.subs({gamma: 0, s_1: delta, s_2: 1})
+    short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
+    wide = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
+    surplus = (linear.surplus(stiffness, damping) + GAP) / theta**2
+    begins = -short / (6 * (2 * d + 1) * wide)
+    page.limits(surplus, theta, S.Zero, -short / 12)
+    page.show(
+        "Where there is no gap",
+        r"\lim_{\theta\to0}\varepsilon",
+        begins,
+        page.limits((stiffness + gamma) / theta**2, theta, S.Zero, wide),
+        because="the quotient of the limits of $\\Delta/\\theta^2$ and of "
+        "$(d+\\frac12)(\\alpha+\\gamma)/\\theta^2$",
+    )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     page.step(
         "Without a spring $s_1=\\delta$, $s_2=1$",
@@ -37,13 +48,11 @@ def derive(page):
         1 / tanh(delta / 2) - 2 / delta,
         name=r"1-2\nu",
     )
-    page.limit(
+    page.step(
         "Then the error starts with",
-        bare,
-        theta,
-        S.Zero,
+        begins.subs({gamma: 0, s_1: delta, s_2: 1}),
         -((d + 1) ** 2 * delta + 1 - 2 * nu) / ((2 * d + 1) * (1 + (d + 1) * delta)),
-        name=r"\varepsilon|_{\gamma=0}",
+        name=r"\lim_{\theta\to0}\varepsilon|_{\gamma=0}",
         because="close to $-\\frac{6(d+1)^2+1}{6(2d+1)}\\,\\delta$",
     )
     swing = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
@@ -54,13 +63,11 @@ def derive(page):
         (HALF, gamma / 2),
         page.same("undamped", [shape[nu], shape[s_1].subs(gamma, Omega**2)], [HALF, Omega**2 / 2]),
     )
-    page.limit(
+    page.step(
         "So the error starts with",
-        error.subs({delta: 0, s_1: gamma / 2, nu: HALF}),
-        theta,
-        S.Zero,
+        begins.subs({delta: 0, s_1: gamma / 2, nu: HALF}),
         -(d + 1) * (2 * d + 3) * gamma / (6 * s_2 + 3 * (d + 1) ** 2 * gamma),
-        name=r"\varepsilon|_{\delta=0}",
+        name=r"\lim_{\theta\to0}\varepsilon|_{\delta=0}",
     )
     swings = on_circle(swing.denominator).subs(theta, Omega)
     page.step(

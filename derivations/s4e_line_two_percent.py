@@ -5,11 +5,11 @@ are some for every damping, as the error has no bound there. We leave these asid
 that push, $\alpha\ge0$.
 """
 
-from sympy import Rational, S, diff
+from sympy import Rational, S, diff, tanh
 
 from symhaptic.linear_points import RANGES, SHAPE, by_damping, error_without_stiffness
 from symhaptic.model import linear
-from symhaptic.notation import delta, gamma, nu
+from symhaptic.notation import d, delta, gamma, nu
 from symhaptic.proof.ball import ball
 from symhaptic.proof.box import positive
 from symhaptic.proof.roots import BITS, between_decimals
@@ -38,6 +38,9 @@ def derive(page):
     ]
     page.enclosed("Thresholds", found, places=22)
     case = witnesses(page)
+    late = d + 1
+    largest = late**2 * delta + 1 / tanh(delta / 2) - 2 / delta
+    largest /= (2 * d + 1) * (1 + late * delta)
     page.state(
         "linear-two-percent",
         "for $\\gamma=0.001$ and $\\delta\\le0.02$ the error exceeds 2\\,\\% for a wall of the "
@@ -48,6 +51,10 @@ def derive(page):
     page.settle(
         "s4e-two-percent",
         *case,
+        provided=r"\gamma=0.001,\ \text{and}\ d=1\ \text{or}\ \delta>0.01744",
+        unless={d: S.Zero, gamma: S.Zero, delta: Rational(16, 1000)},
+        truth=largest > LEVEL,
+        shows=r"$d=\gamma=0$, $\delta=0.016$: the error is below 1.84\,\% for all $\beta<0$",
         note="such walls with $\\alpha\\ge0$ exist from $\\delta=0.01480$ on for $d=1$, from "
         "$0.01743$ on for $d=0$; with a spring, others next to the start for every $\\delta>0$",
     )
