@@ -59,8 +59,8 @@ def derive(page):
     shape = linear.numbers(swing)
     page.show(
         "Without damping",
-        (nu, s_1),
-        (HALF, gamma / 2),
+        r"(\nu,s_1)",
+        r"\bigl(\tfrac12,\tfrac12\gamma\bigr)",
         page.same("undamped", [shape[nu], shape[s_1].subs(gamma, Omega**2)], [HALF, Omega**2 / 2]),
     )
     page.step(

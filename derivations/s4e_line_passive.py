@@ -76,5 +76,5 @@ def derive(page):
         "s4e-alpha-003",
         "a table of the paper's [8]",
         "at $\\alpha=0.03$ and $\\delta=0$ the error (26) is about 1.5\\,\\% for $d=0$ and "
-        "5\\,\\% for $d=1$",
+        "5.6\\,\\% for $d=1$",
     )

@@ -44,8 +44,8 @@ def derive(page):
         1 + flat * alpha / 12,
         name=r"-\frac{\partial\beta}{\partial\delta}\Big|_\alpha",
         boxed=True,
-        because="one unit for $\\alpha\\to0$; at $\\alpha=0.03$ it is 1.75\\,\\% more for $d=0$ "
-        "and 6.25\\,\\% more for $d=1$",
+        because="one unit for $\\alpha\\to0$; at $\\alpha=0.01$ it is about 0.6\\,\\% more for "
+        "$d=0$ and 2\\,\\% more for $d=1$",
     )
     page.say(
         "The difference decides already where the linear condition is good to a few per cent. "
