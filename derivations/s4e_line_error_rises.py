@@ -11,7 +11,7 @@ from symhaptic.model import linear
 from symhaptic.proof.box import positive
 
 HALF, LEVEL = Rational(1, 2), Rational(2, 100)
-INSIDE = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
+INSIDE = r"\text{inside (23)}"
 Y = linear.CHORD
 
 

@@ -13,7 +13,7 @@ from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named
 from symhaptic.proof import sign
 from symhaptic.proof.box import positive
 
-INSIDE = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
+INSIDE = r"\text{inside (23)}"
 SAMPLED = named({number: number for number in NUMBERS})
 Y = linear.CHORD
 ZERO, ONE = linear.arc(0), linear.arc(1)

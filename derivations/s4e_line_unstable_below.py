@@ -12,7 +12,7 @@ from symhaptic.model import linear, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.proof.box import positive
 
-INSIDE = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
+INSIDE = r"\text{inside (23)}"
 Y = linear.CHORD
 
 
