@@ -27,7 +27,8 @@ def derive(page):
         "$\\delta$ at $-2\\,\\%$: without a spring, where it is the limit at the start, by "
         "$h=(d+1)^2\\delta+1-2\\nu-0.02\\,(2d+1)(1+(d+1)\\delta)$; with $\\gamma=0.001$ by the two "
         "conditions $f_1=|M|^2\\alpha=0$ and "
-        "$f_2=|M|^2(\\Delta+0.02\\,(d+\\frac12)(\\alpha+\\gamma))=0$."
+        "$f_2=|M|^2(\\Delta+0.02\\,(d+\\frac12)(\\alpha+\\gamma))=0$, of which the second gives "
+        "$\\beta<-\\delta$ on the first."
     )
     falling = [fact for delay in (0, 1) for fact in falls(page, delay)]
     page.say("There is one threshold for each, between two neighbouring decimals:")
@@ -70,13 +71,18 @@ def falls(page, delay):
     arm = {gamma: (SPRING, SPRING), delta: RANGES[delta]}
     turn = by_damping(one) * diff(two, Y) - by_damping(two) * diff(one, Y)
     soft = positive(by_damping(start), {gamma: (0, 0), delta: RANGES[delta]}, SHAPE)
-    narrow = rf"0.00095\le y\le0.00101,\ \gamma=0.001,\ \delta\le0.02,\ d={delay}"
+    narrow = rf"0.00095\le y\le0.00101,\ d={delay}"
     there = rf"\gamma=0.001,\ \delta\le0.02,\ d={delay}"
     rows = [
         ("Without a spring", r"\partial h/\partial\delta", soft, rf"\delta\le0.02,\ d={delay}"),
         ("Before", r"-f_1|_{y=0.00095}", positive(-one.subs(Y, low), arm, SHAPE), there),
         ("Behind", r"f_1|_{y=0.00101}", positive(one.subs(Y, high), arm, SHAPE), there),
-        ("Between", r"f_{1,y}", positive(diff(one, Y), {**arm, Y: (low, high)}, SHAPE), narrow),
+        (
+            "From the start on",
+            r"f_{1,y}",
+            positive(diff(one, Y), {**arm, Y: (0, high)}, SHAPE),
+            rf"y\le0.00101,\ {there}",
+        ),
         (
             "Along $\\alpha=0$",
             r"f_{1,\delta}f_{2,y}-f_{2,\delta}f_{1,y}",
