@@ -58,7 +58,7 @@ def derive(page):
         *roots,
         gap,
         Evidence("balls around all roots of the polynomials"),
-        note="the figure leaves out a mark of 2 and one of 5\\,\\% next to the corner for each "
+        note="the figure leaves out the marks of $-2$ and $-5\\,\\%$ next to the corner, of all "
         "$\\delta>0$",
     )
 
