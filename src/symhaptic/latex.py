@@ -13,7 +13,7 @@ from symhaptic.notation import SYMBOLS
 
 _WRITTEN_FIRST = (
     "N K B k b m a e n_1 n_0 alpha beta gamma delta F F_E x v u Omega c c_1 c_2 c_3 y d "
-    "omega omega_hat t T t_d theta phi psi z s"
+    "omega omega_hat t T t_d t_e theta phi psi z s"
 )
 _ORDER = {name: rank for rank, name in enumerate(_WRITTEN_FIRST.split())}
 _RANK_IN_SUMS = _ORDER | {"b": -3, "k": -2, "m": -4} | {"a": 50, "e": 51, "n_1": 52, "n_0": 53}

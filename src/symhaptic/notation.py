@@ -83,6 +83,7 @@ _TABLE = [
     ("t_d", "t_d", "s", "nonnegative", "time delay in the loop"),
     ("d", "d", "1", "nonnegative", "delay in sampling periods, t_d/T"),
     ("t", "t", "s", "nonnegative", "time"),
+    ("t_e", "t_e", "s", "positive", "effective delay, t_d + T/2"),
     ("x", "x", "m", "real", "position"),
     ("v", "v", "m/s", "real", "velocity"),
     ("F", "F", "N", "real", "force of the virtual wall"),

@@ -15,7 +15,13 @@ def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
     Damping over delay, half a period of hold included; arrays broadcast.  For whole delays it is
     the straight part of the passivity boundary, -delta <= beta <= delta d/(2d + 3); for a
     fractional one it allows walls there that are not passive (chapter s6e_fractional_region).
-    Elsewhere it approximates the stability boundary and can lie on its unstable side.
+
+    As a stability condition it is what the exact boundary tends to for small alpha and delta.  For
+    delays of 0 and 1 and an arm's spring and damping, (23), it is safe up to a crossing near
+
+        alpha = delta (6 (delay + 1)^2 + 1)/((delay + 1) (2 delay + 1) (2 delay + 3))
+
+    and above it the limit is unstable; without damping all of it is (chapters s4e_line_*).
 
     Raises :class:`ValueError` for an infinite ``beta`` and for a negative or infinite ``delta``
     or ``delay``; NaN gives NaN.

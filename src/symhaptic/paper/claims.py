@@ -170,6 +170,14 @@ CLAIMS = (
         r"$\beta$ has an upper bound: too much virtual damping can itself destabilise",
     ),
     Statement("s4d-delay-shrinks", _IV_D, "a larger delay gives a smaller stable region"),
+    Statement(
+        "s4e-alpha-003", _IV_E, r"$\alpha=0.03$ is not exceeded by the devices that [8] lists"
+    ),
+    Statement(
+        "s4e-linearised",
+        _IV_E,
+        r"for such small $\alpha$ the boundary can be linearised around the origin",
+    ),
     Statement("s4e-same-as-passive", _IV_E, "(24) is the linear part (9)"),
     Statement("s4e-stiffness-free", _IV_E, "$k$ does not influence (24)"),
     Statement("s4e-unstable-side", _IV_E, "above the crossing the line lies on the unstable side"),
@@ -214,5 +222,10 @@ CLAIMS = (
         "s6-sampling", _VI, "passive stiffness is linear, stable stiffness quadratic in $1/T$"
     ),
     Statement("s6-damping-marginal", _VI, "damping contributes only marginally to stability"),
+    Statement(
+        "s6-linear-dissipation",
+        _VI,
+        "where the linear approximation holds, virtual damping dissipates like physical damping",
+    ),
     Statement("s6-mass", _VI, "the mass scales the stable region, not the passive one"),
 )

@@ -6,10 +6,11 @@ that a step of Newton's interval method does.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-from flint import arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
+from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 from sympy import Expr
 
 from symhaptic.proof.ball import ball
@@ -167,3 +168,83 @@ def decimals(value: arb, places: int = 24) -> str:
         raise NoSuchRoot(f"{value} is not known to {places} places")
     text = str(digits).rjust(places + 1, "0")
     return f"{text[:-places]}.{text[-places:]}"
+
+
+def real_roots(coefficients: Sequence[arb]) -> list[arb]:
+    """Balls around all real roots of a real polynomial, the lowest coefficient first.
+
+    Flint finds disjoint balls with one root each.  One that meets no mirror image but its own has
+    a real root.  Raises :class:`NoSuchRoot` where the roots are not told apart.
+
+    >>> [float(root) for root in real_roots([arb(-1), arb(0), arb(0), arb(1)])]
+    [1.0]
+    """
+    with ctx.workprec(BITS):
+        try:
+            found = acb_poly(list(coefficients)).roots(tol=arb(2) ** (64 - BITS))
+        except ValueError as close:
+            raise NoSuchRoot("roots too close to be told apart") from close
+        real = []
+        for root in found:
+            mirror = acb(root.real, -root.imag)
+            meets = [other for other in found if other.overlaps(mirror)]
+            if root.overlaps(mirror) and len(meets) == 1:
+                real.append(root.real)
+            elif root.overlaps(mirror):
+                raise NoSuchRoot(f"whether {root} is real is not decided")
+        return sorted(real, key=lambda root: float(root.mid()))
+
+
+def rounded(value: arb, digits: int = 15, power: int = 0) -> str:
+    """A number times 10^power, rounded to so many significant digits, the last one certain.
+
+    Raises :class:`NoSuchRoot` where the ball is too wide to round it.
+
+    >>> rounded(-arb.pi() / 10**4, 6)
+    '-0.000314159'
+    """
+    with ctx.workprec(BITS):
+        if value.contains(0):
+            raise NoSuchRoot(f"{value} may be zero")
+        value = value * arb(10) ** power
+        places = digits
+        while not abs(value) * arb(10) ** places >= arb(10) ** (digits - 1):
+            places += 1
+        while abs(value) * arb(10) ** places >= arb(10) ** digits:
+            places -= 1
+        whole = (abs(value) * arb(10) ** places + arb("0.5")).floor().unique_fmpz()
+    if whole is None:
+        raise NoSuchRoot(f"{value} is not known to {digits} digits")
+    text = str(whole).rjust(places + 1, "0")
+    sign = "-" if value < 0 else ""
+    return f"{sign}{text[:-places]}.{text[-places:]}"
+
+
+def between_decimals(
+    value: Callable[[sp.Rational], arb], lower: Expr, upper: Expr, places: int = 24
+) -> arb:
+    """The interval between two neighbouring decimals at which a function has opposite signs.
+
+    A continuous function has a zero in it.  Found by the secant method; only the two signs at the
+    end are claimed.  Raises :class:`NoSuchRoot` where it does not end at such decimals.
+
+    >>> print(between_decimals(lambda x: ball(sp.cos(x), None, BITS).real, 1, 2).str(20))
+    [1.5707963267948966192 +/- 3.14e-20]
+    """
+    scale = 10**places
+    one, two = sp.Rational(lower), sp.Rational(upper)
+    with ctx.workprec(BITS):
+        first, second = value(one), value(two)
+        for _ in range(30):
+            near, far = ball(two, None, BITS).real, ball(one, None, BITS).real
+            guess = near - second * (near - far) / (second - first)
+            count = int((guess.mid() * scale).floor().unique_fmpz() or 0)
+            three = sp.Rational(count, scale)
+            if three in (one, two):
+                break
+            one, first, two, second = two, second, three, value(three)
+        for low in (count, count - 1, count + 1):
+            ends = sp.Rational(low, scale), sp.Rational(low + 1, scale)
+            if value(ends[0]) * value(ends[1]) < 0:
+                return ball(ends[0], None, BITS).real.union(ball(ends[1], None, BITS).real)
+    raise NoSuchRoot(f"no neighbouring decimals with opposite signs from {lower} and {upper}")

@@ -1,0 +1,118 @@
+r"""What does a first-order lag say about the stability of a wall?
+
+The paper's linear condition comes from continuous time: hold and delay become one first-order lag,
+and the Routh-Hurwitz criterion decides. We repeat that and name everything that is left out.
+"""
+
+from sympy import Rational, S, exp, symbols
+
+from symhaptic.model import lag
+from symhaptic.model.plant import Plant
+from symhaptic.notation import B, K, T, b, k, m, s, t_d, t_e
+
+HALF = Rational(1, 2)
+
+
+def derive(page):
+    neglected(page)
+    a_3, a_2, a_1, a_0 = lag.characteristic(Plant())
+    page.step(
+        "The loop with the lag",
+        Plant().characteristic * (1 + t_e * s) + lag.WALL,
+        a_3 * s**3 + a_2 * s**2 + a_1 * s + a_0,
+        because="device times lag, plus wall",
+    )
+    routh(page)
+    whole = page.step(
+        "Hurwitz' determinant for the loop",
+        lag.margin(Plant()),
+        b + B - K * t_e + b * t_e / m * (b + B + k * t_e),
+        name=r"\tfrac1m(a_2a_1-a_3a_0)",
+        boxed=True,
+        because="$a_2>0$ always, and $a_0=k+K$: the loop with the lag is stable if and only if "
+        "$K>-k$ and this is positive",
+    )
+    h, heavy = symbols("h"), symbols("m_0")
+    kept = page.limit(
+        "A heavy mass, $m=m_0/h$",
+        whole.subs(m, heavy / h),
+        h,
+        S.Zero,
+        b + B - K * t_e,
+        name=r"\tfrac1m(a_2a_1-a_3a_0)",
+        because="this is what (24) keeps",
+    )
+    linear = page.step(
+        "Solved for the stiffness",
+        K + kept / t_e,
+        (b + B) / t_e,
+        name=r"K_{\text{lin}}",
+        paper="24",
+    )
+    page.say(
+        "So (24) drops the term $\\frac{bt_e}m(b+B+kt_e)$. At the border of (24) it is the share "
+        "$\\frac{bt_e}m(1+\\frac kK)$ of what is kept: of order $T$ for a given device, but not "
+        "zero unless $b=0$, and with the spring in it."
+    )
+    effective = {t_e: lag.DELAY}
+    page.settle(
+        "eq24",
+        linear.subs(effective) > K,
+        provided="b=0",
+        unless={m: S.One, T: S.One, t_d: HALF, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF},
+        truth=whole.subs(effective) > 0,
+        shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",
+        note="as Routh's condition for the lag, which else has $\\frac{bt_e}m(b+B+kt_e)$ more. "
+        "For the sampled loop it is neither necessary nor sufficient (chapters s4e\\_line)",
+    )
+
+
+def neglected(page):
+    """Hold, delay and difference against lag and derivative."""
+    page.say(
+        "Held for a period and late by $t_d$, a force is $H_0=e^{-t_ds}(1-e^{-Ts})/(Ts)$ times "
+        "itself; the backward difference is $D=(1-e^{-Ts})/T$; and the sampler adds images "
+        "around multiples of $2\\pi/T$. All this is replaced by a lag $1/(1+t_es)$ with the "
+        "effective delay $t_e=t_d+\\tfrac T2$, by $s$, and by nothing. The first two agree "
+        "to first order in $s$, and leave out"
+    )
+    page.limit(
+        "With the lag",
+        (lag.held() - 1 / (1 + lag.DELAY * s)) / s**2,
+        s,
+        S.Zero,
+        T**2 / 24 - lag.DELAY**2 / 2,
+        name=r"\frac1{s^2}\Bigl(H_0-\frac1{1+t_es}\Bigr)",
+    )
+    page.limit(
+        "With the derivative",
+        ((1 - exp(-s * T)) / T - s) / s**2,
+        s,
+        S.Zero,
+        -T / 2,
+        name=r"\frac1{s^2}(D-s)",
+        because="times $K$ and $B$ both are masses: of order $T$ beside $m$, if $K$ is of order "
+        "$1/T$ as on the border of (24)",
+    )
+
+
+def routh(page):
+    """The criterion for a cubic."""
+    first, p, q, r = symbols("a_3 p q r")
+    page.say(
+        "A real cubic with $a_3>0$ has a real root $-p$, and is $a_3(s+p)(s^2+qs+r)$ with "
+        "$a_2=a_3(p+q)$ and $a_0=a_3pr$."
+    )
+    page.step(
+        "Routh and Hurwitz for a cubic",
+        lag.routh((first, first * (p + q), first * (p * q + r), first * p * r))[2],
+        first**2 * q * (p * (p + q) + r),
+        name="a_2a_1-a_3a_0",
+    )
+    page.say(
+        "All roots lie on the left if and only if $p,q,r>0$. Then this, $a_2$ and $a_0$ are "
+        "positive. Conversely, if these three are, $p+q>0$, and $p$ and $r$ have one sign. With "
+        "$q\\le0$ we had $p,r>0$ and a positive bracket, and the product would not be positive. "
+        "So $q>0$ and the bracket is positive; $p,r<0$ would make it negative; all three are "
+        "positive."
+    )

@@ -1,0 +1,146 @@
+r"""Is the line of the linear condition the tangent of the exact boundary?
+
+For small $\alpha$ the paper linearises the stability boundary around the origin and finds the line
+$\beta+\delta=\alpha(d+\frac12)$ of (25). The exact boundary is known, with its start and its slope.
+We hold the line against it.
+"""
+
+from sympy import Rational, S, cosh, exp, sinh, symbols
+
+from symhaptic.model import boundary, linear, plant
+from symhaptic.model.passivity import on_circle
+from symhaptic.notation import c, d, delta, gamma, h, nu, s_1, s_2, theta, z
+from symhaptic.scene import FULL
+
+HALF = Rational(1, 2)
+G, MU = symbols("g mu")
+
+
+def derive(page):
+    stiffness, damping = boundary.solved(on_circle(-(z**d) * linear.near()))
+    lies = linear.surplus(stiffness, damping)
+    page.say(
+        "The line is where $\\Delta=\\beta+\\delta-(d+\\frac12)\\alpha$ vanishes. The boundary "
+        "starts on $\\alpha=-\\gamma$, for every real $d$ on the principal sheet:"
+    )
+    page.limit(
+        "At the start of the boundary",
+        lies,
+        theta,
+        S.Zero,
+        -(s_1 - delta - gamma / 2),
+        name=r"\Delta",
+        because="not on the line but below it, by the gap $g=s_1-\\delta-\\frac12\\gamma$, for "
+        "every arm with a spring and damping",
+    )
+    short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
+    on = (lies + s_1 - delta - gamma / 2) / theta**2
+    flatter = page.limits(on, theta, S.Zero, -short / 12)
+    page.show(
+        "And from there on",
+        r"\lim_{\theta\to0}\frac{\Delta+g}{\theta^2}",
+        -short / 12,
+        flatter,
+        because="negative, as $\\nu\\le\\frac12$, $s_2>0$ and $s_1\\ge\\delta+\\frac12\\gamma$, "
+        "and zero for $\\gamma=\\delta=0$ only: up to (30) every other boundary is flatter "
+        "than the line",
+    )
+    page.say(
+        "So (25) is the tangent of no boundary but that of the free mass. It is what all "
+        "boundaries tend to for short periods. With $T\\propto h^2$ let $\\delta$ be of order "
+        "$h^2$, $\\gamma$ of order $h^4$, and the angle of order $h$:"
+    )
+    scaled = periods(page)
+    across = page.limit(
+        "The stiffness then",
+        stiffness.subs(scaled, simultaneous=True) / h**2,
+        h,
+        S.Zero,
+        theta**2 * s_2,
+        name=r"\alpha/h^2",
+        because="with $s_2\\to1$, so that $\\theta^2$ below stands for $\\alpha$",
+    ).subs(s_2, 1)
+    flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
+    apart = theta**2 * (rise * theta**2 - flat * delta) / 12
+    above = (lies.subs(scaled, simultaneous=True) / h**4).subs({s_2: 1, MU: delta / 12})
+    distance = page.limits(above, h, S.Zero, apart)
+    page.show("And the surplus over the line", r"\lim_{h\to0}\Delta/h^4", apart, distance)
+    crossing = flat * delta / rise
+    page.step(
+        "In short periods the boundary crosses the line at",
+        crossing,
+        flat / (d + 1) * delta / (2 * d + 1) / (2 * d + 3),
+        name=r"\alpha_\times",
+        boxed=True,
+        because="above it, the boundary lies left of the line",
+    )
+    straight = 6 * (d + 1) * delta / ((2 * d + 1) * (2 * d + 3))
+    page.step(
+        "Beside the end of the straight part of the passive walls, (8)",
+        crossing / straight,
+        1 + 1 / (6 * (d + 1) ** 2),
+        name=r"\alpha_\times\Big/\frac{6(d+1)\delta}{(2d+1)(2d+3)}",
+        because="just behind it: 17\\,\\% at $d=0$, 4\\,\\% at $d=1$",
+    )
+    law = (d + 1) * (2 * d + 3) / 6 * (theta**2 - crossing)
+    page.show(
+        "The error (26) in short periods",
+        r"\frac{\alpha_{\text{lin}}-\alpha}{\alpha}",
+        r"\frac{(d+1)(2d+3)}6\,(\alpha-\alpha_\times)",
+        page.same("error", apart / ((d + HALF) * across), law),
+        because="2\\,\\% is reached $\\frac{0.12}{(d+1)(2d+3)}$ from the crossing on either side, "
+        "for $\\alpha\\ge0$ where $\\delta\\ge\\frac{0.12(2d+1)}{6(d+1)^2+1}$",
+        boxed=True,
+    )
+    page.state(
+        "linear-tangent",
+        "the boundary tends to (25) as $T\\to0$ with $K$ of order $1/T$ and $d$ kept; it is "
+        "tangent to it for $\\gamma=\\delta=0$ only",
+    )
+    page.settle("linear-tangent", flatter, distance, note="the relative error is of order $T$")
+    page.settle(
+        "s4e-linearised",
+        flatter,
+        distance,
+        note="in the limit of small $\\alpha$ and $\\delta$; the boundary without a spring "
+        "starts at $(0,-\\delta)$, not through the origin, and the tangent there is flatter",
+    )
+
+
+def periods(page):
+    """What the numbers of the arm tend to, and the boundary's symbols with powers of h."""
+    device = plant.sampled(plant.normalised(FULL), split=c)
+    spring = (delta**2 - c**2) / 4
+    brief = {delta: h * delta, c: h * c}
+    up, side = cosh(delta / 2) - cosh(c / 2), sinh(delta / 2) - delta * sinh(c / 2) / c
+    both = [(device.n1 + device.n0) * gamma, (device.n1 - device.n0) * gamma]
+    page.same(
+        "numerator",
+        [n.subs(gamma, spring) for n in both],
+        [2 * exp(-delta / 2) * n for n in (up, side)],
+    )
+    page.limit(
+        "The share",
+        (side / (2 * delta * up)).subs(brief, simultaneous=True),
+        h,
+        S.Zero,
+        Rational(1, 12),
+        name=r"\frac{1/2-\nu}{\delta}",
+    )
+    page.limit(
+        "The sum of the numerator",
+        (2 * exp(-delta / 2) * up / spring).subs(brief, simultaneous=True),
+        h,
+        S.Zero,
+        S.One,
+        name="n_1+n_0",
+        because="so $s_2\\to1$, as $s_1\\to0$. The gap is $\\frac1{720}\\delta\\gamma^2$ to lowest "
+        "order, as shown with the ends of the boundary",
+    )
+    return {
+        theta: h * theta,
+        gamma: h**4 * gamma,
+        delta: h**2 * delta,
+        s_1: h**2 * delta + h**4 * gamma / 2 + h**10 * G,
+        nu: HALF - h**2 * MU,
+    }

@@ -1,0 +1,88 @@
+r"""What is the error of the linear condition at the start of the boundary?
+
+The boundary starts on $\alpha=-\gamma$, where the denominator of the error (26) vanishes. The
+paper's Fig. 10 shows small errors there. We take the limit, with and without spring and damping.
+"""
+
+from sympy import I, Rational, S, tanh
+
+from symhaptic.model import boundary, linear, plant
+from symhaptic.model.passivity import on_circle
+from symhaptic.notation import Omega, d, delta, gamma, nu, s_1, s_2, theta, z
+from symhaptic.scene import Parts
+
+HALF = Rational(1, 2)
+GAP = linear.GAP
+
+
+def derive(page):
+    stiffness, damping = boundary.solved(on_circle(-(z**d) * linear.near()))
+    above = page.limits(linear.surplus(stiffness, damping), theta, S.Zero, -GAP)
+    right = page.limits(stiffness + gamma, theta, S.Zero, S.Zero)
+    page.show(
+        "At the start of the boundary",
+        r"\lim_{\theta\to0}(\alpha_{\text{lin}}-\alpha)",
+        r"-\frac g{d+\frac12}",
+        above,
+        because="while $\\alpha+\\gamma\\to0$: with $g>0$, that is for every arm with spring "
+        "and damping up to (30), $\\varepsilon\\to-\\infty$. With "
+        "$g\\approx\\frac1{720}\\delta\\gamma^2$ this happens on a stretch too short for Fig. 10",
+    )
+    short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
+    wide = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
+    surplus = (linear.surplus(stiffness, damping) + GAP) / theta**2
+    begins = -short / (6 * (2 * d + 1) * wide)
+    page.limits(surplus, theta, S.Zero, -short / 12)
+    page.show(
+        "Where there is no gap",
+        r"\lim_{\theta\to0}\varepsilon",
+        begins,
+        page.limits((stiffness + gamma) / theta**2, theta, S.Zero, wide),
+        because="the quotient of the limits of $\\Delta/\\theta^2$ and of "
+        "$(d+\\frac12)(\\alpha+\\gamma)/\\theta^2$",
+    )
+    device = plant.sampled(plant.normalised(Parts(stiffness=False)))
+    page.step(
+        "Without a spring $s_1=\\delta$, $s_2=1$",
+        1 - 2 * linear.numbers(device)[nu],
+        1 / tanh(delta / 2) - 2 / delta,
+        name=r"1-2\nu",
+    )
+    page.step(
+        "Then the error starts with",
+        begins.subs({gamma: 0, s_1: delta, s_2: 1}),
+        -((d + 1) ** 2 * delta + 1 - 2 * nu) / ((2 * d + 1) * (1 + (d + 1) * delta)),
+        name=r"\lim_{\theta\to0}\varepsilon|_{\gamma=0}",
+        because="close to $-\\frac{6(d+1)^2+1}{6(2d+1)}\\,\\delta$",
+    )
+    swing = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
+    shape = linear.numbers(swing)
+    page.show(
+        "Without damping",
+        r"(\nu,s_1)",
+        r"\bigl(\tfrac12,\tfrac12\gamma\bigr)",
+        page.same("undamped", [shape[nu], shape[s_1].subs(gamma, Omega**2)], [HALF, Omega**2 / 2]),
+    )
+    page.step(
+        "So the error starts with",
+        begins.subs({delta: 0, s_1: gamma / 2, nu: HALF}),
+        -(d + 1) * (2 * d + 3) * gamma / (6 * s_2 + 3 * (d + 1) ** 2 * gamma),
+        name=r"\lim_{\theta\to0}\varepsilon|_{\delta=0}",
+    )
+    swings = on_circle(swing.denominator).subs(theta, Omega)
+    page.step(
+        "And the boundary meets the line at the origin",
+        swings,
+        S.Zero,
+        name=r"A(e^{j\Omega})",
+        because="with $\\Omega=\\sqrt\\gamma$: at $\\theta=\\Omega$ the device swings alone, $Q=0$ "
+        "and $\\alpha=\\beta=0$",
+    )
+    page.state(
+        "linear-error-start",
+        "for $\\gamma\\delta>0$ and $\\gamma-\\frac14\\delta^2<\\pi^2$ the error (26) is unbounded "
+        "at the start of the boundary, for every $d$",
+    )
+    page.settle(
+        "linear-error-start", above, right, note="it is bounded for $\\gamma=0$ or $\\delta=0$"
+    )

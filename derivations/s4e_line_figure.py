@@ -1,0 +1,76 @@
+r"""Where on the boundary is the error of the linear condition 0, 2 or 5 per cent?
+
+Fig. 10 of the paper marks such points for $\gamma=0.001$, five dampings and two delays. On each
+boundary they are zeros of one polynomial of degree two or three, and all of them can be enclosed.
+"""
+
+from sympy import S, expand
+
+from symhaptic.chapter import Evidence
+from symhaptic.model import linear
+from symhaptic.notation import delta, gamma, nu, s_1, z
+from symhaptic.proof.roots import rounded
+from symhaptic.report.linear_figures import DAMPINGS, DELAYS, marks
+from symhaptic.report.linear_figures import linear as draw
+
+
+def derive(page):
+    page.say(
+        "The error has the value $\\varepsilon$ where "
+        "$\\Delta-\\varepsilon\\,(d+\\frac12)(\\alpha+\\gamma)$ vanishes. Times $|M|^2$ this is a "
+        "polynomial in $y$, of degree $d+2$, with coefficients in the arm's numbers $\\nu$, $s_1$, "
+        "$s_2$. Flint encloses all of its roots, each in a ball of its own, and those of "
+        "$\\alpha+\\gamma$, the first of which ends the arc. The tables list every root between "
+        "0 and there, with $\\theta=2\\arcsin\\frac{\\sqrt y}2$: there is no other point of these "
+        "errors on any of the ten boundaries."
+    )
+    roots = [page.same("a root at z", *wall(delay)) for delay in DELAYS]
+    undamped = {delta: 0, s_1: gamma / 2, nu: S.Half, linear.CHORD: 0}
+    gap = page.same("no gap", *(linear.arc(n).above.subs(undamped) for n in DELAYS), S.Zero)
+    page.say(
+        "Without damping there is no gap, $y$ is a factor that is divided out, and the line is "
+        "met at the origin. With damping the error grows beyond all bounds towards the start; the "
+        "marks of $-2\\,\\%$ and $-5\\,\\%$ with $\\alpha<0$ lie next to the corner at "
+        "$\\alpha=-0.001$, where nobody would see them."
+    )
+    for delay in DELAYS:
+        rows = [
+            (1000 * damping, 100 * level, *map(digits, point))
+            for damping in DAMPINGS
+            for level, point in marks(delay, damping)
+        ]
+        page.table(
+            f"All points of these errors for $d={delay}$, $\\gamma=0.001$: $\\varepsilon$ in per "
+            "cent, the rest in thousandths. All digits are certain, the last is rounded.",
+            ("$\\delta$", "$\\varepsilon$", "$\\theta$", "$\\alpha$", "$\\beta$"),
+            rows,
+        )
+    page.figure(
+        "fig10",
+        "Fig. 10 of the paper: exact boundaries (solid) and lines of (25) (dashed) for "
+        "$\\gamma=0.001$, with errors of 0, 2 and 5\\,\\%; marks with $\\alpha<0$ are left out.",
+        draw,
+        panels=(2, 1),
+        height=1.1,
+    )
+    page.settle(
+        "fig10",
+        *roots,
+        gap,
+        Evidence("balls around all roots of the polynomials"),
+        note="the figure leaves out the marks of $-2$ and $-5\\,\\%$ next to the corner, of all "
+        "$\\delta>0$",
+    )
+
+
+def wall(delay):
+    """The two sides of the root condition: the wall of the arc, and what a root at z needs."""
+    arc, chord = linear.arc(delay), {linear.CHORD: 2 - z - 1 / z}
+    stiffness = arc.right - gamma * arc.size
+    turned = (stiffness + arc.up * (1 - 1 / z)).subs(chord)
+    return turned, expand(-(z**delay) * linear.near() * arc.size.subs(chord))
+
+
+def digits(ball):
+    """Fifteen digits, or the zero that the origin has exactly."""
+    return "$0$" if ball.contains(0) else f"${rounded(ball, power=3)}$"
