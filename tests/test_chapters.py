@@ -15,6 +15,7 @@ DEFINITIONS = [
     "eq13",
     "tab1",
     "eq23",
+    "eq26",
 ]
 PROVED = [
     "eq15",
@@ -60,6 +61,18 @@ PROVED = [
     "s4c-outlier",
     "s4c-series",
     "s4d-too-much-damping",
+    "fig10",
+    "s4e-unstable-side",
+    "s4e-same-as-passive",
+    "s4e-linearised",
+    "arm-numbers",
+    "linear-lag",
+    "linear-tangent",
+    "linear-error-start",
+    "linear-error-rises",
+    "linear-free-mass",
+    "linear-safe",
+    "linear-two-percent",
 ]
 ENCLOSED = ["s3c-kmax-41", "s3c-kmax-27"]
 MISPRINTS = [
@@ -109,6 +122,12 @@ QUALIFIED = [
     "s3-interconnection",
     "s4a-exact-instants",
     "s5b-soft-contacts",
+    "eq24",
+    "eq25",
+    "s4e-stiffness-free",
+    "s4e-two-percent",
+    "s4e-passive-range",
+    "s6-linear-dissipation",
 ]
 REFUTED = [
     "s4d-explicit-only-undelayed",
@@ -122,6 +141,7 @@ EXTERNAL = [
     "eq22",
     "s4c-device-damping",
     "s4c-wider-delta",
+    "s4e-alpha-003",
 ]
 EXPECTED = {
     id: kind

@@ -72,6 +72,18 @@ CONSEQUENCES: dict[str, str] = {
     "s4d-delay-shrinks": "A wall that is stable with some delay is not for that reason stable with "
     "less. Check the smallest delay too, not only the largest.",
     "s4d-bound-of-b": "None once $B$ is read as the damping that it is.",
+    # -- the linear condition ---------------------------------------------------------------
+    "eq24": "A rule of thumb. Inside (23), for no delay or one period, it is safe up to a virtual "
+    "damping of about $b/6$ and $b/4$; above, it allows unstable walls. Use (9) or the boundary.",
+    "eq25": "As (24): above the crossing with the exact boundary it lets unstable walls through.",
+    "s4e-stiffness-free": "In the model that gives (24) a spring in a damped hand would allow a "
+    "little more stiffness; leaving it out is on the safe side of that model.",
+    "s4e-two-percent": "The error depends on delay and spring: with one period of delay it reaches "
+    "2\\,\\% at $\\delta=0.0148$ already. Do not read 0.015 as a threshold.",
+    "s4e-passive-range": "Count the damping of the device only. With that of the arm in $b$, walls "
+    "on the line give energy away when the hand lets go.",
+    "s6-linear-dissipation": "A device that trades its damper for virtual damping one to one ends "
+    "up unstable near the limit. The damper is worth more, the more so with delay.",
     # -- passivity and stability --------------------------------------------------------------
     "eq27": "As (7).",
     "s5a-subset": "Passive walls are stable if $K\\ge0$, the device is damped, and the delay is "
