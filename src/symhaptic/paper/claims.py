@@ -137,8 +137,18 @@ CLAIMS = (
     ),
     Statement("s5a-subset", _V_A, r"the passive region lies inside the stable one for all $d\ge0$"),
     Statement("s5a-proportional", _V_A, r"the passive region is proportional to $\delta$"),
-    Statement("s5b-eta-d0", _V_B, r"at $d=0$ more than 17.8 times, $\eta<0.0562$"),
-    Statement("s5b-eta-d1", _V_B, r"at $d=1$ more than 9.3 times, $\eta<0.1074$"),
+    Statement(
+        "s5b-eta-d0",
+        _V_B,
+        r"at $d=0$ more than 17.8 times, $\eta<0.0562$",
+        quoted=(Quoted("above", "17.8"), Quoted("below", "0.0562")),
+    ),
+    Statement(
+        "s5b-eta-d1",
+        _V_B,
+        r"at $d=1$ more than 9.3 times, $\eta<0.1074$",
+        quoted=(Quoted("above", "9.3"), Quoted("below", "0.1074")),
+    ),
     Statement("s5b-eta-grows", _V_B, r"$\eta$ grows with $d$ until it is 1"),
     Statement(
         "s5c-human-10000", _V_C, "the limit is nearly 10000 times the stiffness of a human arm"

@@ -12,7 +12,7 @@ import sympy as sp
 from flint import arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 from sympy import Expr
 
-from symhaptic.proof.ball import ball
+from symhaptic.proof.ball import At, ball
 
 BITS = 256
 """Precision of the balls that are found here."""
@@ -69,21 +69,25 @@ def root_between(polynomial: Expr, lower: Expr, upper: Expr) -> arb:
     return found[0]
 
 
-def zero_between(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr) -> arb:
+def zero_between(
+    expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | None = None
+) -> arb:
     """A ball around the only zero of a function between two numbers, by Newton's interval step.
 
-    A step that ends inside the interval it started from proves that there is one zero in it.
+    A step that ends inside the interval it started from proves that there is one zero in it, for
+    any values of further symbols in the balls given by ``at``.
     Raises :class:`NoSuchRoot` where the first step does not.
 
     >>> x = sp.Symbol("x")
     >>> print(zero_between(sp.cos(x), x, sp.S.One, sp.Integer(2)).str(20))
     [1.5707963267948966192 +/- 3.14e-20]
     """
-    slope = sp.diff(expr, variable)
+    slope, known = sp.diff(expr, variable), dict(at or {})
 
     def newton(wide: arb) -> arb:
         middle = wide.mid()
-        value, rises = ball(expr, {variable: middle}, BITS), ball(slope, {variable: wide}, BITS)
+        value = ball(expr, {**known, variable: middle}, BITS)
+        rises = ball(slope, {**known, variable: wide}, BITS)
         return middle - value.real / rises.real
 
     with ctx.workprec(BITS):

@@ -1,0 +1,117 @@
+"""The largest stiffness of the explicit boundary in a ball, for a given plant and delay.
+
+That the stable walls end there is shown in derivations/s5b_stiffest_undelayed.py and
+s5b_stiffest_wall.py; here is only the arithmetic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import TypeAlias
+
+import sympy as sp
+from flint import acb, arb, ctx
+from sympy import Expr
+
+from symhaptic.model import boundary, plant
+from symhaptic.notation import a, e, n_0, n_1, phi, t
+from symhaptic.proof import box
+from symhaptic.proof.ball import ball
+from symhaptic.proof.roots import BITS, NoSuchRoot, zero_between
+
+DEVICE = plant.Sampled(n_1, n_0, a, e)
+"""A plant by the names of its numbers."""
+
+STIFFNESS = boundary.stiffness(DEVICE, t, phi)
+"""alpha on the boundary from t = tan(theta/2) and phi = (d+1) theta."""
+
+_TOP = sp.Symbol("top")
+
+
+@dataclass(frozen=True)
+class Peak:
+    """The largest value of a function on an interval, and where it is."""
+
+    at: arb
+    value: arb
+
+
+@cache
+def numbers(stiffness: Expr, damping: Expr) -> dict[Expr, arb]:
+    """The plant's n_1, n_0, a and e in narrow balls, for one gamma and delta."""
+    exact = plant.numbers(sp.sympify(stiffness), sp.sympify(damping))
+    return {name: ball(value, None, BITS).real for name, value in exact.items()}
+
+
+def undelayed(stiffness: Expr, damping: Expr) -> arb:
+    """The largest stable alpha without delay.
+
+    >>> print(undelayed(sp.S.Zero, sp.Rational(1, 50)).str(20, radius=False))
+    0.71320631852136356134
+    """
+    largest = boundary.largest_undelayed(DEVICE)
+    return ball(largest, numbers(stiffness, damping), BITS).real
+
+
+def times(value: arb, factor: Expr) -> arb:
+    """A ball times a number."""
+    return ball(factor * _TOP, {_TOP: value}, BITS).real
+
+
+def passive(damping: Expr, delay: int) -> Expr:
+    """The largest passive alpha, (11): 2 delta tan(pi/(4 (d+1)))."""
+    return 2 * damping * sp.tan(sp.pi / (4 * (delay + 1)))
+
+
+def at_angle(stiffness: Expr, damping: Expr, delay: int, angle: Expr) -> arb:
+    """alpha on the boundary at one angle."""
+    there: dict[Expr, Expr | arb] = {t: sp.tan(angle / 2), phi: (delay + 1) * angle}
+    return ball(STIFFNESS, {**numbers(stiffness, damping), **there}, BITS).real
+
+
+def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
+    """The largest alpha of the boundary for 0 < theta <= pi/(d + 1/2), and its angle.
+
+    Next to ``near`` (d+1) theta the slope has one zero, by Newton's interval step, and falls; left
+    and right of that the stiffness is smaller, by balls.  Raises where one of them fails.
+
+    >>> print(largest(sp.S.Zero, sp.Rational(1, 50), 1, 1.1).value.str(20, radius=False))
+    0.15480020462918853344
+    """
+    known = numbers(stiffness, damping)
+    whole = sp.Integer(delay + 1)
+    alpha = STIFFNESS.subs(t, sp.tan(phi / (2 * whole)))
+    slope = sp.diff(alpha, phi)
+    low, high, angle = _turning(slope, near, known)
+    value = ball(alpha, {**known, phi: angle}, BITS).real
+    given = _constant(known | {_TOP: value})
+    for sign, side in ((1, (low[0], low[1])), (-1, (high[0], high[1]))):
+        box.positive(sign * slope, {phi: side}, given)
+    end = sp.pi * whole / (whole - sp.S.Half)
+    for side in ((sp.S.Zero, low[0]), (high[1], end)):
+        box.positive(_TOP - alpha, {phi: side}, given)
+    with ctx.workprec(BITS):
+        return Peak(angle / int(whole), value)
+
+
+Side: TypeAlias = tuple[Expr, Expr]
+
+
+def _turning(slope: Expr, near: float, known: dict[Expr, arb]) -> tuple[Side, Side, arb]:
+    """The zero of the slope, with an interval to its left and one to its right."""
+    middle = sp.Rational(round(near * 10**4), 10**4)
+    for part in (10, 30, 100, 300):
+        left, right = (middle * (1 + sp.Rational(s, part)) for s in (-1, 1))
+        try:
+            angle = zero_between(slope, phi, left, right, known)
+        except NoSuchRoot:
+            continue
+        return (middle * sp.Rational(3, 4), left), (right, middle * sp.Rational(5, 4)), angle
+    raise NoSuchRoot(f"no largest stiffness is shown near {near}")
+
+
+def _constant(known: Mapping[Expr, arb]) -> box.Given:
+    balls = {symbol: acb(value) for symbol, value in known.items()}
+    return lambda _: balls
