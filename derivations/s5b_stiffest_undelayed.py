@@ -21,7 +21,7 @@ RANGES = {gamma: (0, Rational(1, 1000)), delta: (0, Rational(1, 50))}
 
 IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
 IN_23 = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
-BALLS = {n_1: TOGETHER - LATE, n_0: LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
+BALLS = {n_1: TOGETHER - LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
 """The plant's numbers by those that are known in balls."""
 
 GIVEN = named({s: s for s in NUMBERS})
@@ -108,7 +108,7 @@ def ratio(page):
         "The largest passive stiffness without delay is $\\alpha=2\\delta$, by (11). On the range "
         "of the paper:"
     )
-    device = plant.Sampled(*(BALLS[symbol] for symbol in (n_1, n_0, a, e)))
+    device = plant.Sampled(*(s.subs(BALLS) for s in (n_1, n_0, a, e)))
     most = boundary.largest_undelayed(device)
     above = page.positive(
         "More than 17.8 times as stiff",
@@ -125,13 +125,13 @@ def ratio(page):
     page.enclosed(
         "The ratio in numbers",
         list(zip(names, ratios, strict=True)),
-        because="the first is the smallest in (23), and the paper's digits are cut from it; just "
-        "beyond the range 17.8 is too much even without a spring",
+        because="17.8 is cut from these, 0.0562 is the inverse of the first, rounded up (that of "
+        "the second is below 0.0561); just beyond the range 17.8 is too much",
     )
     page.settle(
         "s5b-eta-d0",
         above,
         value=(ratios[0], inverse),
         note=r"both hold on all of (23) with $\delta>0$; the numbers are those of its corner "
-        r"$\gamma=0.001$, $\delta=0.02$, where the ratio is smallest",
+        r"$\gamma=0.001$, $\delta=0.02$",
     )

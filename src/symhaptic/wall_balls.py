@@ -55,6 +55,12 @@ def undelayed(stiffness: Expr, damping: Expr) -> arb:
     return ball(largest, numbers(stiffness, damping), BITS).real
 
 
+def constant(known: Mapping[Expr, arb]) -> box.Given:
+    """The same balls on every piece of a box."""
+    balls = {symbol: acb(value) for symbol, value in known.items()}
+    return lambda _: balls
+
+
 def times(value: arb, factor: Expr) -> arb:
     """A ball times a number."""
     return ball(factor * _TOP, {_TOP: value}, BITS).real
@@ -86,7 +92,7 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
     slope = sp.diff(alpha, phi)
     low, high, angle = _turning(slope, near, known)
     value = ball(alpha, {**known, phi: angle}, BITS).real
-    given = _constant(known | {_TOP: value})
+    given = constant(known | {_TOP: value})
     for sign, side in ((1, (low[0], low[1])), (-1, (high[0], high[1]))):
         box.positive(sign * slope, {phi: side}, given)
     end = sp.pi * whole / (whole - sp.S.Half)
@@ -110,8 +116,3 @@ def _turning(slope: Expr, near: float, known: dict[Expr, arb]) -> tuple[Side, Si
             continue
         return (middle * sp.Rational(3, 4), left), (right, middle * sp.Rational(5, 4)), angle
     raise NoSuchRoot(f"no largest stiffness is shown near {near}")
-
-
-def _constant(known: Mapping[Expr, arb]) -> box.Given:
-    balls = {symbol: acb(value) for symbol, value in known.items()}
-    return lambda _: balls
