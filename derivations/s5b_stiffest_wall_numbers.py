@@ -8,13 +8,12 @@ explicit function, and balls enclose it.
 from sympy import Poly, Rational, S, pi, symbols, tan
 
 from symhaptic.model import circle, passivity
-from symhaptic.notation import K, T, a, alpha, d, delta, e, gamma, n_1, phi, t, theta, x
+from symhaptic.notation import K, T, a, alpha, d, delta, e, gamma, n_1, phi, t, theta
 from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named
 from symhaptic.proof import box
-from symhaptic.proof.ball import ball, bound
-from symhaptic.proof.roots import BITS, decimals
-from symhaptic.tracer.extremes import max_stable_stiffness
-from symhaptic.wall_balls import DEVICE, STIFFNESS, largest, passive, times, undelayed
+from symhaptic.proof.ball import bound
+from symhaptic.proof.roots import decimals
+from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 STIFF, DAMPED = Rational(1, 1000), Rational(1, 50)
 RANGES = {gamma: (0, STIFF), delta: (0, DAMPED)}
@@ -64,7 +63,7 @@ def derive(page):
     page.settle(
         "s5b-eta-d1",
         above,
-        value=(corner, inverse(corner)),
+        value=(corner, over(S.One, corner)),
         note=r"both hold on all of (23) with $\delta>0$; the numbers are those of its corner "
         r"$\gamma=0.001$, $\delta=0.02$",
     )
@@ -73,16 +72,7 @@ def derive(page):
 
 def ratio(stiffness, damping, delay):
     """Largest stable over largest passive stiffness."""
-    if delay == 0:
-        return times(undelayed(stiffness, damping), 1 / passive(damping, 0))
-    tip = max_stable_stiffness(float(stiffness), float(damping), delay)
-    peak = largest(stiffness, damping, delay, float(tip.theta) * (delay + 1))
-    return times(peak.value, 1 / passive(damping, delay))
-
-
-def inverse(number):
-    """Of a ball."""
-    return ball(1 / x, {x: number}, BITS).real
+    return over(most(stiffness, damping, delay), passive(damping, delay))
 
 
 def table(page):
@@ -104,12 +94,12 @@ def table(page):
     )
     rows = []
     for delay in (0, *PLAIN):
-        cells = [decimals(inverse(ratio(S.Zero, DAMPED, delay)), 20)]
+        cells = [decimals(over(S.One, ratio(S.Zero, DAMPED, delay)), 20)]
         if delay <= 48:
-            cells.append(decimals(inverse(ratio(STIFF, DAMPED, delay)), 20))
+            cells.append(decimals(over(S.One, ratio(STIFF, DAMPED, delay)), 20))
         else:
-            most = ball(passive(DAMPED, delay) / FOR_EVER, None, BITS).real
-            cells.append(f"$<{bound(most, above=True)}$")
+            high = over(passive(DAMPED, delay), FOR_EVER)
+            cells.append(f"$<{bound(high, above=True)}$")
         rows.append([delay, *cells])
     head = ["$d$", r"$\eta$ for $\gamma=0$", r"$\eta$ for $\gamma=0.001$"]
     page.table("Largest passive over largest stable stiffness, decimals cut off.", head, rows)

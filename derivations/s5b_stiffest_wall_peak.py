@@ -7,12 +7,11 @@ one, and what it tends to, for $\delta=0.02$ with and without a spring.
 from sympy import Rational, S, cos, pi, sin, symbols, tan
 
 from symhaptic.model import loop
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, h, kappa, n_0, n_1, phi, t, x
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, h, kappa, n_0, n_1, phi, t
 from symhaptic.proof import box
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import BITS, zero_between
-from symhaptic.tracer.extremes import max_stable_stiffness
-from symhaptic.wall_balls import STIFFNESS, constant, largest, numbers, passive, times
+from symhaptic.wall_balls import STIFFNESS, constant, most, numbers, over, passive
 
 STIFF, DAMPED = Rational(1, 1000), Rational(1, 50)
 ARM = loop.numbers()
@@ -52,9 +51,7 @@ def derive(page):
 
 def eta(stiffness, delay):
     """Largest passive over largest stable stiffness."""
-    tip = max_stable_stiffness(float(stiffness), float(DAMPED), delay)
-    peak = largest(stiffness, DAMPED, delay, float(tip.theta) * (delay + 1))
-    return ball(passive(DAMPED, delay) / x, {x: peak.value}, BITS).real
+    return over(passive(DAMPED, delay), most(stiffness, DAMPED, delay))
 
 
 def without_spring(page, known):
@@ -134,13 +131,13 @@ def with_spring(page, known):
 def limit(page):
     """Without a spring the ratio tends to 0.863."""
     angle = zero_between(sin(phi) + phi * cos(phi), phi, S(2), Rational(21, 10))
-    most = ball(phi * sin(phi), {phi: angle}, BITS).real
+    high = ball(phi * sin(phi), {phi: angle}, BITS).real
     page.enclosed(
         "What it tends to without a spring",
         [
             (r"\varphi_\infty", angle),
-            (r"\varphi_\infty\sin\varphi_\infty", most),
-            (r"\eta(\infty)", times(ball(1 / x, {x: most}, BITS).real, pi / 2)),
+            (r"\varphi_\infty\sin\varphi_\infty", high),
+            (r"\eta(\infty)", over(pi / 2, high)),
         ],
         because="the largest of $\\varphi\\sin\\varphi$, by the limit of the curve in the first "
         "chapter; with a spring $\\eta$ falls like $1/d$, as the passive stiffness does",

@@ -20,6 +20,7 @@ from symhaptic.notation import a, e, n_0, n_1, phi, t
 from symhaptic.proof import box
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import BITS, NoSuchRoot, zero_between
+from symhaptic.tracer.extremes import max_stable_stiffness
 
 DEVICE = plant.Sampled(n_1, n_0, a, e)
 """A plant by the names of its numbers."""
@@ -27,7 +28,7 @@ DEVICE = plant.Sampled(n_1, n_0, a, e)
 STIFFNESS = boundary.stiffness(DEVICE, t, phi)
 """alpha on the boundary from t = tan(theta/2) and phi = (d+1) theta."""
 
-_TOP = sp.Symbol("top")
+_TOP, _BOTTOM = sp.symbols("top bottom")
 
 
 @dataclass(frozen=True)
@@ -61,9 +62,13 @@ def constant(known: Mapping[Expr, arb]) -> box.Given:
     return lambda _: balls
 
 
-def times(value: arb, factor: Expr) -> arb:
-    """A ball times a number."""
-    return ball(factor * _TOP, {_TOP: value}, BITS).real
+def over(one: Expr | arb, other: Expr | arb) -> arb:
+    """The ratio of two numbers, exact or in balls.
+
+    >>> print(over(sp.S.One, arb(3)).str(20, radius=False))
+    0.33333333333333333333
+    """
+    return ball(_TOP / _BOTTOM, {_TOP: one, _BOTTOM: other}, BITS).real
 
 
 def passive(damping: Expr, delay: int) -> Expr:
@@ -71,10 +76,17 @@ def passive(damping: Expr, delay: int) -> Expr:
     return 2 * damping * sp.tan(sp.pi / (4 * (delay + 1)))
 
 
-def at_angle(stiffness: Expr, damping: Expr, delay: int, angle: Expr) -> arb:
-    """alpha on the boundary at one angle."""
-    there: dict[Expr, Expr | arb] = {t: sp.tan(angle / 2), phi: (delay + 1) * angle}
-    return ball(STIFFNESS, {**numbers(stiffness, damping), **there}, BITS).real
+@cache
+def most(stiffness: Expr, damping: Expr, delay: int) -> arb:
+    """The largest stable alpha for one gamma, delta and whole delay.
+
+    >>> print(most(sp.S.Zero, sp.Rational(1, 50), 122).str(20, radius=False))
+    0.00025542115172973515845
+    """
+    if delay == 0:
+        return undelayed(stiffness, damping)
+    tip = max_stable_stiffness(float(stiffness), float(damping), delay)
+    return largest(stiffness, damping, delay, float(tip.theta) * (delay + 1)).value
 
 
 def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
