@@ -50,7 +50,7 @@ def undelayed(stiffness: Expr, damping: Expr) -> arb:
     """The largest stable alpha without delay.
 
     >>> print(undelayed(sp.S.Zero, sp.Rational(1, 50)).str(20, radius=False))
-    0.71320631852136356134
+    0.71320631852136363205
     """
     largest = boundary.largest_undelayed(DEVICE)
     return ball(largest, numbers(stiffness, damping), BITS).real
@@ -96,7 +96,7 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
     and right of that the stiffness is smaller, by balls.  Raises where one of them fails.
 
     >>> print(largest(sp.S.Zero, sp.Rational(1, 50), 1, 1.1).value.str(20, radius=False))
-    0.15480020462918853344
+    0.15480020462918854310
     """
     known = numbers(stiffness, damping)
     whole = sp.Integer(delay + 1)

@@ -143,6 +143,11 @@ CLAIMS = (
     ),
     Statement("s5a-proportional", _V_A, r"the passive region is proportional to $\delta$"),
     Statement(
+        "s5b-soft-contacts",
+        _V_B,
+        "the virtual stiffness can be decreased to zero without causing stability problems",
+    ),
+    Statement(
         "s5b-eta-d0",
         _V_B,
         r"at $d=0$ more than 17.8 times, $\eta<0.0562$",
