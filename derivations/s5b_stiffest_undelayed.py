@@ -30,7 +30,7 @@ def derive(page):
     arm = {a: 1 + e - gamma * RISE}
     page.say(
         "Jury's inequalities for $d=0$ are $p_1(1)>0$, $c_1>0$, $c_3=-p_1(-1)>0$ and $\\Delta_2>0$ "
-        "(chapter s4d-jury-explicit). With $1-a+e=\\gamma(n_1+n_0)$ and the damping "
+        "(earlier chapter). With $1-a+e=\\gamma(n_1+n_0)$ and the damping "
         "$s_1=(1-e+\\gamma n_0)/(n_1+n_0)$ of the arm near $z=1$:"
     )
     loss = RISE * s_1 - gamma * n_0
@@ -77,7 +77,7 @@ def reached(page, minor, second, third):
     page.show(
         "With $x=1+n_1\\beta>0$",
         r"\Delta_2",
-        r"n_0x(\alpha_{\max}-\alpha)-\frac{(n_1+n_0)(n_0x-w)^2}{n_0n_1^2},\quad"
+        r"n_0x(\alpha_{\max}-\alpha)-\frac{(n_1+n_0)(n_0x-w)^2}{n_0n_1^2},\quad "
         r"w=\sqrt{n_0(n_0+en_1-\gamma n_0n_1)}",
         page.same("margin", minor.subs(arm).subs(beta, (x - 1) / n_1), margin),
     )
@@ -90,9 +90,9 @@ def reached(page, minor, second, third):
         boxed=True,
     )
     top = {alpha: (RISE - best) ** 2 / (n_0 * n_1**2) - gamma, beta: (best / n_0 - 1) / n_1}
-    for name, plane in (("c_1", second), ("c_3", third)):
+    for name, title, plane in (("c_1", "second", second), ("c_3", "third", third)):
         fact = box.positive(plane.subs(top).subs(BALLS), WIDE, GIVEN)
-        page.positive("There", fact, IN_WIDE, name=name)
+        page.positive(f"There the {title} one", fact, IN_WIDE, name=name)
     page.say(
         "and $p_1(1)=(n_1+n_0)(\\alpha+\\gamma)$ is positive. So this holds for every spring up to "
         "ten times and every damper up to five times the largest of the paper's range (23), and "
@@ -120,7 +120,10 @@ def ratio(page):
     end = Rational(1, 50)
     plants = [(Rational(1, 1000), end), (S.Zero, end), (S.Zero, Rational(201, 10000))]
     ratios = [over(most(*arm, 0), passive(arm[1], 0)) for arm in plants]
-    names = [rf"\gamma={g},\ \delta={d}:" for g, d in (("0.001", 0.02), (0, 0.02), (0, 0.0201))]
+    names = [
+        rf"\frac{{\alpha_{{\max}}}}{{2\delta}}\Big|_{{\gamma={g},\ \delta={v}}}"
+        for g, v in (("0.001", 0.02), (0, 0.02), (0, 0.0201))
+    ]
     page.enclosed(
         "The ratio in numbers",
         list(zip(names, ratios, strict=True)),

@@ -53,9 +53,12 @@ def derive(page):
     page.enclosed(
         "The ratio in numbers",
         [
-            (r"\gamma=0.001,\ \delta=0.02:", corner),
-            (r"\gamma=0,\ \delta=0.02:", plain),
-            (r"\gamma=0,\ \delta=0.0202:", beyond),
+            (rf"\frac{{\alpha_{{\max}}}}{{2\delta\tan(\pi/8)}}\Big|_{{{arm}}}", value)
+            for arm, value in (
+                (r"\gamma=0.001,\ \delta=0.02", corner),
+                (r"\gamma=0,\ \delta=0.02", plain),
+                (r"\gamma=0,\ \delta=0.0202", beyond),
+            )
         ],
         because="9.3 is cut from the first, 0.1074 its inverse rounded up; both fail a little "
         "beyond the range",

@@ -24,8 +24,8 @@ def derive(page):
     page.enclosed(
         "Two peaks",
         [
-            *((rf"\gamma=0:\quad\eta({n})", known[ETA[n]]) for n in (121, 122, 123)),
-            (r"\gamma=0.001:\quad\eta(40)", known[SPRUNG]),
+            *((rf"\eta({n})|_{{\gamma=0}}", known[ETA[n]]) for n in (121, 122, 123)),
+            (r"\eta(40)|_{\gamma=0.001}", known[SPRUNG]),
         ],
         because="by the maximum of the explicit function, as before",
     )
@@ -64,7 +64,12 @@ def without_spring(page, known):
     )
     slow = (h * phi) ** 2 * cos(phi) + delta * h * phi * sin(phi)
     far = delta * (sin(phi) + phi * cos(phi)) / (phi**2 * sin(phi) - 2 * phi * cos(phi))
-    page.step("Where it is stiffest", slow.diff(phi).subs(h, far), S.Zero, name=r"\partial_\varphi")
+    page.step(
+        "Where it is stiffest",
+        slow.diff(phi).subs(h, far),
+        S.Zero,
+        name=r"\frac{\partial\alpha}{\partial\varphi}",
+    )
     page.define("The delay", "u", far)
     far, balls = far.subs(delta, DAMPED), constant(known | numbers(S.Zero, DAMPED))
     above = STIFFNESS.subs(t, tan(far * phi / 2)) * peak - 2 * DAMPED * tan(pi * far / 4)

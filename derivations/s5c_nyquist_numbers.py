@@ -105,7 +105,7 @@ def arms(page):
         limit = spring_of(mass).subs(T, HOGAN[T]) / HOGAN[k_H]
         page.step(title, limit, mass * 10**6 * pi**2 / 568, name=r"\frac{\pi^2m}{T^2k_H}")
     less = page.positive(
-        "Less than 5000, which is no more 10000 to one digit",
+        "Less than 5000, which is not 10000 to one digit",
         number(5000 - spring_of(DEVICE[m]).subs(T, HOGAN[T]) / HOGAN[k_H]),
         r"m=0.1\ \mathrm{kg},\ k_H=568\ \mathrm{N/m}",
         name=r"5000-\frac{\pi^2m}{T^2k_H}",

@@ -47,7 +47,7 @@ def derive(page):
         note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, whatever wall and delay",
     )
     page.say(
-        "For $d=0$ the other factor is a quadratic. With $f=e^{-\\delta/2}$ and "
+        "For $d=0$ the other factor $q$ is a quadratic. With $f=e^{-\\delta/2}$ and "
         "$\\nu=(1+f)/\\gamma$ Jury's inequalities for it are three half planes:"
     )
     f = symbols("f")
@@ -58,9 +58,11 @@ def derive(page):
         (quadratic[0] * z**2 + quadratic[1] * z + quadratic[2]).subs({f: LEFT, SHARE: force}),
     )
     one, two, three = jury.criterion(quadratic).expressions
-    page.step("At 1", one, 1 + f + SHARE * alpha, because="$\\alpha>-\\gamma$")
-    page.step("At $-1$", two, 1 - f - SHARE * (alpha + 2 * beta))
-    page.step("Their product", three, 1 + SHARE * beta, because="$\\beta>-1/\\nu$")
+    page.step("At 1", one, 1 + f + SHARE * alpha, name="q(1)", because="$\\alpha>-\\gamma$")
+    page.step("At $-1$", two, 1 - f - SHARE * (alpha + 2 * beta), name="q(-1)")
+    page.step(
+        "Roots $r_1,r_2$", three, 1 + SHARE * beta, name="1-r_1r_2", because="$\\beta>-1/\\nu$"
+    )
     edge = page.step(
         "The third side",
         ((1 - f) / SHARE).subs({f: LEFT, SHARE: force}),

@@ -35,9 +35,12 @@ def derive(page):
     )
     arms = [(STIFF, DAMPED), (S.Zero, DAMPED), (S.Zero, Rational(3, 100))]
     shares = [over(most(*arm, 1), most(*arm, 0)) for arm in arms]
-    names = [rf"\gamma={g},\ \delta={v}:" for g, v in (("0.001", 0.02), (0, 0.02), (0, 0.03))]
+    names = [
+        rf"\frac{{\alpha_{{\max}}(1)}}{{\alpha_{{\max}}(0)}}\Big|_{{\gamma={g},\ \delta={v}}}"
+        for g, v in (("0.001", 0.02), (0, 0.02), (0, 0.03))
+    ]
     page.enclosed(
-        r"$\alpha_{\max}(1)/\alpha_{\max}(0)$",
+        "The share that is left",
         list(zip(names, shares, strict=True)),
         because="the first is that of Figs. 11 and 12; beyond the range, at $\\delta=0.03$, it is "
         "more than 22 %",

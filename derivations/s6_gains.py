@@ -71,7 +71,10 @@ def stable(page):
     now = {n: most(S.Zero, S.Zero, n) for n in (1, 10)}
     page.enclosed(
         "The gain of a free mass",
-        [(f"d={n}:", over(limit, over(n**2 * S.One, over(S.One, now[n])))) for n in now],
+        [
+            (rf"d={n}:\quad\text{{gain}}", over(limit, over(n**2 * S.One, over(S.One, now[n]))))
+            for n in now
+        ],
     )
     gap = box.positive(h - 2 * K, {}, constant({h: limit, K: now[1]}))
     ten = box.positive(121 * K - h, {}, constant({h: limit, K: now[10]}))
