@@ -37,8 +37,8 @@ def derive(page):
         "s5b-eta-grows",
         *facts,
         corrected=(
-            r"\eta\le\eta(122)<1\ \text{for}\ \gamma=0",
-            r"\eta\le\eta(40)<1\ \text{for}\ \gamma=0.001",
+            r"\eta\le\eta(122)<1\ \text{for}\ \gamma=0,\ \delta=0.02",
+            r"\eta\le\eta(40)<1\ \text{for}\ \gamma=0.001,\ \delta=0.02",
             r"\text{and beyond}\ \eta\ \text{falls, to}\ 0.863\ \text{and}\ 0",
         ),
         misprint=False,
