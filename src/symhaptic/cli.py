@@ -100,13 +100,9 @@ def _chapters(paths: list[Path]) -> list[Chapter]:
 def _settled(paths: list[Path], workers: int) -> list[Entry]:
     """The statements that derivations settle."""
     from symhaptic import parallel
-    from symhaptic.library import BadChapter
 
-    try:
-        with _progress(len(paths)) as told:
-            return parallel.settled(paths, workers, told)
-    except BadChapter as wrong:
-        _usage(f"--derivation {wrong}")
+    with _progress(len(paths)) as told:
+        return parallel.settled(paths, workers, told)
 
 
 @contextmanager
@@ -158,7 +154,10 @@ def verify(
                 _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, STATEMENTS)}")
     known = ledger.expected(library.expected_ledger())
     paths = listing.needed(wanted, library.shipped()) + own
-    entries = ledger.ledger(_settled(paths, workers or parallel.workers()))
+    try:
+        entries = ledger.ledger(_settled(paths, workers or parallel.workers()))
+    except library.BadChapter as wrong:
+        _usage(f"--derivation {wrong}")
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:

@@ -42,11 +42,32 @@ def wall(device: Sampled, angle: Expr = theta, delay: Expr = d) -> tuple[Expr, E
     return solved(on_circle(needed(device, delay), angle), angle)
 
 
-def largest_undelayed(device: Sampled) -> Expr:
-    """Largest stable alpha of a mass with a damper, no spring and no delay.
+def stiffness(device: Sampled, half: Expr, turn: Expr) -> Expr:
+    r"""alpha of :func:`wall` in ``half`` = tan(theta/2) and ``turn`` = (d+1) theta, real.
 
-    (n1 + n0 - sqrt(n0 (n0 + e n1)))^2/(n0 n1^2), a supremum over all beta; derived in
-    derivations/s4d_mass_with_damper.py.
+    Written without cancellation where theta, damping and stiffness are small, so that balls see
+    it; derivations/s5b_stiffest_wall.py shows that it is the same.
+
+    >>> from symhaptic.scene import Parts
+    >>> from symhaptic.model import plant
+    >>> free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
+    >>> stiffness(free, *sp.symbols("t x"))
+    4*t**2*cos(x)
+    """
+    total, apart = device.n1 + device.n0, device.n1 - device.n0
+    loss, static = 1 - device.e, 1 - device.a + device.e
+    heavy = (2 * (1 + device.e) - static) * half**2 - static
+    along = total * sp.cos(turn) + apart * half * sp.sin(turn)
+    across = total * sp.sin(turn) - apart * half * sp.cos(turn)
+    return (heavy * along + 2 * loss * half * across) / (total**2 + apart**2 * half**2)
+
+
+def largest_undelayed(device: Sampled) -> Expr:
+    """Largest stable alpha without delay, of a mass with a damper and no or a soft spring.
+
+    (n1 + n0 - sqrt(n0 r))^2/(n0 n1^2) - gamma with r = n0 + e n1 - gamma n0 n1 and
+    gamma = (1 - a + e)/(n1 + n0), a supremum over all beta; derived in
+    derivations/s4d_mass_with_damper.py and, with a spring, in s5b_stiffest_undelayed.py.
 
     >>> from symhaptic.scene import Parts
     >>> from symhaptic.model import plant
@@ -54,5 +75,8 @@ def largest_undelayed(device: Sampled) -> Expr:
     >>> sp.expand(largest_undelayed(free))
     12 - 8*sqrt(2)
     """
-    root = sp.sqrt(device.n0 * (device.n0 + device.e * device.n1))
-    return (device.n1 + device.n0 - root) ** 2 / (device.n0 * device.n1**2)
+    total = device.n1 + device.n0
+    spring = (1 - device.a + device.e) / total
+    rest = device.n0 + device.e * device.n1 - spring * device.n0 * device.n1
+    root = sp.sqrt(device.n0 * rest)
+    return (total - root) ** 2 / (device.n0 * device.n1**2) - spring

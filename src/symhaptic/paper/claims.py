@@ -192,17 +192,45 @@ CLAIMS = (
         r"for $\beta\in[-1,d/(2d+3)]\delta$ the line gives passive walls",
     ),
     Statement("s5a-subset", _V_A, r"the passive region lies inside the stable one for all $d\ge0$"),
+    Statement(
+        "s5a-smaller-delta",
+        _V_A,
+        r"for $\delta<0.02$ the relative difference in size of the regions is even larger",
+    ),
     Statement("s5a-proportional", _V_A, r"the passive region is proportional to $\delta$"),
     Statement(
         "s5b-soft-contacts",
         _V_B,
         "the virtual stiffness can be lowered down to zero without loss of stability",
     ),
-    Statement("s5b-eta-d0", _V_B, r"at $d=0$ more than 17.8 times, $\eta<0.0562$"),
-    Statement("s5b-eta-d1", _V_B, r"at $d=1$ more than 9.3 times, $\eta<0.1074$"),
+    Statement(
+        "s5b-eta-d0",
+        _V_B,
+        r"at $d=0$ more than 17.8 times, $\eta<0.0562$",
+        quoted=(Quoted("above", "17.8"), Quoted("below", "0.0562")),
+    ),
+    Statement(
+        "s5b-eta-d1",
+        _V_B,
+        r"at $d=1$ more than 9.3 times, $\eta<0.1074$",
+        quoted=(Quoted("above", "9.3"), Quoted("below", "0.1074")),
+    ),
     Statement("s5b-eta-grows", _V_B, r"$\eta$ grows with $d$ until it is 1"),
     Statement(
-        "s5c-human-10000", _V_C, "the limit is nearly 10000 times the stiffness of a human arm"
+        "s5c-human-10000",
+        _V_C,
+        "the limit is nearly 10000 times the stiffness of a human arm in (23)",
+        quoted=(Quoted("about", "1e4"),),
+    ),
+    Statement(
+        "s5c-shape",
+        _V_C,
+        "such stiff springs change shape and size of the stable region completely",
+    ),
+    Statement(
+        "s5c-marginal-b",
+        _V_C,
+        r"the stiffness (31) is only marginally influenced by the damping $b$",
     ),
     Statement("s5c-robust-subset", _V_C, "the passive region lies inside the robustly stable one"),
     Statement(
@@ -216,7 +244,21 @@ CLAIMS = (
         r"for $\delta=0$ and $\gamma=\pi^2$ the whole region is limit stable",
     ),
     Statement(
-        "s6-stable-22", _VI, r"at $d=1$ the largest stable stiffness is below 22\% of that at $d=0$"
+        "s5c-pole-inside",
+        _V_C,
+        r"for $\delta>0$ the pole that lay at $z=-1$ is inside the unit circle",
+    ),
+    Statement(
+        "s6-stable-22",
+        _VI,
+        r"at $d=1$ the largest stable stiffness is below 22\% of that at $d=0$",
+        quoted=(Quoted("below", "0.22"),),
+    ),
+    Statement(
+        "s6-human-10000",
+        _VI,
+        "springs that swing at the Nyquist frequency are about 10000 times as stiff as an arm can "
+        "be",
     ),
     Statement(
         "s6-sampling", _VI, "passive stiffness is linear, stable stiffness quadratic in $1/T$"
@@ -227,5 +269,20 @@ CLAIMS = (
         _VI,
         "where the linear approximation holds, virtual damping dissipates like physical damping",
     ),
+    Statement(
+        "s6-stiffness-marginal",
+        _VI,
+        "physical stiffness within its range hardly affects stability",
+    ),
     Statement("s6-mass", _VI, "the mass scales the stable region, not the passive one"),
+    Statement(
+        "s6-performance",
+        _VI,
+        "stiffness does not improve the performance if the mass grows equally",
+    ),
+    Statement(
+        "s6-faster-sampling",
+        _VI,
+        "much faster sampling does not improve much where the time delay outweighs the sampling",
+    ),
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.statement import Statement
 
 _FRACTIONS_7 = (
@@ -271,5 +272,8 @@ EQUATIONS = (
         "Sec. V-C, Example 5.1",
         "stiffness that reaches the Nyquist frequency",
         (r"k = \pi^2 m/T^2 + b^2/4m \approx 987\,000 \text{ N/m}",),
+        r"m = 0.1\text{ kg},\ T = 0.001\text{ s}",
+        reading=(r"k = \pi^2 m/T^2 + b^2/4m",),
+        quoted=(Quoted("about", "987e3"),),
     ),
 )

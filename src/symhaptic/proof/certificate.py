@@ -6,7 +6,7 @@ A certificate says everything that the check needs and nothing of how it was fou
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol, TypeAlias
 
 import sympy as sp
@@ -35,6 +35,27 @@ class Given(Protocol):
 
     def __call__(self, at: Balls) -> Balls:
         """Balls of the symbols."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """Symbols whose balls are the same on every piece of a box."""
+
+    balls: Mapping[sp.Symbol, arb]
+    of: Sequence[sp.Symbol] = ()
+
+    @property
+    def meanings(self) -> Mapping[sp.Symbol, Expr]:
+        """Each stands for itself."""
+        return {symbol: symbol for symbol in self.balls}
+
+    def numbers(self, at: Balls) -> Balls:
+        """Their balls."""
+        return {symbol: acb(value) for symbol, value in self.balls.items()}
+
+    def __call__(self, at: Balls) -> Balls:
+        """Their balls."""
+        return self.numbers(at)
 
 
 @dataclass(frozen=True)
@@ -82,6 +103,8 @@ class Zero:
     between: tuple[Expr, Expr]
     ball: arb
     bits: int
+    at: Mapping[Expr, Expr | acb | arb] = field(default_factory=dict)
+    """Values of further symbols."""
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ Nothing is searched for, and nothing is shared with the search but the ball arit
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import reduce
 from operator import add, mul
@@ -21,6 +21,17 @@ from symhaptic.proof.certificate import Balls, Certificate, Given, Largest, Posi
 
 class Uncheckable(ValueError):
     """An expression for which there is no program."""
+
+
+class Unconfirmed(ValueError):
+    """A certificate that does not show what it says."""
+
+
+def confirm(certificates: Iterable[Certificate]) -> None:
+    """Check each of them again; raises :class:`Unconfirmed`."""
+    for certificate in {id(c): c for c in certificates}.values():
+        if not recheck(certificate):
+            raise Unconfirmed(f"a certificate is not confirmed: {certificate}")
 
 
 def recheck(certificate: Certificate) -> bool:
@@ -115,15 +126,17 @@ def _given(given: Given) -> Callable[[Balls], Balls]:
 
 def _zero(claim: Zero) -> bool:
     with ctx.workprec(claim.bits):
-        value = program(claim.expr, [claim.variable])
+        run = program(claim.expr, [claim.variable, *claim.at])
+        others = [acb(x) if isinstance(x, (acb, arb)) else _value(x) for x in claim.at.values()]
         low, high = (_number(end) for end in claim.between)
         found = claim.ball
         if not (found.lower() >= low.upper() and found.upper() <= high.lower()):
             return False
-        ends = [value(acb(end)).real for end in (found.lower(), found.upper())]
+        ends = [run(acb(end), *others).real for end in (found.lower(), found.upper())]
         if not ((ends[0] > 0 and ends[1] < 0) or (ends[0] < 0 and ends[1] > 0)):
             return False
-        slope = value(acb_series([low.union(high), 1], 2))[1].real
+        still = [acb_series([x], 2) for x in others]
+        slope = run(acb_series([low.union(high), 1], 2), *still)[1].real
         return bool(slope > 0 or slope < 0)
 
 
@@ -180,10 +193,15 @@ _CALLS: dict[type, Callable[..., Ball]] = {
 }
 
 
-def _number(value: Expr) -> arb:
-    """A real number in a ball of the precision in force."""
-    found: arb = program(sp.sympify(value), [])().real
+def _value(number: Expr) -> acb:
+    """A number in a ball of the precision in force."""
+    found: acb = program(sp.sympify(number), [])()
     return found
+
+
+def _number(number: Expr) -> arb:
+    """A real number in a ball."""
+    return _value(number).real
 
 
 def program(expr: Expr, symbols: list[sp.Symbol]) -> Callable[..., Any]:

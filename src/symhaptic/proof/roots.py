@@ -13,7 +13,7 @@ import sympy as sp
 from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 from sympy import Expr
 
-from symhaptic.proof.ball import ball
+from symhaptic.proof.ball import At, ball
 from symhaptic.proof.certificate import Zero
 
 BITS = 256
@@ -71,26 +71,30 @@ def root_between(polynomial: Expr, lower: Expr, upper: Expr) -> arb:
     return found[0]
 
 
-def zero_between(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr) -> arb:
+def zero_between(
+    expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | None = None
+) -> arb:
     """The ball of :func:`zero`."""
-    return zero(expr, variable, lower, upper).ball
+    return zero(expr, variable, lower, upper, at).ball
 
 
-def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr) -> Zero:
+def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | None = None) -> Zero:
     """The only zero of a function between two numbers, in a ball, by Newton's interval step.
 
-    A step that ends inside the interval it started from proves that there is one zero in it.
+    A step that ends inside the interval it started from proves that there is one zero in it, for
+    any values of further symbols in the balls given by ``at``.
     Raises :class:`NoSuchRoot` where the first step does not.
 
     >>> x = sp.Symbol("x")
     >>> print(zero(sp.cos(x), x, sp.S.One, sp.Integer(2)).ball.str(20))
     [1.5707963267948966192 +/- 3.14e-20]
     """
-    slope = sp.diff(expr, variable)
+    slope, known = sp.diff(expr, variable), dict(at or {})
 
     def newton(wide: arb) -> arb:
         middle = wide.mid()
-        value, rises = ball(expr, {variable: middle}, BITS), ball(slope, {variable: wide}, BITS)
+        value = ball(expr, {**known, variable: middle}, BITS)
+        rises = ball(slope, {**known, variable: wide}, BITS)
         return middle - value.real / rises.real
 
     with ctx.workprec(BITS):
@@ -100,7 +104,9 @@ def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr) -> Zero:
             raise NoSuchRoot(f"no zero of {expr} is shown between {lower} and {upper}")
         while narrow.rad() < wide.rad():
             wide, narrow = narrow, newton(narrow)
-    return Zero(expr, variable, (lower, upper), wide, BITS)
+        # twice as wide, so that the signs at its ends can be seen
+        found = arb(wide.mid(), 2 * wide.rad())
+    return Zero(expr, variable, (lower, upper), found, BITS, known)
 
 
 def algebraic(

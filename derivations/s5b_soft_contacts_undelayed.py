@@ -1,0 +1,72 @@
+r"""Can the stiffness of a stable wall be turned down without delay?
+
+With delay a stable wall can become unstable when its stiffness falls while its damping is kept, as
+the chapter before shows. We ask for which arms that cannot happen without delay.
+"""
+
+from sympy import Rational, S, diff
+
+from symhaptic.model import jury, loop
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1
+from symhaptic.plant_balls import SLOPES, named
+from symhaptic.proof import box
+
+RISE = n_1 + n_0
+WIDE = {gamma: (0, Rational(1, 100)), delta: (0, Rational(1, 10))}
+IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
+
+
+def derive(page):
+    page.say(
+        "Without delay Jury's inequalities say it. Again $1-a+e=\\gamma(n_1+n_0)$ and "
+        "$(n_1+n_0)s_1=1-e+\\gamma n_0$; a stable wall has $1+n_1\\beta>0$ by the chapter on "
+        "walls without delay, and $|n_0\\beta|<1$ as the product of its roots:"
+    )
+    arm = {a: 1 + e - gamma * RISE}
+    loss = {e: 1 - RISE * s_1 + gamma * n_0}
+    first, second, third, minor = (
+        f.subs(arm).subs(loss) for f in jury.criterion(jury.coefficients(0)).expressions
+    )
+    page.step("At 1", first, RISE * (alpha + gamma), name="p_1(1)")
+    low = page.step(
+        "The second",
+        second,
+        2 * RISE * (beta + s_1) + (n_1 - n_0) * (alpha + gamma),
+        name="c_1",
+        because="positive for $\\alpha>-\\gamma$ if $\\beta>-s_1$",
+    )
+    page.step("At $-1$", diff(third, alpha), -(n_1 - n_0), name=r"\partial c_3/\partial\alpha")
+    falls = page.step(
+        "The minor",
+        minor,
+        RISE * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * (alpha + gamma),
+        name=r"\Delta_2",
+        because="falls with $\\alpha$; and positive, it needs $\\beta>-s_1$",
+    )
+    apart = page.positive(
+        "And $n_1>n_0$",
+        box.positive(SLOPES[1] - 2 * SLOPES[2], WIDE, named({s: s for s in SLOPES})),
+        IN_WIDE,
+        name=r"\frac{\partial}{\partial\delta}(n_1-n_0)",
+        because="as both are equal without damping",
+    )
+    page.say(
+        "So all four stay positive while $\\alpha$ falls, down to $-\\gamma$. One period of delay "
+        "is enough to make it false for a stiff spring: $\\gamma=5$, $\\delta=\\frac12$, "
+        "$\\beta=-2.5$."
+    )
+    stiff = {beta: -Rational(5, 2), gamma: S(5), delta: S.Half, d: S.One}
+    numbers = loop.numbers()
+    page.inside("$\\alpha=4$", loop.named(), {**stiff, alpha: S(4)}, numbers)
+    page.outside("$\\alpha=0$", loop.named(), {**stiff, alpha: S.Zero}, numbers)
+    page.state(
+        "undelayed-turned-down",
+        rf"without delay and for ${IN_WIDE}$ a stable wall stays stable as its stiffness falls to "
+        r"any value above $-\gamma$",
+    )
+    page.settle(
+        "undelayed-turned-down",
+        page.same("the second", low, second),
+        page.same("the minor", falls, minor),
+        apart,
+    )

@@ -1,0 +1,91 @@
+r"""Which walls are stable with a spring at the Nyquist frequency?
+
+There the device comes back to its mirror image, a little smaller, after every period. The loop
+loses a root to this motion, and without delay only a quadratic is left: the parabola of the soft
+springs has become a triangle.
+"""
+
+from sympy import I, Rational, S, exp, pi, symbols, tanh
+
+from symhaptic.model import jury, loop, plant
+from symhaptic.notation import alpha, beta, d, delta, gamma, z
+from symhaptic.proof import box
+from symhaptic.proof.sign import Interval, combined, exponential, integrated
+from symhaptic.scene import FULL
+
+AT = {gamma: pi**2 + delta**2 / 4}
+LEFT = exp(-delta / 2)
+SHARE = symbols("nu")
+
+
+def derive(page):
+    motion = plant.normalised(FULL).transition(S.One, 2 * I * pi)
+    page.show(
+        "After one period",
+        r"(x,v)",
+        r"-e^{-\delta/2}(x,v)",
+        page.same("mirrored", list(motion.subs(AT)), [-LEFT, 0, 0, -LEFT]),
+        because="for $\\gamma=\\pi^2+\\delta^2/4$, whatever the state",
+    )
+    force = (1 + LEFT) / AT[gamma]
+    whole = loop.characteristic(FULL, split=2 * I * pi).subs(AT)
+    rest = (z + LEFT) * z ** (d + 1) + force * ((alpha + beta) * z - beta)
+    factors = page.step(
+        "The polynomial",
+        whole,
+        (z + LEFT) * rest,
+        name="p_1(z)",
+        because="so one root is $-e^{-\\delta/2}$, for every wall and every delay",
+    )
+    up = Interval(delta, S.Zero)
+    inside = integrated(1 - LEFT, up, combined(LEFT / 2, [Rational(1, 2), exponential(-delta / 2)]))
+    page.positive("It is inside the circle", inside, r"\delta>0", name=r"1-e^{-\delta/2}")
+    page.settle(
+        "s5c-pole-inside",
+        page.same("the factor", factors.subs(z, -LEFT), S.Zero),
+        inside,
+        note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, whatever wall and delay",
+    )
+    page.say(
+        "For $d=0$ the other factor $q$ is a quadratic. With $f=e^{-\\delta/2}$ and "
+        "$\\nu=(1+f)/\\gamma$ Jury's inequalities for it are three half planes:"
+    )
+    f = symbols("f")
+    quadratic = [S.One, f + SHARE * (alpha + beta), -SHARE * beta]
+    page.same(
+        "quadratic",
+        rest.subs(d, 0),
+        (quadratic[0] * z**2 + quadratic[1] * z + quadratic[2]).subs({f: LEFT, SHARE: force}),
+    )
+    one, two, three = jury.criterion(quadratic).expressions
+    page.step("At 1", one, 1 + f + SHARE * alpha, name="q(1)", because="$\\alpha>-\\gamma$")
+    page.step("At $-1$", two, 1 - f - SHARE * (alpha + 2 * beta), name="q(-1)")
+    page.step(
+        "Roots $r_1,r_2$", three, 1 + SHARE * beta, name="1-r_1r_2", because="$\\beta>-1/\\nu$"
+    )
+    edge = page.step(
+        "The third side",
+        ((1 - f) / SHARE).subs({f: LEFT, SHARE: force}),
+        AT[gamma] * tanh(delta / 4),
+        name=r"\alpha+2\beta<\frac{1-f}\nu",
+    )
+    page.say(
+        "The corner at $\\beta=-1/\\nu$ has the largest stiffness, $\\alpha=(3-f)/\\nu$, which is "
+        "$\\gamma(3-f)/(1+f)$: about $\\pi^2$, against $0.71$ for the arms of (23)."
+    )
+    most = AT[gamma] * (3 - LEFT) / (1 + LEFT)
+    corner = page.same("corner", edge + 2 / force, most)
+    grown = page.positive(
+        "Thirteen times as stiff",
+        box.positive(most - 13 * Rational(72, 100), {delta: (0, Rational(1, 50))}),
+        r"0\le\delta\le0.02",
+        name=r"\gamma\frac{3-f}{1+f}-13\cdot0.72",
+        because="no wall of (23) is stiffer than 0.72 without delay",
+    )
+    page.settle(
+        "s5c-shape",
+        corner,
+        grown,
+        note=r"for $d=0$ a parabola-like arc up to $\alpha=0.71$, $\beta=2$ becomes a triangle "
+        r"with corners at $\beta=\pm\pi^2/2$",
+    )

@@ -1,0 +1,263 @@
+"""The constants and claims of Secs. V and VI, by mpmath, by eigenvalues and by hand."""
+
+from dataclasses import replace
+from functools import cache
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+from flint import arb, ctx
+from sympy import Rational, S, pi, symbols, tan
+
+from symhaptic.library import folder, run
+from symhaptic.proof.roots import NoSuchRoot, zero_between
+from symhaptic.proof.verdict import Kind
+from symhaptic.wall_balls import largest, most, over, passive
+
+RNG = np.random.default_rng(17)
+STIFF, DAMPED = Rational(1, 1000), Rational(1, 50)
+
+
+@cache
+def settled(name):
+    return run(folder() / f"{name}.py").page.settled
+
+
+# -- the largest stable stiffness -------------------------------------------------------------
+
+
+def curve(theta, gamma, delta, delay):
+    """alpha of the wall that is -z^d/P(z), with P from mpmath's matrix exponential."""
+    moved = mpmath.expm(mpmath.matrix([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]]), method="taylor")
+    z = mpmath.expj(theta)
+    free, push = moved[:2, :2], moved[:2, 2]
+    p = mpmath.lu_solve(z * mpmath.eye(2) - free, push)[0]
+    q = -(z**delay) / p
+    return q.real - q.imag * (1 - mpmath.cos(theta)) / mpmath.sin(theta)
+
+
+def tip(gamma, delta, delay, near):
+    """The maximum of that curve next to an angle, to 40 digits."""
+    with mpmath.workdps(60):
+        g, dl = mpmath.mpf(gamma.p) / gamma.q, mpmath.mpf(delta.p) / delta.q
+
+        def slope(theta):
+            return mpmath.diff(lambda x: curve(x, g, dl, delay), theta)
+
+        return curve(mpmath.findroot(slope, mpmath.mpf(near)), g, dl, delay)
+
+
+# gamma, delta, delay and about where the maximum is: (d+1) theta
+TIPS = [
+    (S.Zero, DAMPED, 0, 1.154),
+    (STIFF, DAMPED, 0, 1.154),
+    (S.Zero, DAMPED, 1, 1.109),
+    (STIFF, DAMPED, 1, 1.110),
+    (STIFF, DAMPED, 40, 1.575),
+    (S.Zero, DAMPED, 122, 1.570),
+    (S.Zero, DAMPED, 1000, 1.936),
+]
+
+
+@pytest.mark.parametrize(("gamma", "delta", "delay", "near"), TIPS)
+def test_most_is_the_maximum_that_mpmath_finds(gamma, delta, delay, near):
+    value = most(gamma, delta, delay)
+    with mpmath.workdps(60), ctx.workprec(256):
+        there = arb(mpmath.nstr(tip(gamma, delta, delay, near / (delay + 1)), 45))
+        # 1e-30: mpmath's numerical derivative at the tip, squared by the parabola
+        assert abs(value - there) < arb("1e-30")
+        assert value.rad() < arb("1e-30")
+
+
+def stable_somewhere(alpha, gamma, delta, delay, dampings):
+    return bool((oracle.radius(alpha, dampings, gamma, delta, delay) < 1).any())
+
+
+@pytest.mark.parametrize("delay", [0, 1, 2, 5, 12])
+@pytest.mark.parametrize("gamma", [S.Zero, STIFF])
+def test_no_damping_makes_a_stiffer_wall_stable(gamma, delay):
+    """By eigenvalues on a grid of damping: stable just below the largest alpha, never above."""
+    high = float(most(gamma, DAMPED, delay))
+    dampings = np.linspace(-0.1, 2.3, 6001) / (delay + 1)
+    for factor, expected in ((0.9999, True), (1.0001, False), (1.3, False), (3.0, False)):
+        found = stable_somewhere(high * factor, float(gamma), 0.02, delay, dampings)
+        assert found == expected
+
+
+def test_the_ratio_peaks_where_the_chapter_says():
+    """eta at all whole delays up to 1000 and 48, by the kernels' floating-point maximum."""
+    from symhaptic import max_passive_stiffness, max_stable_stiffness
+
+    for gamma, last, best in ((0.0, 1000, 122), (1e-3, 48, 40)):
+        delays = np.arange(last + 1)
+        low = max_passive_stiffness(0.02, delays).alpha
+        eta = low / max_stable_stiffness(gamma, 0.02, delays).alpha
+        assert eta.argmax() == best
+        assert eta.max() < 1
+    assert 1 - eta[40] == pytest.approx(1.8149e-4, rel=1e-3)  # 0.99981851...
+
+
+@pytest.mark.parametrize("delay", [0, 3, 49, 51, 60, 130])
+def test_the_wall_for_every_delay(delay):
+    assert oracle.radius(0.00059, 0.0, 1e-3, 0.02, delay) < 1
+
+
+def test_the_walls_between():
+    for delay in range(49, 53):
+        assert oracle.radius(0.00063, 0.005, 1e-3, 0.02, delay) < 1
+        assert 0.04 * np.tan(np.pi / (4 * (delay + 1))) < 0.00063
+
+
+def test_a_maximum_is_not_found_where_there_is_none():
+    for near in (0.3, 2.5):
+        with pytest.raises((NoSuchRoot, ValueError)):
+            largest(S.Zero, DAMPED, 1, near)
+
+
+def test_a_zero_in_a_ball_of_a_parameter():
+    """cos(c x) for c within 1/1000 of 1: the zero is within 1/500 of pi/2."""
+    x, c = symbols("x c")
+    from sympy import cos
+
+    at = zero_between(cos(c * x), x, S.One, S(2), {c: arb(1, 0.001)})
+    assert at.contains(arb.pi() / 2)
+    assert at.rad() < 0.01
+
+
+def test_over_keeps_the_digits():
+    assert over(passive(DAMPED, 1), tan(pi / 8)).overlaps(arb("0.04"))
+
+
+# -- what is said of it -----------------------------------------------------------------------
+
+CONSTANTS = {
+    # statement: chapter and its number to 12 digits, from the mpmath maxima above
+    "s5b-eta-d0": ("s5b_stiffest_undelayed", "17.8171701158"),
+    "s5b-eta-d1": ("s5b_stiffest_wall_numbers", "9.31468674923"),
+    "s5c-human-10000": ("s5c_nyquist_numbers", "9869.60440108"),
+    "eq31": ("s5c_nyquist_numbers", "986960.440108"),
+    "s6-stable-22": ("s6_delay_one_period", "0.216547833112"),
+}
+
+
+@pytest.mark.parametrize("id", CONSTANTS)
+def test_constant(id):
+    name, digits = CONSTANTS[id]
+    verdict = settled(name)[id].verdict
+    assert verdict.kind is Kind.ENCLOSED
+    assert verdict.value.startswith(digits)
+    assert float(verdict.radius) < 1e-20
+
+
+@pytest.mark.parametrize("id", CONSTANTS)
+def test_no_tighter_digit_is_accepted(id):
+    """Every printed digit one up and one down; what is looser than the print remains true."""
+    one = settled(CONSTANTS[id][0])[id]
+    count = 0
+    for i, quoted in enumerate(one.settlement.quoted):
+        for changed in quoted.changed():
+            tighter = {
+                "about": True,
+                "above": float(changed.digits) > float(quoted.digits),
+                "below": float(changed.digits) < float(quoted.digits),
+            }[quoted.how]
+            if not tighter:
+                continue
+            count += 1
+            others = list(one.settlement.quoted)
+            others[i] = changed
+            verdict = replace(one.settlement, quoted=tuple(others)).decide(one.statement.printed)
+            assert verdict.kind is Kind.REFUTED, changed
+    assert count >= len(one.settlement.quoted)
+
+
+def test_eta_falls_after_its_peak():
+    verdict = settled("s5b_stiffest_wall_peak")["s5b-eta-grows"].verdict
+    assert verdict.kind is Kind.REFUTED
+    assert verdict.counterexample == {"gamma": "0", "delta": "1/50", "d": "1000"}
+    with mpmath.workdps(40):
+        far = mpmath.findroot(lambda x: mpmath.sin(x) + x * mpmath.cos(x), 2)
+        limit = mpmath.pi / 2 / (far * mpmath.sin(far))
+    assert mpmath.nstr(limit, 20) == "0.86321446993614875867"
+
+
+def test_the_pole_of_a_nyquist_spring():
+    """-exp(-delta/2) for random walls and delays."""
+    for delay in (0, 1, 4):
+        for delta in (0.02, 0.7):
+            alpha, beta = RNG.normal(size=2)
+            gamma = np.pi**2 + delta**2 / 4
+            roots = np.linalg.eigvals(oracle.loops(alpha, beta, gamma, delta, delay))
+            assert np.abs(roots + np.exp(-delta / 2)).min() < 1e-12
+
+
+def test_the_triangle_of_a_nyquist_spring():
+    """s5c-shape: three half planes against eigenvalues of 4000 walls."""
+    delta = 0.02
+    gamma, f = np.pi**2 + delta**2 / 4, np.exp(-delta / 2)
+    alpha, beta = RNG.uniform(-12, 12, 4000), RNG.uniform(-6, 6, 4000)
+    edges = np.minimum(alpha + gamma, beta + gamma / (1 + f))
+    edges = np.minimum(edges, gamma * np.tanh(delta / 4) - alpha - 2 * beta)
+    clear = np.abs(edges) > 1e-6
+    stable = oracle.radius(alpha, beta, gamma, delta, 0) < 1
+    assert np.array_equal(stable[clear], edges[clear] > 0)
+
+
+def test_a_wall_that_cannot_be_turned_down():
+    assert oracle.radius(4.0, -2.5, 5.0, 0.5, 1) < 1 < oracle.radius(0.0, -2.5, 5.0, 0.5, 1)
+
+
+def test_without_delay_walls_can_be_turned_down():
+    gamma, delta = RNG.uniform(0, 0.01, 4000), RNG.uniform(0, 0.1, 4000)
+    alpha, beta = RNG.uniform(0, 0.8, 4000), RNG.uniform(-0.1, 2.1, 4000)
+    stable = oracle.radius(alpha, beta, gamma, delta, 0) < 1
+    assert stable.sum() > 500
+    softer = RNG.uniform(0, 1, 4000) * alpha
+    assert (oracle.radius(softer, beta, gamma, delta, 0)[stable] < 1).all()
+
+
+# -- mutants ----------------------------------------------------------------------------------
+
+MUTANTS = [
+    # a number, a sign or a factor of what the chapter proves
+    ("s5b_stiffest_undelayed", "Rational(356, 10)", "Rational(357, 10)"),
+    ("s5b_stiffest_undelayed", "4 - RISE * (alpha + gamma)", "4 - RISE * (alpha - gamma)"),
+    ("s5b_stiffest_undelayed", "RISE**2 * s_1 - 4 * n_0", "RISE**2 * s_1 - 3 * n_0"),
+    ("s5b_stiffest_wall", "n_0 * (n_0 + n_1 * cos(theta))", "n_0 * (n_0 - n_1 * cos(theta))"),
+    ("s5b_stiffest_wall", "(alpha + 2 * beta) * sin", "(alpha + beta) * sin"),
+    ("s5b_stiffest_wall_bound", "(n_1 - n_0 + a * n_0) * beta", "(n_1 + n_0 + a * n_0) * beta"),
+    ("s5b_stiffest_wall_bound", "cos(pi / 98)", "cos(pi / 104)"),
+    ("s5b_stiffest_wall_numbers", "Rational(1074, 10000)", "Rational(1073, 10000)"),
+    (
+        "s5b_stiffest_wall_numbers",
+        "FOR_EVER = Rational(59, 10**5)",
+        "FOR_EVER = Rational(61, 10**5)",
+    ),
+    ("s5b_stiffest_wall_peak", "Rational(134, 10**4)", "Rational(34, 10**4)"),
+    ("s5b_stiffest_wall_peak", "phi: 2})", "phi: 3})"),
+    ("s5b_stiffest_wall_peak", "ETA[1000] - ETA[122] > 0", "ETA[122] - ETA[1000] > 0"),
+    ("s5b_soft_contacts_undelayed", "alpha: S.Zero}", "alpha: S(3)}"),
+    ("s5b_soft_contacts_undelayed", "SLOPES[1] - 2 * SLOPES[2]", "SLOPES[1] - SLOPES[2] / 2"),
+    ("s5b_weaker_damping", "curve - delta * dash(curve)", "delta * dash(curve) - curve"),
+    ("s5b_weaker_damping", "two - one > 0", "one - two > 0"),
+    ("s5c_nyquist_numbers", "spring = pi**2 * m / T**2", "spring = 2 * pi**2 * m / T**2"),
+    ("s5c_nyquist_numbers", "Rational(102, 10**7)", "Rational(101, 10**7)"),
+    ("s5c_nyquist_region", "LEFT = exp(-delta / 2)", "LEFT = exp(-delta)"),
+    ("s5c_nyquist_region", "- 13 *", "- 14 *"),
+    ("s6_delay_one_period", "* MOST - curve", "* -MOST + curve"),
+    ("s6_marginal", "11 * FIRST, {}", "12 * FIRST, {}"),
+    ("s6_marginal", "- 16 * FIRST, {}", "- 17 * FIRST, {}"),
+    ("s6_gains", "t_d / d),\n        2 * d", "t_d / d),\n        d"),
+    ("s6_gains", "b: 2 * b", "b: b"),
+]
+
+
+@pytest.mark.parametrize(("name", "right", "wrong"), MUTANTS)
+def test_a_chapter_with_one_thing_changed_proves_nothing(tmp_path, name, right, wrong):
+    text = (folder() / f"{name}.py").read_text(encoding="utf-8")
+    assert right in text
+    copy = tmp_path / "mutant.py"
+    copy.write_text(text.replace(right, wrong), encoding="utf-8")
+    with pytest.raises(ValueError, match=r"mutant\.py: "):
+        run(copy)
