@@ -58,6 +58,6 @@ def derive(page):
         unless=soft,
         truth=witness,
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note="nor is the passive wall needed without delay (next chapter); inside (23) no such wall "
-        "was found for delays up to 75 periods",
+        note="without delay it need not be passive (next chapter); inside (23) no such wall was "
+        "found for delays up to 75 periods",
     )

@@ -31,6 +31,7 @@ SETTLED = {
     "s4e_lag": ["eq24"],
     "s4e_lag_dropped": ["eq25"],
     "s4e_line_error": ["eq26"],
+    "s5c_nyquist_numbers": ["eq31"],
     "s5c_nyquist": ["eq28", "eq29", "eq30"],
     "s5a_normalised_boundary": ["eq27"],
     "s6d_fractional_passivity": ["fractional-passivity"],

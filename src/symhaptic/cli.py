@@ -100,9 +100,13 @@ def _chapters(paths: list[Path]) -> list[Chapter]:
 def _settled(paths: list[Path], workers: int) -> list[Entry]:
     """The statements that derivations settle."""
     from symhaptic import parallel
+    from symhaptic.library import BadChapter
 
-    with _progress(len(paths)) as told:
-        return parallel.settled(paths, workers, told)
+    try:
+        with _progress(len(paths)) as told:
+            return parallel.settled(paths, workers, told)
+    except BadChapter as wrong:
+        _usage(f"--derivation {wrong}")
 
 
 @contextmanager
@@ -154,10 +158,7 @@ def verify(
                 _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, STATEMENTS)}")
     known = ledger.expected(library.expected_ledger())
     paths = listing.needed(wanted, library.shipped()) + own
-    try:
-        entries = ledger.ledger(_settled(paths, workers or parallel.workers()))
-    except library.BadChapter as wrong:
-        _usage(f"--derivation {wrong}")
+    entries = ledger.ledger(_settled(paths, workers or parallel.workers()))
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:

@@ -11,7 +11,7 @@ from typing import Any
 
 from symhaptic.consequences import CONSEQUENCES
 from symhaptic.latex import latex
-from symhaptic.library import BadChapter, Chapter, run
+from symhaptic.library import Chapter, run
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
 
@@ -85,16 +85,8 @@ def _corrected(verdict: Verdict) -> str | None:
 
 
 def ledger(settled: Iterable[Entry]) -> list[Entry]:
-    """Every statement of the paper in its order, then the users' own.
-
-    Raises :class:`BadChapter` where two derivations settle the same statement.
-    """
-    found: dict[str, Entry] = {}
-    for entry in settled:
-        id = entry.statement.id
-        if id in found:
-            raise BadChapter(f"{entry.derivation}: {id} is settled by {found[id].derivation}")
-        found[id] = entry
+    """Every statement of the paper in its order, then the users' own; the last verdict counts."""
+    found = {entry.statement.id: entry for entry in settled}
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
     return entries + [entry for entry in found.values() if entry.own]
 
