@@ -94,10 +94,10 @@ CONSEQUENCES: dict[str, str] = {
     "s6-mass": "Doubling the mass doubles the limit only if damping and grip are doubled too.",
     "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
     "delay, softening the wall alone can destabilise it: lower $B$ with $K$.",
-    "s5a-smaller-delta": "With little damping passivity gives away more and more of the stiffness, "
-    "for ordinary delays. For very long ones it is the other way round.",
-    "s5b-eta-grows": "No delay makes the passive wall the stiffest stable one. For long delays with "
-    "a spring in the hand the stable limit is far above (11) again.",
+    "s5a-smaller-delta": "With little damping passivity gives away more and more stiffness, for "
+    "ordinary delays. For very long ones it is the other way round.",
+    "s5b-eta-grows": "No delay makes the passive wall the stiffest stable one. For long delays "
+    "with a spring in the hand the stable limit is far above (11) again.",
     "s5b-ratio-panels": "None: read (b) and (c).",
     "s5b-captions-alike": "None: (c) has the longer delays.",
     "s5c-interval": "None: $\\gamma=\\pi^2$ will do as the limit for a device.",
@@ -107,7 +107,7 @@ CONSEQUENCES: dict[str, str] = {
     "is 1740 times as stiff.",
     "s6-damping-marginal": "With delay the damper matters: 7\\,\\% of the stiffness at one period, "
     "a third at eight, nearly all of it at forty with a spring. Do not give it away.",
-    "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a free "
-    "device to (23) changes the limit many times over.",
+    "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a "
+    "free device to (23) changes the limit many times over.",
     "s6-faster-sampling": "Sampling faster still pays until the delay is some ten periods long.",
 }
