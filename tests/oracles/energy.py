@@ -70,6 +70,16 @@ def need(K, B, late, angles=ANGLES):
     return -(law / (z - 1)).real
 
 
+def determinant(K, B, late, theta):
+    """Of the energy of both parts of a period at one angle, b = T = 1, the damper's share 1."""
+    whole, part = int(late), late % 1
+    z = np.exp(1j * theta)
+    law = (K + B * (1 - 1 / z)) * z**-whole / (z - 1)
+    felt = np.array([np.sqrt(part) / z, np.sqrt(1 - part)])
+    form = law * np.outer(felt, [np.sqrt(part), np.sqrt(1 - part)])
+    return np.linalg.det(np.eye(2) + (form + form.conj().T) / 2).real
+
+
 def bounds(K, B, b, T, late, short=0.99, wide=1.03):
     """The wall lies on the border: a little less cannot give energy away, a little more does."""
     assert left(short * K, short * B, b, T, late) > -1e-12  # rounding of an eigenvalue

@@ -6,11 +6,14 @@ import oracle
 import pytest
 from oracles import motion
 from oracles.guarding import guards
-from oracles.subject import number, only, settled, shown, value
+from oracles.subject import counterexample, number, only, page, settled, shown, value
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
 from scipy.signal import cont2discrete
 
-from symhaptic.model import loop
-from symhaptic.scene import ALL
+from symhaptic.model import loop, plant
+from symhaptic.notation import c
+from symhaptic.scene import ALL, FULL
 
 DEVICES = [(0.4, 3.0, 250.0, 2e-3), (2.0, 9.0, 10.0, 0.1), (0.02, 0.3, 900.0, 0.01)]
 """m, b, k and T: swinging, overdamped with a long period, and with a third of a swing."""
@@ -197,3 +200,108 @@ def test_devices_without_spring_or_damper():
         assert complex(value(polynomial, alpha=0.7, z=3)) == pytest.approx(np.prod(3 - roots))
 
     only(agrees_least, least)
+
+
+# -- the sampling instants ------------------------------------------------------------------
+
+
+@guards("s4a_instants")
+def test_free_motion_and_the_effect_of_a_force_over_any_time():
+    device = plant.normalised(FULL)
+
+    def agrees(*entries):
+        for gamma, delta in PLANTS:
+            for t in (1, 2):
+                state = np.array([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]])
+                at = {"gamma": gamma, "delta": delta, "c": split(gamma, delta), "t": t}
+                ours = [number(entry, **at) for entry in entries]
+                assert ours == pytest.approx(expm(state * t)[:2].ravel(), rel=1e-11)
+
+    move, push = device.transition(split=c), device.held(split=c)
+    only(agrees, move[0, 0], move[0, 1], push[0], move[1, 0], move[1, 1], push[1])
+
+
+@guards("s4a_instants")
+@pytest.mark.parametrize("late", [0, 2])
+def test_the_samples_of_a_loop_that_is_integrated_in_continuous_time(late):
+    alpha, beta, gamma, delta = 0.2, 0.4, 0.3, 0.1
+    state, place, forces = np.array([0.0, 1.0]), [0.0, 0.0], [0.0] * (late + 1)
+    for _ in range(30):
+        forces.append(-(alpha + beta) * place[-1] + beta * place[-2])
+        force = forces[-1 - late]
+        moved = solve_ivp(
+            lambda _, x, force=force: (x[1], force - gamma * x[0] - delta * x[1]),
+            (0, 1),
+            state,
+            rtol=1e-11,
+            atol=1e-12,
+        )
+        state = moved.y[:, -1]
+        place.append(state[0])
+    matrix, vector = oracle.loops(alpha, beta, gamma, delta, late), np.zeros(3 + late)
+    vector[1] = 1.0
+    for x in place[1:]:
+        assert vector[0] == pytest.approx(x, abs=1e-8)  # 30 periods of the integrator's error
+        vector = matrix @ vector
+
+
+@guards("s4a_instants")
+def test_a_force_that_is_not_held_and_one_that_is_half_a_period_late():
+    def agrees(ramp, late):
+        moved = solve_ivp(lambda t, x: (x[1], t), (0, 1), (0.0, 0.0), rtol=1e-12, atol=1e-13)
+        assert number(ramp) == pytest.approx(moved.y[0, -1], rel=1e-10)
+        for d in (0.2, 0.5, 0.9):
+            _, push = motion.held(1.0, 0.0, 0.0, 1 - d)
+            assert number(late, d=d) == pytest.approx(push[0], rel=1e-12)
+
+    titles = ("A force that grows in time, $F_E=t$", "A held force that comes $d$ periods late")
+    only(agrees, *(shown("s4a_instants", title) for title in titles))
+    point = counterexample("s4a_instants", "s4a-exact-instants")
+    first = motion.positions(1.0, 0.0, late=point["d"], steps=2, speed=1.0)[2] - 2
+    # the wall has felt the sample 1, and its force -1 acts for the rest of the second period
+    assert first == pytest.approx(-number(shown("s4a_instants", titles[1]), **point), rel=1e-12)
+
+
+# -- seven parameters -----------------------------------------------------------------------
+
+SI = {"T": 0.02, "m": 0.7, "t_d": 0.03, "K": 60.0, "B": 3.0, "k": 40.0, "b": 1.1}
+
+
+def shape(parameters):
+    """A loop's motion over its periods, in units of its first step."""
+    *_, T, late = (parameters[n] for n in ("m", "b", "k", "T", "t_d"))
+    device = {n: parameters[n] for n in ("m", "b", "k")}
+    place = motion.positions(
+        parameters["K"], parameters["B"], **device, T=T, late=late / T, steps=40
+    )
+    return place[2:] / place[1]
+
+
+@guards("s4b_parameters_counted")
+def test_a_motion_changes_with_five_of_seven_directions():
+    """The slopes of a motion to the logarithms of the parameters, and what their tables say."""
+    powers, chosen = (b.rows for b in page("s4b_parameters_counted").blocks if b.kind == "table")
+    names = [name.strip("$") for name in powers[0][1:]]
+    assert set(names) == set(SI)
+    step, slopes = 1e-4, []
+    for name in names:
+        more, less = (shape({**SI, name: SI[name] * np.exp(s)}) for s in (step, -step))
+        slopes.append((more - less) / (2 * step))
+    sizes = np.linalg.svd(np.array(slopes), compute_uv=False)
+    # the differences are off by the square of the step
+    changing = int((sizes > 1e-5 * sizes[0]).sum())
+    assert sizes[changing:].max() < 1e-6 * sizes[0]
+
+    def agrees(rank, left):
+        assert number(left) == changing
+        assert number(rank) == len(names) - changing
+
+    titles = ("Their rank", "Independent pure numbers")
+    only(agrees, *(shown("s4b_parameters_counted", title) for title in titles))
+    units = np.array([row[1:] for row in powers[1:]], dtype=float)
+    assert np.abs(units @ slopes).max() < 1e-6 * sizes[0]  # other units, the same motion
+    # the numbers of Table I are constant where the motion is, and nowhere else
+    five = np.array([row[1:] for row in chosen[1:]], dtype=float)
+    _, _, free = np.linalg.svd(five)
+    assert np.abs(free[5:] @ slopes).max() < 1e-6 * sizes[0]
+    assert np.linalg.matrix_rank(five) == 5

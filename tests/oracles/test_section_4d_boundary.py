@@ -216,3 +216,78 @@ def test_both_ends_of_the_boundary_without_damping():
 
     titles = ("For odd half swings, $x=-1$, it stays finite", "Its damping then")
     only(agrees_at_half_swings, *(shown(UNDAMPED, title) for title in titles))
+
+
+SIGNS = "s4d_explicit_boundary_signs"
+
+
+def gap(gamma, delta):
+    """nu, s_1 - delta - gamma/2 and s_2 by differences of 1/P around z = 1, in 120 digits."""
+    with mpmath.workdps(120):
+        gamma, delta = mpmath.mpf(gamma), mpmath.mpf(delta)
+        n1, n0, a, e = oracle.numbers(gamma, delta, 120)
+        step = mpmath.mpf("1e-20")  # the next terms are of its square
+        high, low = ((z * z - a * z + e) / (n1 * z + n0) - gamma for z in (1 + step, 1 - step))
+        s_1, s_2 = (high - low) / (2 * step), (high + low) / (2 * step**2)
+        return n0 / (n1 + n0), s_1 - delta - gamma / 2, s_2
+
+
+@guards("s4d_explicit_boundary_signs")
+def test_the_signs_of_an_arms_numbers_up_to_half_a_swing_per_period():
+    rng = np.random.default_rng(47)
+    arms = [(rng.uniform(0, np.pi**2), 10 ** rng.uniform(-3, 1)) for _ in range(60)]
+    for swing, delta in [*arms, (9.8, 0.1), (1e-6, 3.0)]:
+        share, above, mass = gap(swing + delta**2 / 4, delta)
+        assert 0 < share < mpmath.mpf("0.5")
+        assert above > 0
+        assert mass > 0
+    # without a spring there is no gap, without a damper the share is one half
+    assert abs(gap(0, 0.7)[1]) < 1e-38
+    share, above, mass = gap(2.0, 0)
+    assert abs(share - mpmath.mpf("0.5")) < 1e-50
+    assert abs(above) < 1e-38
+    assert mass > 0
+    # beyond half a swing, and with much damping, a sample can lie on the other side of 0
+    assert gap(1.5 * np.pi**2 + 25, 10)[0] < 0
+
+
+@guards("s4d_explicit_boundary_signs")
+def test_what_the_signs_are_made_of():
+    """The integrals by quadrature, beside the sampled device."""
+    sines = [mpmath.mpf("-9.5"), mpmath.mpf("-1"), mpmath.mpf("0.4"), mpmath.mpf(3)]
+
+    def S(x):
+        root = mpmath.sqrt(mpmath.mpc(x))
+        return mpmath.re(mpmath.sinh(root) / root) if x else mpmath.mpf(1)
+
+    def C(x):
+        return mpmath.re(mpmath.cosh(mpmath.sqrt(mpmath.mpc(x))))
+
+    def agrees(slope, damping):
+        for x in sines:
+            assert abs(mpmath.diff(C, x) - mpmath.re(value(slope, x=x))) < 1e-20
+        for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):
+            found = gap(gamma, delta)[1] + mpmath.mpf(delta) + mpmath.mpf(gamma) / 2
+            at = {"gamma": gamma, **oracle.named(gamma, delta)}
+            assert abs(value(damping, **at) - found) < 1e-30
+
+    only(agrees, shown(SIGNS, "The slope of $C$"), shown(SIGNS, "With $s_1$"))
+    for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):
+        gamma, delta = mpmath.mpf(gamma), mpmath.mpf(delta)
+        n1, n0, a, e = oracle.numbers(gamma, delta)
+        p, q, fall = delta**2 / 4, delta**2 / 4 - gamma, mpmath.exp(-delta / 2)
+
+        def swing(t, q=q, delta=delta):
+            return mpmath.exp(-delta * t / 2) * t * S(q * t * t)
+
+        assert abs(mpmath.quad(swing, [0, 1]) - n1) < 1e-40
+        back, *_ = oracle.numbers(gamma, -delta)
+        assert abs(mpmath.exp(-delta) * back - n0) < 1e-40
+        assert abs(gamma * (n1 + n0) - fall * mpmath.quad(S, [q, p])) < 1e-40
+        assert abs(gamma * (n1 - n0) - delta * fall * (S(p) - S(q))) < 1e-40
+        error = gamma * (S(p) + S(q)) / 2 - mpmath.quad(S, [q, p])
+        assert error > 0
+        above, mass = gap(gamma, delta)[1:]
+        assert abs((n1 + n0) * above - delta * fall / gamma * error) < 1e-30
+        z = -n0 / n1
+        assert abs(mass - n1**2 * (z * z - a * z + e) / (n1 + n0) ** 3) < 1e-30

@@ -66,16 +66,6 @@ def test_walls_that_give_no_energy_away_are_stable_at_fractional_delays():
     assert not oracle.stable(0.5, 0.0, 0.0, 0.1, 0.5)
 
 
-def determinant(K, B, late, theta):
-    """Of the energy of both parts of a period at one angle, b = T = 1, the damper's share 1."""
-    whole, part = int(late), late % 1
-    z = np.exp(1j * theta)
-    law = (K + B * (1 - 1 / z)) * z**-whole / (z - 1)
-    felt = np.array([np.sqrt(part) / z, np.sqrt(1 - part)])
-    form = law * np.outer(felt, [np.sqrt(part), np.sqrt(1 - part)])
-    return np.linalg.det(np.eye(2) + (form + form.conj().T) / 2).real
-
-
 REGION = "s6e_fractional_region"
 
 
@@ -86,7 +76,7 @@ def test_low_frequencies_bend_the_lower_part():
             at = {"B": B, "b": 1.0, "T": 1.0, "l": int(late), "epsilon": late % 1}
             for K in (0.2, 0.7):
                 # rounding over theta, and the next term, of its square
-                found = determinant(K, B, late, 1e-4)
+                found = energy.determinant(K, B, late, 1e-4)
                 assert number(low, K=K, **at) == pytest.approx(found, abs=1e-6)
             K = edge(0.0, 4.0, lambda k, at=at: number(low, K=k, **at) > 0)
             assert energy.left(0.99 * K, B, late=late) > -1e-12
@@ -109,8 +99,10 @@ def test_without_stiffness_the_damping_ends_at_minus_b_and_above_b():
     def agrees(lower, upper):
         for late, theta in ((0.2, 0.5), (1.5, 1.9), (2.8, 2.7)):
             at = {"l": int(late), "epsilon": late % 1, "theta": theta}
-            assert number(lower, **at) == pytest.approx(determinant(0, -1, late, theta), abs=1e-13)
-            assert number(upper, **at) == pytest.approx(determinant(0, 1, late, theta), abs=1e-13)
+            found = energy.determinant(0, -1, late, theta)
+            assert number(lower, **at) == pytest.approx(found, abs=1e-13)
+            found = energy.determinant(0, 1, late, theta)
+            assert number(upper, **at) == pytest.approx(found, abs=1e-13)
 
     only(agrees, *(shown(REGION, title) for title in ("$K=0$, $B=-b$", "$K=0$, $B=b$")))
 
@@ -136,11 +128,11 @@ def test_the_stiffest_and_the_most_damped_wall_half_a_period_late():
         for K, B in ((0.3, 0.9), (1.1, -0.2)):
             for theta in (0.5, 2.0):
                 x = np.cos(theta / 2) ** 2
-                found = determinant(K, B, 0.5, theta)
+                found = energy.determinant(K, B, 0.5, theta)
                 assert number(quadratic, x=x, K=K, B=B) == pytest.approx(found, abs=1e-13)
             angles = np.array([0.5, 1.5, 2.5])
             bend, fall, rest = np.polyfit(
-                np.cos(angles / 2) ** 2, [determinant(K, B, 0.5, t) for t in angles], 2
+                np.cos(angles / 2) ** 2, [energy.determinant(K, B, 0.5, t) for t in angles], 2
             )
             found = 16 * (fall**2 - 4 * bend * rest)
             assert number(double, K=K, B=B) == pytest.approx(found, abs=1e-10)
@@ -173,7 +165,7 @@ def test_walls_that_are_passive_at_the_next_whole_delay_are_passive_before():
             at = {"psi": psi, "kappa": kappa, "r": r, "N": N}
             assert number(needed, **at) == pytest.approx(-law.real, abs=1e-13)
             for part in (0.2, 0.7):
-                found = determinant(K, B, N / 2 - 2 + part, 2 * psi)
+                found = energy.determinant(K, B, N / 2 - 2 + part, 2 * psi)
                 chi = N * psi - kappa
                 ours = number(condition, psi=psi, r=r, epsilon=part, chi=chi)
                 assert ours == pytest.approx(found, abs=1e-13)

@@ -1,0 +1,64 @@
+"""Too much virtual damping: products of eigenvalues, and where loops start to grow."""
+
+import re
+
+import numpy as np
+import oracle
+import pytest
+from oracles import motion
+from oracles.guarding import guards
+from oracles.search import edge
+from oracles.subject import number, only, page, shown
+
+CHAPTER = "s4d_virtual_damping"
+ARM = (0.001, 0.02)
+"""The largest spring and damper of (23)."""
+
+
+@guards("s4d_virtual_damping")
+def test_the_constant_coefficient_is_the_product_of_the_eigenvalues():
+    cases = [(0.4, 0.7, 0.3, 0.2), (-0.3, 1.9, 2.0, 0.0), (2.0, -0.8, 0.1, 3.0)]
+
+    def agrees(constant):
+        for d in (0, 1, 4):
+            for alpha, beta, gamma, delta in cases:
+                roots = np.linalg.eigvals(oracle.loops(alpha, beta, gamma, delta, d))
+                at = {"beta": beta, **oracle.named(gamma, delta)}
+                found = np.prod(-roots)
+                assert number(constant, **at) == pytest.approx(found, abs=1e-12)
+
+    only(agrees, shown(CHAPTER, "The constant coefficient"))
+
+
+@guards("s4d_virtual_damping")
+def test_no_stable_wall_has_more_damping():
+    rng = np.random.default_rng(48)
+    found = 0
+    while found < 60:
+        gamma, delta = rng.choice([0.0, rng.uniform(0, 9)]), rng.choice([0.0, rng.uniform(0, 2)])
+        d, n0 = int(rng.integers(0, 3)), oracle.numbers(gamma, delta, 30)[1]
+        alpha, beta = rng.normal(size=2) * 10 ** rng.uniform(-2, 0.7, size=2)
+        if oracle.stable(alpha, beta, gamma, delta, d):
+            found += 1
+            assert abs(n0 * beta) < 1
+        bound = float(1 / n0)
+        for share in (1.001, 1.5, 4):
+            assert not oracle.stable(alpha, share * bound, gamma, delta, d)
+            assert not oracle.stable(alpha, -share * bound, gamma, delta, d)
+    # a free mass without delay comes near its bound 2
+    high = edge(0.5, 4.0, lambda beta: oracle.stable(1e-4, beta, 0, 0, 0))
+    assert high == pytest.approx(2, abs=1e-3)
+
+
+@guards("s4d_virtual_damping")
+@pytest.mark.parametrize(("d", "low", "high"), [(0, 1.9, 2.1), (1, 0.7, 0.9)])
+def test_the_four_walls_of_the_arm(d, low, high):
+    lines = {b.title: b.lines[0] for b in page(CHAPTER).blocks if b.title.startswith("$d=")}
+    for beta, sign in ((low, "<"), (high, ">")):
+        largest = oracle.radius(0.05, beta, *ARM, d).max()
+        _, found, bound = lines[rf"$d={d}$, $\beta={beta}$"]
+        assert found == sign
+        assert largest == pytest.approx(float(re.match(r"[\d.]+", bound)[0]), abs=2e-4)
+        assert (largest < 1) == (sign == "<")
+        place = motion.positions(0.05, beta, 1.0, ARM[1], ARM[0], 1.0, float(d), steps=1500)
+        assert motion.grows(place) == (sign == ">")
