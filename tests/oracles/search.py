@@ -1,5 +1,7 @@
 """Borders and largest values found by trying: halving and a search, with eigenvalues as judge."""
 
+import mpmath
+import numpy as np
 import oracle
 from scipy.optimize import minimize_scalar
 
@@ -26,3 +28,21 @@ def stiffest(gamma, delta, delay, low, high, top=4.0):
         lambda beta: -most(beta), bounds=(low, high), method="bounded", options={"xatol": 1e-7}
     )
     return -found.fun, found.x
+
+
+def first_arc(gamma, delta, d):
+    """Largest alpha of the explicit boundary for (d+1) theta < 2.1, by a fine search."""
+    n1, n0, a, e = oracle.numbers(gamma, delta)
+
+    def alpha(theta):
+        z = mpmath.expj(theta)
+        q = -mpmath.expj(d * theta) * (z * z - a * z + e) / (n1 * z + n0)
+        return q.real - q.imag / mpmath.sin(theta) * (1 - mpmath.cos(theta))
+
+    step = mpmath.mpf("1e-20")
+    start = max(np.linspace(0.8, 2.1, 27), key=lambda phi: alpha(mpmath.mpf(phi) / (d + 1)))
+    best = mpmath.findroot(
+        lambda theta: (alpha(theta + step) - alpha(theta - step)) / step,
+        mpmath.mpf(start) / (d + 1),
+    )
+    return alpha(best)

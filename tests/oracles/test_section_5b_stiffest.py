@@ -1,0 +1,286 @@
+"""The largest stable stiffness: searches with eigenvalues beside the enclosed ratios."""
+
+import re
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+from oracles.guarding import guards
+from oracles.search import first_arc, stiffest
+from oracles.subject import counterexample, decimals, number, only, page, shown, value
+
+UNDELAYED, WALL, BOUND, NUMBERS, PEAK = (
+    f"s5b_stiffest_{name}"
+    for name in ("undelayed", "wall", "wall_bound", "wall_numbers", "wall_peak")
+)
+SOFT = [(1e-3, 0.02), (0.0, 0.1), (5e-4, 0.05)]
+FOR_EVER = 0.00059
+with mpmath.workdps(60):
+    DELTA = mpmath.mpf(1) / 50
+
+
+def passive(delta, d):
+    """(11), typed anew."""
+    return 2 * delta * mpmath.tan(mpmath.pi / (4 * (mpmath.mpf(d) + 1)))
+
+
+@guards("s5b_stiffest_undelayed")
+def test_the_stiffest_wall_without_delay_by_a_search():
+    rng = np.random.default_rng(55)
+    arms = [(1e-3, 0.02), (0.01, 0.1), (rng.uniform(0, 0.01), rng.uniform(0, 0.1))]
+    found = {(g, f): stiffest(g, f, 0, 0.3, 1.4)[0] for g, f in arms}
+
+    def agrees(formula):
+        for (gamma, delta), alpha in found.items():
+            at = {"gamma": gamma, **oracle.named(gamma, delta)}
+            assert number(formula, **at) == pytest.approx(alpha, rel=1e-10)
+
+    only(agrees, shown(UNDELAYED, "So the largest stable stiffness without delay is"))
+    ratio = decimals(UNDELAYED, "The ratio in numbers")[0]
+    assert found[1e-3, 0.02] / (2 * 0.02) == pytest.approx(float(ratio), rel=1e-10)
+    for _ in range(20):  # on all of (23)
+        gamma, delta = rng.uniform(0, 1e-3), rng.uniform(1e-3, 0.02)
+        assert oracle.stable(17.8 * 2 * delta, 0.83, gamma, delta, 0)
+        # and no wall is stiffer than 0.72
+        for alpha, beta in zip(rng.uniform(0.72, 5, 50), rng.uniform(-2, 3, 50), strict=True):
+            assert not oracle.stable(alpha, beta, gamma, delta, 0)
+
+
+@guards("s5b_stiffest_undelayed")
+def test_the_minor_and_a_coefficient_of_a_cubic():
+    """Delta_2 is the product of 1 - r_i r_j; the c_k are coefficients in (1 + w)/(1 - w)."""
+
+    def agrees(minor, second, fourth):
+        for alpha, beta, gamma, delta in ((0.3, 0.7, 0.01, 0.1), (-0.2, 1.4, 2.0, 0.4)):
+            p = np.poly(oracle.loops(alpha, beta, gamma, delta, 0))
+            r = np.roots(p)
+            turned = np.zeros(4)
+            for k, coefficient in enumerate(p):
+                turned += coefficient * np.poly([-1] * (3 - k) + [1] * k) * (-1) ** k
+            at = {"alpha": alpha, "beta": beta, "gamma": gamma, **oracle.named(gamma, delta)}
+            n1, n0, e = (at[name] for name in ("n_1", "n_0", "e"))
+            at["s_1"] = (1 - e + gamma * n0) / (n1 + n0)
+            pairs = np.prod([1 - r[i] * r[j] for i, j in ((0, 1), (0, 2), (1, 2))]).real
+            assert number(minor, **at) == pytest.approx(pairs, abs=1e-12)
+            # highest power of w first: -p(-1), c_2, c_1, p(1)
+            assert number(second, **at) == pytest.approx(turned[2], abs=1e-12)
+            assert number(fourth, **at) == pytest.approx(turned[1], abs=1e-12)
+
+    fourth = shown(UNDELAYED, "The fourth coefficient, as all add up to 8")
+    both = shown("s5b_soft_contacts_undelayed", "The minor"), shown("s5b_soft_contacts_undelayed", "The second")
+    only(agrees, *both, fourth)
+    only(agrees, shown(UNDELAYED, "The minor"), both[1], fourth)
+
+
+@guards("s5b_stiffest_wall")
+def test_how_wall_and_plant_turn():
+    def agrees(wall, force, plant):
+        for gamma, delta in ((0.001, 0.02), (0.3, 0.5)):
+            at = {"alpha": 0.4, "beta": -0.7, **oracle.named(gamma, delta)}
+            n1, n0, a, e = (at[name] for name in ("n_1", "n_0", "a", "e"))
+            for theta in (mpmath.mpf("0.4"), mpmath.mpf("1.9")):
+                z = mpmath.expj(theta)
+                turned = (mpmath.mpf(0.4) - mpmath.mpf(0.7)) * z + mpmath.mpf(0.7)
+                turned *= mpmath.expj(-theta / 2)
+                assert abs(value(wall, theta=theta, **at) - turned) < 1e-40
+
+                def turns(p, theta=theta):
+                    return mpmath.diff(lambda t: mpmath.arg(p(mpmath.expj(t))), theta)
+
+                def top(z, n1=n1, n0=n0):
+                    return n1 * z + n0
+
+                def bottom(z, a=a, e=e):
+                    return z * z - a * z + e
+
+                slower = abs(top(z)) ** 2 * (1 - turns(top))
+                faster = abs(bottom(z)) ** 2 * (turns(bottom) - 1)
+                assert abs(value(force, theta=theta, **at) - slower) < 1e-20
+                assert abs(value(plant, theta=theta, **at) - faster) < 1e-20
+
+    titles = ("The wall", "$N$ turns less than $z$", "$A$ turns more than $z$")
+    only(agrees, *(shown(WALL, title) for title in titles))
+
+
+@guards("s5b_stiffest_wall_bound")
+def test_sizes_at_two_angles_and_two_coefficients():
+    def agrees(rises, against, lowest):
+        for gamma, delta, d in ((0.001, 0.02, 1), (0.2, 0.3, 3)):
+            alpha, beta = mpmath.mpf("0.3"), mpmath.mpf("0.45")
+            at = {"alpha": alpha, "beta": beta, **oracle.named(gamma, delta)}
+            n1, n0, a, e = (at[name] for name in ("n_1", "n_0", "a", "e"))
+
+            def square(y, a=a, e=e):
+                z = mpmath.expj(2 * mpmath.asin(mpmath.sqrt(y) / 2))
+                return abs(z * z - a * z + e) ** 2
+
+            there = 2 * (1 - a + e) / (1 + e)
+            assert abs(mpmath.diff(square, there) - value(rises, **at)) < 1e-20
+            found = square(mpmath.mpf(4)) - ((n0 - n1) * (-alpha - 2 * beta)) ** 2
+            assert abs(found - value(against, **at)) < 1e-40
+            p = np.poly(oracle.loops(float(alpha), float(beta), gamma, delta, d))[::-1]
+            assert number(lowest, **at) == pytest.approx(p[1] - p[0] * p[d + 2], abs=1e-12)
+
+    titles = ["$|A|$ rises from $\\theta_r$ on", "Plant against wall at $z=-1$"]
+    titles.append("The lowest coefficients of a stable polynomial")
+    only(agrees, *(shown(BOUND, title) for title in titles))
+
+
+@guards("s5b_stiffest_wall", "s5b_stiffest_wall_bound")
+@pytest.mark.parametrize("d", [1, 2, 5, 12])
+def test_no_stable_wall_is_stiffer_than_the_first_arc(d):
+    rng = np.random.default_rng(56 + d)
+    for gamma, delta in SOFT:
+        most = float(first_arc(gamma, delta, d))
+        high = 1.9 * np.tan(np.pi / 4 / (d + 1))
+        found, _ = stiffest(gamma, delta, d, 0.01, high, top=1.5 * most)
+        assert found == pytest.approx(most, rel=1e-9)
+        for share, beta in zip(rng.uniform(1.001, 20, 100), rng.uniform(-2, 2, 100), strict=True):
+            assert not oracle.stable(share * most, beta, gamma, delta, d)
+
+
+@guards("s5b_stiffest_wall_bound")
+@pytest.mark.parametrize("d", [20, 40, 48])
+def test_with_a_long_delay_stiffer_walls_near_the_first_arc_are_unstable(d):
+    rng = np.random.default_rng(57 + d)
+    most = float(first_arc(1e-3, 0.02, d))
+    share, beta = rng.uniform(1.001, 3, 200), rng.uniform(-0.1, 0.1, 200)
+    assert oracle.moduli(share * most, beta, 1e-3, 0.02, d).max(axis=-1).min() > 1
+    stable = oracle.moduli(0.999 * most, np.linspace(-0.1, 0.1, 1601), 1e-3, 0.02, d)
+    assert stable.max(axis=-1).min() < 1
+
+
+@guards("s5b_stiffest_wall_numbers")
+def test_the_ratio_at_one_period_of_delay_by_a_search():
+    found = decimals(NUMBERS, "The ratio in numbers")
+    arms = [(1e-3, "0.02"), (0.0, "0.02"), (0.0, "0.0202")]
+    for (gamma, delta), ratio in zip(arms, found, strict=True):
+        most, _ = stiffest(gamma, float(delta), 1, 0.1, 0.7, top=0.5)
+        assert most / passive(mpmath.mpf(delta), 1) == pytest.approx(float(ratio), rel=1e-9)
+    assert found[0] > 9.3 > found[2]
+    assert 1 / found[0] < 0.1074 < 1 / found[2]
+    rng = np.random.default_rng(58)
+    for _ in range(20):  # on all of (23)
+        gamma, delta = rng.uniform(0, 1e-3), rng.uniform(1e-3, 0.02)
+        assert first_arc(gamma, delta, 1) > passive(delta, 1) / mpmath.mpf("0.1074")
+
+
+@guards("s5b_stiffest_wall_numbers")
+def test_the_table_of_the_ratio():
+    (table,) = (b.rows[1:] for b in page(NUMBERS).blocks if b.kind == "table")
+    assert [int(row[0]) for row in table][:4] == [0, 1, 2, 5]
+    for row in table:
+        d = int(row[0])
+        for gamma, cell in zip(("0", "0.001"), row[1:], strict=True):
+            printed = mpmath.mpf(re.search(r"[\d.]*\d", str(cell))[0])
+            if "<" in str(cell):
+                assert passive(DELTA, d) / FOR_EVER < printed < 1
+            elif d == 0:
+                most, _ = stiffest(float(gamma), 0.02, 0, 0.3, 1.4)
+                assert float(printed) == pytest.approx(float(2 * DELTA / most), rel=1e-10)
+            else:
+                ratio = passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d)
+                assert 0 <= ratio - printed < 1e-18
+
+
+@guards("s5b_stiffest_wall_numbers")
+def test_a_wall_that_is_stable_for_every_delay():
+    n1, n0, a, e = (float(n) for n in oracle.numbers(1e-3, 0.02))
+    z = np.exp(1j * np.linspace(0, np.pi, 200_001))
+    # the loop's gain is below 1 at each angle: no delay can close it
+    assert (FOR_EVER * np.abs((n1 * z + n0) / (z * z - a * z + e))).max() < 1
+    for d in (0, 3, 20, 77, 150):
+        assert oracle.stable(FOR_EVER, 0.0, 1e-3, 0.02, d)
+    assert not all(oracle.stable(1e-3, 0.0, 1e-3, 0.02, d) for d in (20, 77, 150))
+
+
+@guards("s5b_stiffest_wall_peak")
+def test_the_peaks_of_the_ratio():
+    found = decimals(PEAK, "Two peaks")
+    cases = (("0", 121), ("0", 122), ("0", 123), ("0.001", 40))
+    for (gamma, d), eta in zip(cases, found, strict=True):
+        ratio = passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d)
+        # printed digits are cut; the search is off by the square of 1e-20
+        assert 0 <= ratio - eta < 1e-20
+    assert max(found[:3]) == found[1] < 1
+    for gamma, delays, most in (
+        ("0", (1, 7, 40, 100, 118, 119, 120, 124, 126, 135, 200, 1000, 10**5), found[1]),
+        ("0.001", (1, 7, 20, 35, 38, 39, 41, 42, 48), found[3]),
+    ):
+        for d in delays:
+            assert passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d) < most
+    # behind d = 48 with a spring: walls that are stiff enough, judged by their eigenvalues
+    for d in (49, 50, 51, 52):
+        assert passive(DELTA, d) / found[3] < 0.00063
+        assert oracle.stable(0.00063, 0.005, 1e-3, 0.02, d)
+    assert passive(DELTA, 53) / found[3] < FOR_EVER
+    beyond = counterexample(PEAK, "s5b-eta-grows")
+    assert beyond["gamma"] == 0
+    assert passive(DELTA, beyond["d"]) / first_arc(0, DELTA, beyond["d"]) < found[1] - 0.09
+
+
+@guards("s5b_stiffest_wall_peak")
+def test_what_the_ratio_tends_to_and_where_it_is_stiffest():
+    angle, high, ratio = decimals(PEAK, "What it tends to without a spring")
+    late = mpmath.mpf(10) ** 12  # the next terms are of 1/d
+    assert passive(DELTA, late) / first_arc(0, DELTA, late) == pytest.approx(ratio, abs=1e-9)
+    assert angle * mpmath.sin(angle) == pytest.approx(high, abs=1e-23)
+    steps = [t * mpmath.sin(t) for t in (angle - mpmath.mpf("1e-6"), angle + mpmath.mpf("1e-6"))]
+    assert max(steps) < high
+
+    def agrees(u):
+        for phi in (mpmath.mpf("1.2"), mpmath.mpf("1.9")):
+            h = value(u, phi=phi, delta=DELTA)
+
+            def slow(t, h=h):
+                return (h * t) ** 2 * mpmath.cos(t) + DELTA * h * t * mpmath.sin(t)
+
+            assert abs(mpmath.diff(slow, phi)) < 1e-25
+
+    only(agrees, shown(PEAK, "The delay"))
+
+
+@guards("s5b_weaker_damping")
+def test_less_damping_makes_the_ratio_larger_for_short_delays_and_smaller_for_long_ones():
+    walls = ((0, 0.3, 1.4, 2.0), (1, 0.1, 0.7, 0.5), (4, 0.05, 0.3, 0.1), (8, 0.03, 0.17, 0.05))
+    for gamma in (0.0, 1e-3):
+        for d, low, high, top in walls:
+            light, heavy = (stiffest(gamma, f, d, low, high, top)[0] / f for f in (0.01, 0.02))
+            assert light > heavy
+    found = decimals("s5b_weaker_damping", "Passive over stable stiffness")
+    for delta, eta in zip(("0.01", "0.02"), found, strict=True):
+        delta = mpmath.mpf(delta)
+        assert 0 <= passive(delta, 200) / first_arc(mpmath.mpf(0), delta, 200) - eta < 1e-20
+    assert found[0] > found[1]
+
+
+@guards("s5b_soft_contacts_undelayed")
+def test_without_delay_every_softer_wall_is_stable_too():
+    rng = np.random.default_rng(59)
+    found = 0
+    while found < 60:
+        gamma, delta = rng.uniform(0, 0.01), rng.uniform(1e-3, 0.1)
+        alpha, beta = rng.uniform(0, 0.75), rng.uniform(-0.1, 2)
+        if oracle.stable(alpha, beta, gamma, delta, 0):
+            found += 1
+            softer = np.linspace(-0.99 * gamma, alpha, 20)
+            assert oracle.moduli(softer, beta, gamma, delta, 0).max() < 1
+    # n_1 > n_0, and its slope
+    for gamma, delta in ((0.0, 0.05), (0.01, 0.1), (0.005, 0.001)):
+
+        def apart(f, gamma=gamma):
+            n1, n0, *_ = oracle.numbers(gamma, f)
+            return n1 - n0
+
+        assert apart(delta) > 0
+        assert apart(delta * 1.001) > apart(delta)
+
+
+@guards("s5b_soft_contacts_undelayed")
+def test_a_wall_that_only_its_stiffness_keeps_stable_one_period_late():
+    soft = counterexample("s5b_soft_contacts_undelayed", "s5b-soft-contacts")
+    rest = [soft[name] for name in ("beta", "gamma", "delta")]
+    assert soft["alpha"] == 0
+    assert oracle.certified(0.0, *rest, int(soft["d"])) > 0
+    assert oracle.certified(4.0, *rest, int(soft["d"])) == 0

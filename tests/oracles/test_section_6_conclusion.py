@@ -1,0 +1,129 @@
+"""What the conclusion says of delay, rate, mass, damper and spring: searches and simulations."""
+
+import re
+from functools import cache
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+from oracles import energy, motion
+from oracles.guarding import guards
+from oracles.search import first_arc, stiffest
+from oracles.subject import counterexample, decimals, number, only, page, shown
+
+with mpmath.workdps(60):
+    DELTA = mpmath.mpf(1) / 50
+    SPRING = mpmath.mpf(1) / 1000
+
+
+@cache
+def most(gamma, delta, d):
+    """The largest stable stiffness by a search, and by the first arc for longer delays."""
+    if d == 0:
+        return stiffest(float(gamma), float(delta), 0, 0.3, 1.4)[0]
+    return first_arc(mpmath.mpf(gamma), mpmath.mpf(delta), d)
+
+
+@guards("s6_delay_one_period")
+def test_what_one_period_of_delay_leaves_by_a_search():
+    found = decimals("s6_delay_one_period", "The share that is left")
+    arms = [(1e-3, 0.02), (0.0, 0.02), (0.0, 0.03)]
+    for (gamma, delta), share in zip(arms, found, strict=True):
+        late, _ = stiffest(gamma, delta, 1, 0.1, 0.7, top=0.5)
+        assert late / most(gamma, delta, 0) == pytest.approx(float(share), rel=1e-9)
+    assert max(found[:2]) < 0.22 < found[2]
+    rng = np.random.default_rng(94)
+    for _ in range(2):  # inside (23)
+        gamma, delta = rng.uniform(0, 1e-3), rng.uniform(0, 0.02)
+        assert most(gamma, delta, 1) / most(gamma, delta, 0) < 0.22
+    assert most(0.0, 0.0, 1) / most(0.0, 0.0, 0) == pytest.approx(0.2105, abs=5e-5)
+
+
+@guards("s6_gains")
+def test_what_faster_sampling_gains_at_the_same_delay():
+    def agrees(scaled, limit):
+        for d in (1, 5, 40):
+            # K t_d/b with b = T = 1: where the damping of the wall drops out of its need
+            K = 1 / energy.need(1.0, 0.0, d, np.array([np.pi / (2 * (d + 1))]))[0]
+            assert number(scaled, d=d) == pytest.approx(K * d, rel=1e-12)
+            assert K * d < number(limit) < (1 + 1 / d) * K * d
+        far = 1e6
+        K = 1 / energy.need(1.0, 0.0, far, np.array([np.pi / (2 * (far + 1))]))[0]
+        assert number(limit) == pytest.approx(K * (far + 1), rel=1e-8)
+
+    titles = ("The largest passive stiffness, (11), with $T=t_d/d$", "Endlessly fast sampling")
+    only(agrees, *(shown("s6_gains", title) for title in titles))
+    ends = decimals("s6_gains", "The gain of a free mass")
+    late = 10**8  # endlessly fast to 1e-16
+    limit = first_arc(0, 0, late) * (late + 1) ** 2
+    for d, top, gain in ((1, 0.5, ends[0]), (10, 0.02, ends[1])):
+        high = 0.95 * 2 * np.tan(np.pi / 4 / (d + 1))
+        now, _ = stiffest(0, 0, d, 0.2 * high, high, top=top)
+        assert float(limit) / (d**2 * now) == pytest.approx(float(gain), rel=1e-9)
+    for d in (1, 2, 10, 60):
+        now = first_arc(0, 0, d) * d**2
+        assert 1 < limit / now < (1 + mpmath.mpf(1) / d) ** 2
+    assert limit / first_arc(0, 0, int(counterexample("s6_gains", "s6-faster-sampling")["d"])) > 2
+
+
+@guards("s6_gains")
+def test_more_mass_with_all_the_rest_moves_as_before():
+    one = {"K": 300.0, "B": 0.6, "m": 0.4, "b": 1.0, "k": 50.0}
+    two = {name: 2 * number for name, number in one.items()}
+    for late in (0.0, 1.0, 2.4):
+        places = [motion.positions(**wall, T=1e-2, late=late) for wall in (one, two)]
+        # 200 periods of rounding
+        assert np.allclose(*places, rtol=0, atol=1e-12 * np.abs(places[0]).max())
+    alone = motion.positions(**{**one, "m": 0.8}, T=1e-2)
+    assert not np.allclose(alone, motion.positions(**one, T=1e-2))
+
+
+def printed(cell):
+    """Leading decimals of a table's cell, which were cut."""
+    return mpmath.mpf(re.search(r"[\d.]*\d", str(cell))[0])
+
+
+def cut(exact, cell, d):
+    """Whether a cell has the leading decimals of a number; the search has ten of them."""
+    off = 1e-9 * abs(exact) if d == 0 else 0
+    text = re.search(r"[\d.]*\d", str(cell))[0]
+    last = mpmath.mpf(10) ** -len(text.partition(".")[2])
+    return -off <= exact - printed(cell) < last + off
+
+
+@guards("s6_marginal")
+def test_how_much_damper_and_spring_matter():
+    growth, springs = (b.rows[1:] for b in page("s6_marginal").blocks if b.kind == "table")
+    assert [int(row[0]) for row in growth] == [0, 1, 2, 4, 8, 16, 40]
+    for row in growth:
+        d = int(row[0])
+        assert cut(most(0, DELTA, d) / most(0, 0, d), row[1], d)
+        assert cut(most(SPRING, DELTA, d) / most(SPRING, SPRING, d), row[2], d)
+    assert printed(growth[-1][2]) > 11
+    assert printed(growth[0][1]) < 1.042
+    for d, cell in zip((0, 1, 40), springs[0], strict=True):
+        assert cut(most(SPRING, DELTA, d) / most(0, DELTA, d), cell, d)
+    rng = np.random.default_rng(95)
+    for gamma, delta in [(0, 0), (1e-3, 0), *rng.uniform(0, [1e-3, 0.02], size=(2, 2))]:
+        found = most(gamma, delta, 0)
+        assert found < 1.042 * 0.6848
+        assert delta > 0 or found > 0.6848
+
+
+@guards("s6_marginal")
+def test_the_two_walls_for_which_they_matter():
+    point = counterexample("s6_marginal", "s6-stiffness-marginal")
+    wall = point["alpha"], 0.0
+    assert 16 * first_arc(0, DELTA, int(point["d"])) < wall[0]
+    for d in (0, 10, 60, 200):
+        assert oracle.stable(*wall, point["gamma"], point["delta"], d)
+    assert not oracle.stable(*wall, 0.0, point["delta"], 100)
+    late = counterexample("s6_marginal", "s6-damping-marginal")
+    stiff = 0.9 * float(first_arc(SPRING, DELTA, int(late["d"])))
+    betas = np.linspace(-0.02, 0.05, 701)
+    with_damper, without = (
+        oracle.moduli(stiff, betas, 1e-3, delta, int(late["d"])).max(axis=-1).min()
+        for delta in (0.02, 0.001)
+    )
+    assert with_damper < 1 < without
