@@ -9,16 +9,20 @@ from typing import TypeAlias
 import sympy as sp
 from flint import arb
 from sympy import Expr
+from sympy.core.relational import Relational
 
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
 from symhaptic.proof.ball import Value, value_at
 from symhaptic.proof.constants import decimals, holds, measured, rounding
-from symhaptic.proof.decide import Form, compare, differ, named, parts
+from symhaptic.proof.decide import Form, compare, differ, equal, named, parts
 from symhaptic.proof.points import Point
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
+
+ACCEPTED = PASSES | {Kind.QUALIFIED}
+"""Verdicts of what is right, with a condition or without."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +72,18 @@ class Settlement:
             return self._constants(Verdict(Kind.ENCLOSED, "", note=self.note))
         return self._constants(self._without_constants(printed))
 
+    def accepts(self, printed: Printed) -> bool:
+        """Whether a printed form is taken for right.
+
+        As :meth:`decide`, without asking at which point a wrong one fails.
+        """
+        if printed and self.derived and not equal(self._read(printed), self._read(self.derived)):
+            return False
+        try:
+            return self.decide(printed).kind in ACCEPTED
+        except Unfounded:
+            return False
+
     def _without_constants(self, printed: Printed) -> Verdict:
         if not printed or not self.derived:
             return self._in_words(printed)
@@ -90,6 +106,7 @@ class Settlement:
             )
         if self.provided is not None:
             return self._qualified(printed, result.method, note)
+        self._check_unopposed()
         kind = Kind.DEFINITION if self.definition else Kind.PROVED
         return Verdict(kind, result.method, note=note)
 
@@ -117,6 +134,7 @@ class Settlement:
             )
         if self.provided is not None:
             return self._qualified(printed, method, self.note)
+        self._check_unopposed()
         return Verdict(Kind.PROVED, method, note=self.note)
 
     def _qualified(self, printed: Printed, method: str, note: str | None) -> Verdict:
@@ -159,6 +177,11 @@ class Settlement:
         )
 
     # -- checks -------------------------------------------------------------------------
+
+    def _check_unopposed(self) -> None:
+        """What is proved without a condition has no counterexample."""
+        if self.unless is not None:
+            raise Unfounded("a counterexample stands against what is said to be proved")
 
     def _check_counterexample(self, printed: Printed) -> None:
         point = self.unless or {}
@@ -213,7 +236,7 @@ class Settlement:
 
     def _read(self, forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
         """Forms with the definitions that are in force put in."""
-        return tuple(form.xreplace(dict(self.given)) for form in forms)
+        return tuple(_placed(form, self.given) for form in forms)
 
     def _noted(self, printed: Printed) -> str | None:
         for part in printed:
@@ -234,6 +257,13 @@ class Settlement:
 
     def _correction(self) -> str | None:
         return None if self.corrected is None else r",\quad ".join(self.corrected)
+
+
+def _placed(form: Expr, given: Mapping[Expr, Expr]) -> Expr:
+    """A form with definitions put in, its relations left as they are."""
+    if isinstance(form, Relational):
+        return form.func(*(side.xreplace(dict(given)) for side in form.args), evaluate=False)
+    return form.xreplace(dict(given))
 
 
 def _value(forms: tuple[Expr, ...], point: Point) -> Value:
