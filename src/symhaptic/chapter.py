@@ -21,9 +21,9 @@ from sympy import Expr
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.ball import bound, largest_root
+from symhaptic.proof.ball import bound
+from symhaptic.proof.checks import Check, Decimals, Free, Limit, Minimal, Roots, Same, Sign, Units
 from symhaptic.proof.decide import Form, compare, parts
-from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.series import limit
@@ -42,6 +42,7 @@ class Evidence:
     """An exact proof of something said in words."""
 
     method: str
+    checks: tuple[Check, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -74,6 +75,8 @@ class Settled:
     settlement: Settlement
     verdict: Verdict
     seconds: float
+    grounds: tuple[Check, ...] = ()
+    """The checks that prove what it says in words."""
 
 
 @dataclass
@@ -84,6 +87,8 @@ class Page:
     blocks: list[Block] = field(default_factory=list)
     settled: dict[str, Settled] = field(default_factory=dict)
     own: dict[str, Statement] = field(default_factory=dict)
+    checks: list[tuple[str, Check]] = field(default_factory=list)
+    """What was asked and confirmed, under its title, to be asked again with something changed."""
     _count: int = 0
     _since: float = field(default_factory=time.perf_counter)
 
@@ -99,6 +104,7 @@ class Page:
             unit = shown(dimension_of(meaning))
         except UnitError as wrong:
             raise FalseStep(f"{title}: {wrong}") from None
+        self.checks.append((title, Units(meaning)))
         note = "units agree" if unit == "1" else f"units agree: {unit}"
         self._equation(title, [(name, "=", meaning)], "definition", note, because)
         return meaning
@@ -153,6 +159,7 @@ class Page:
         for name, number in numbers:
             if number.positive_roots_below:
                 raise FalseStep(f"{title}: {name} has a smaller positive root")
+            self.checks.append((title, Minimal(number)))
         lines = [(name, "=", number.minimal) for name, number in numbers]
         method = r"irreducible over $\mathbb{Q}$; balls around the roots"
         self._equation(title, lines, "proved", method, because)
@@ -165,13 +172,14 @@ class Page:
         places: int = 24,
     ) -> None:
         """Positive numbers by their first decimals, which the balls around them settle."""
-        rows = [(name, "=", decimals(value, places) + r"\ldots") for name, value in values]
+        texts = [(name, value, decimals(value, places)) for name, value in values]
+        self.checks += [(title, Decimals(value, text)) for _, value, text in texts]
+        rows = [(name, "=", text + r"\ldots") for name, _, text in texts]
         self._equation(title, rows, "enclosed", "ball arithmetic", because)
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
-        self._proved("limit", limit(expr, variable, at), value)
-        return Evidence("exact series")
+        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),))
 
     def limit(
         self,
@@ -184,8 +192,7 @@ class Page:
         name: Expr | str | None = None,
     ) -> Expr:
         """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series."""
-        found = limit(expr, variable, sp.sympify(at))
-        self._proved(title, found, value)
+        self._tends(title, expr, variable, at, value)
         inner = name if isinstance(name, str) else latex(expr if name is None else name)
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
         self._equation(title, [(left, "=", value)], "proved", "exact series", because)
@@ -199,6 +206,7 @@ class Page:
         left = latex(fact.expr) if name is None else name
         right = rf"0\qquad ({on})"
         self._equation(title, [(left, sign, right)], "proved", fact.reason, because)
+        self.checks.append((title, Sign(fact)))
         return fact
 
     def result(
@@ -231,11 +239,12 @@ class Page:
         ``half`` only roots that may have a positive real part are asked for: where z stands for
         the square root, that is the principal sheet.
         """
-        largest = largest_root(polynomial, at, given, lambda z: not (half and z.real < 0))
+        check = Roots(polynomial, dict(at or {}), dict(given or {}), half)
+        largest = check.largest()
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        self._roots(title, "<", bound(largest, above=True), half)
-        return Evidence("balls around the roots")
+        self._roots(title, "<", bound(largest, above=True), check)
+        return Evidence("balls around the roots", (check,))
 
     def outside(
         self,
@@ -249,31 +258,35 @@ class Page:
 
         With ``half`` it has a positive real part.
         """
-        largest = largest_root(polynomial, at, given, lambda z: not half or z.real > 0)
+        check = Roots(polynomial, dict(at or {}), dict(given or {}), half, inside=False)
+        largest = check.largest()
         if not largest > 1:
             raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
-        self._roots(title, ">", bound(largest, above=False), half)
-        return Witness(dict(at or {}), "balls around the roots")
+        self._roots(title, ">", bound(largest, above=False), check)
+        return Witness(dict(at or {}), "balls around the roots", check)
 
-    def _roots(self, title: str, sign: str, size: str, half: bool) -> None:
+    def _roots(self, title: str, sign: str, size: str, check: Roots) -> None:
         """The line that says on which side of 1 the largest root lies."""
-        name = r"\max_{\Re\zeta>0}|\zeta|" if half else r"\max|z|"
+        self.checks.append((title, check))
+        name = r"\max_{\Re\zeta>0}|\zeta|" if check.half else r"\max|z|"
         self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` does not change with the symbols: its derivatives are identically zero."""
-        for symbol in symbols:
-            if not is_zero(sp.diff(expr, symbol)):
-                raise FalseStep(f"{what}: it changes with {symbol}")
+        checks = tuple(Free(expr, symbol) for symbol in symbols)
+        for check in checks:
+            if not check.holds():
+                raise FalseStep(f"{what}: it changes with {check.symbol}")
+        self.checks += [(what, check) for check in checks]
         names = ", ".join(f"${latex(s)}$" for s in symbols)
-        return Evidence(f"derivative with respect to {names} is zero")
+        return Evidence(f"derivative with respect to {names} is zero", checks)
 
     def same(self, what: str, *forms: Form) -> Evidence:
         """All the forms are proved equal, without being written on the page."""
-        method = ""
+        method, before = "", len(self.checks)
         for left, right in itertools.pairwise(forms):
             method = self._proved(what, left, right)
-        return Evidence(method)
+        return Evidence(method, tuple(check for _, check in self.checks[before:]))
 
     def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
         """Columns of numbers or formulas as they were computed; text may hold formulas in $."""
@@ -344,6 +357,7 @@ class Page:
         proofs = [
             g.reason if isinstance(g, Fact) else g.method for g in grounds if isinstance(g, proving)
         ]
+        checks = tuple(check for g in grounds for check in _checks(g))
         values = () if value is None else value if isinstance(value, Sequence) else (value,)
         settlement = Settlement(
             derived=tuple(forms),
@@ -361,7 +375,7 @@ class Page:
             shows=shows,
             note=note,
         )
-        return self._record(statement, settlement)
+        return self._record(statement, settlement, checks)
 
     def settle_external(self, id: str, rests: str, checked: str) -> Verdict:
         """A statement that rests on something outside the paper: on what, and what was checked."""
@@ -372,14 +386,29 @@ class Page:
 
     # -- internals ----------------------------------------------------------------------
 
-    def _record(self, statement: Statement, settlement: Settlement) -> Verdict:
+    def _record(
+        self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
+    ) -> Verdict:
         verdict = settlement.decide(statement.printed)
         now = time.perf_counter()
-        self.settled[statement.id] = Settled(statement, settlement, verdict, now - self._since)
-        self._since = now
+        seconds, self._since = now - self._since, now
+        self.settled[statement.id] = Settled(statement, settlement, verdict, seconds, grounds)
         return verdict
 
+    def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Limit:
+        """A limit as it was found, and kept as what it was asked for."""
+        found = limit(expr, variable, sp.sympify(at))
+        self._compared(title, found, value)
+        check = Limit(expr, variable, sp.sympify(at), sp.sympify(value))
+        self.checks.append((title, check))
+        return check
+
     def _proved(self, title: str, left: Form, right: Form) -> str:
+        method = self._compared(title, left, right)
+        self.checks.append((title, Same(parts(left), parts(right))))
+        return method
+
+    def _compared(self, title: str, left: Form, right: Form) -> str:
         result = compare(left, right)
         if result.equal:
             return result.method
@@ -413,6 +442,18 @@ class Page:
                 paper=paper,
             )
         )
+
+
+def _checks(ground: Any) -> tuple[Check, ...]:
+    """What was asked for a ground that is no form."""
+    match ground:
+        case Evidence():
+            return ground.checks
+        case Witness():
+            return () if ground.check is None else (ground.check,)
+        case Fact():
+            return (Sign(ground),)
+    return ()
 
 
 def _sign(relation: Expr) -> str:

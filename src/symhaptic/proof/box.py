@@ -13,7 +13,7 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.proof.ball import ball
-from symhaptic.proof.sign import Fact, NotShown
+from symhaptic.proof.sign import Fact, NotShown, rule
 
 _BITS = 96
 """Working precision."""
@@ -31,6 +31,7 @@ Given = Callable[[Mapping[sp.Symbol, acb]], Mapping[sp.Symbol, acb]]
 """Balls of further symbols, from balls of those of the box."""
 
 
+@rule
 def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
     """``expr > 0`` everywhere in the box; ``given`` finds balls of its other symbols there.
 
