@@ -21,6 +21,7 @@ from symhaptic.library import Chapter, run
 from symhaptic.proof.changes import Change, changes
 from symhaptic.proof.checks import Check, Sign, confirmed
 from symhaptic.proof.sign import facts_below
+from symhaptic.tabulated import changes_of_tables
 
 GENERATED = "written by `symhaptic mutants`; do not edit"
 
@@ -87,6 +88,7 @@ def trial(chapter: Chapter) -> Trial:
     for title, kept in page.checks:
         for check in _once([kept], done):
             found.put(title, changes(check), found.steps)
+    found.put(chapter.name, changes_of_tables(chapter), found.steps)
     return found
 
 

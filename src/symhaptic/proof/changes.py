@@ -132,7 +132,8 @@ def _roots(check: Roots) -> Iterator[Change]:
         if symbol == d:
             moved = [value + k for k in (1, 2, 3, 5, 10, 20)]
         else:
-            moved = [(value or sp.S.One) * sign * (1 + k) for k in WIDER for sign in (1, -1)]
+            sizes = [sp.Integer(1 + k) ** (1 if check.inside else -1) for k in WIDER]
+            moved = [(value or sp.S.One) * size * sign for size in sizes for sign in (1, -1)]
         for other in (replace(check, at={**check.at, symbol: v}) for v in moved):
             if wrong(other):
                 yield Change(kind, f"{symbol} = {other.at[symbol]} for {value}", other)
