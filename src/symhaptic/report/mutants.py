@@ -39,7 +39,11 @@ def mutants_listed(path: Path) -> dict[str, Any]:
             if counts:
                 rows.append([_code(of), *(counts.get(kind, "") for kind in KINDS)])
         survivors += [
-            {"of": _name(of, record), "changes": "; ".join(map(_code, changes)), "why": prose(why or "DEFECT")}
+            {
+                "of": _name(of, record),
+                "changes": "; ".join(map(_code, changes)),
+                "why": prose(why or "DEFECT"),
+            }
             for (of, why), changes in _grouped(record["survivors"]).items()
         ]
     return {
