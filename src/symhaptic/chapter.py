@@ -21,15 +21,15 @@ from sympy import Expr
 from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.ball import bound, largest_root
+from symhaptic.proof.ball import bound
 from symhaptic.proof.certificate import Certificate, Zero
+from symhaptic.proof.checks import Check, Decimals, Free, Limit, Minimal, Roots, Same, Sign, Units
 from symhaptic.proof.decide import Form, compare, parts
-from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement, Truth, Witness
-from symhaptic.proof.sign import Fact
+from symhaptic.proof.sign import Fact, facts_below
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
 
@@ -43,6 +43,7 @@ class Evidence:
     """An exact proof of something said in words."""
 
     method: str
+    checks: tuple[Check, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,8 @@ class Settled:
     settlement: Settlement
     verdict: Verdict
     seconds: float
+    grounds: tuple[Check, ...] = ()
+    """The checks that prove what it says in words."""
 
 
 @dataclass
@@ -87,6 +90,8 @@ class Page:
     own: dict[str, Statement] = field(default_factory=dict)
     certificates: list[Certificate] = field(default_factory=list)
     """Of the balls that the chapter rests on; they are checked again when it has been run."""
+    checks: list[tuple[str, Check]] = field(default_factory=list)
+    """What was asked and confirmed, under its title, to be asked again with something changed."""
     _count: int = 0
     _since: float = field(default_factory=time.perf_counter)
 
@@ -102,6 +107,7 @@ class Page:
             unit = shown(dimension_of(meaning))
         except UnitError as wrong:
             raise FalseStep(f"{title}: {wrong}") from None
+        self.checks.append((title, Units(meaning)))
         note = "units agree" if unit == "1" else f"units agree: {unit}"
         self._equation(title, [(name, "=", meaning)], "definition", note, because)
         return meaning
@@ -156,6 +162,7 @@ class Page:
         for name, number in numbers:
             if number.positive_roots_below:
                 raise FalseStep(f"{title}: {name} has a smaller positive root")
+            self.checks.append((title, Minimal(number)))
         lines = [(name, "=", number.minimal) for name, number in numbers]
         method = r"irreducible over $\mathbb{Q}$; balls around the roots"
         self._equation(title, lines, "proved", method, because)
@@ -173,13 +180,14 @@ class Page:
             if isinstance(value, Zero):
                 self.certificates.append(value)
                 value = value.ball
-            rows.append((name, "=", decimals(value, places) + r"\ldots"))
+            text = decimals(value, places)
+            self.checks.append((title, Decimals(value, text)))
+            rows.append((name, "=", text + r"\ldots"))
         self._equation(title, rows, "enclosed", "ball arithmetic", because)
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
-        self._proved("limit", limit(expr, variable, at), value)
-        return Evidence("exact series")
+        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),))
 
     def limit(
         self,
@@ -192,8 +200,7 @@ class Page:
         name: Expr | str | None = None,
     ) -> Expr:
         """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series."""
-        found = limit(expr, variable, sp.sympify(at))
-        self._proved(title, found, value)
+        self._tends(title, expr, variable, at, value)
         inner = name if isinstance(name, str) else latex(expr if name is None else name)
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
         self._equation(title, [(left, "=", value)], "proved", "exact series", because)
@@ -203,11 +210,12 @@ class Page:
         self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
     ) -> Fact:
         """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
-        self.certificates += fact.certificates
+        self._keep(fact)
         sign = ">" if fact.strict else r"\ge"
         left = latex(fact.expr) if name is None else name
         right = rf"0\qquad ({on})"
         self._equation(title, [(left, sign, right)], "proved", fact.reason, because)
+        self.checks.append((title, Sign(fact)))
         return fact
 
     def result(
@@ -240,11 +248,12 @@ class Page:
         ``half`` only roots that may have a positive real part are asked for: where z stands for
         the square root, that is the principal sheet.
         """
-        largest = largest_root(polynomial, at, given, lambda z: not (half and z.real < 0))
+        check = Roots(polynomial, dict(at or {}), dict(given or {}), half)
+        largest = check.largest()
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        self._roots(title, "<", bound(largest, above=True), half)
-        return Evidence("balls around the roots")
+        self._roots(title, "<", bound(largest, above=True), check)
+        return Evidence("balls around the roots", (check,))
 
     def outside(
         self,
@@ -258,31 +267,35 @@ class Page:
 
         With ``half`` it has a positive real part.
         """
-        largest = largest_root(polynomial, at, given, lambda z: not half or z.real > 0)
+        check = Roots(polynomial, dict(at or {}), dict(given or {}), half, inside=False)
+        largest = check.largest()
         if not largest > 1:
             raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
-        self._roots(title, ">", bound(largest, above=False), half)
-        return Witness(dict(at or {}), "balls around the roots")
+        self._roots(title, ">", bound(largest, above=False), check)
+        return Witness(dict(at or {}), "balls around the roots", check)
 
-    def _roots(self, title: str, sign: str, size: str, half: bool) -> None:
+    def _roots(self, title: str, sign: str, size: str, check: Roots) -> None:
         """The line that says on which side of 1 the largest root lies."""
-        name = r"\max_{\Re\zeta>0}|\zeta|" if half else r"\max|z|"
+        self.checks.append((title, check))
+        name = r"\max_{\Re\zeta>0}|\zeta|" if check.half else r"\max|z|"
         self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` does not change with the symbols: its derivatives are identically zero."""
-        for symbol in symbols:
-            if not is_zero(sp.diff(expr, symbol)):
-                raise FalseStep(f"{what}: it changes with {symbol}")
+        checks = tuple(Free(expr, symbol) for symbol in symbols)
+        for check in checks:
+            if not check.holds():
+                raise FalseStep(f"{what}: it changes with {check.symbol}")
+        self.checks += [(what, check) for check in checks]
         names = ", ".join(f"${latex(s)}$" for s in symbols)
-        return Evidence(f"derivative with respect to {names} is zero")
+        return Evidence(f"derivative with respect to {names} is zero", checks)
 
     def same(self, what: str, *forms: Form) -> Evidence:
         """All the forms are proved equal, without being written on the page."""
-        method = ""
+        method, before = "", len(self.checks)
         for left, right in itertools.pairwise(forms):
             method = self._proved(what, left, right)
-        return Evidence(method)
+        return Evidence(method, tuple(check for _, check in self.checks[before:]))
 
     def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
         """Columns of numbers or formulas as they were computed; text may hold formulas in $."""
@@ -353,7 +366,10 @@ class Page:
         proofs = [
             g.reason if isinstance(g, Fact) else g.method for g in grounds if isinstance(g, proving)
         ]
-        self.certificates += [c for g in grounds if isinstance(g, Fact) for c in g.certificates]
+        checks = tuple(check for g in grounds for check in _checks(g))
+        for ground in grounds:
+            if isinstance(ground, Fact):
+                self._keep(ground)
         values = () if value is None else value if isinstance(value, Sequence) else (value,)
         settlement = Settlement(
             derived=tuple(forms),
@@ -371,7 +387,7 @@ class Page:
             shows=shows,
             note=note,
         )
-        return self._record(statement, settlement)
+        return self._record(statement, settlement, checks)
 
     def settle_external(
         self,
@@ -394,14 +410,33 @@ class Page:
 
     # -- internals ----------------------------------------------------------------------
 
-    def _record(self, statement: Statement, settlement: Settlement) -> Verdict:
+    def _record(
+        self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
+    ) -> Verdict:
         verdict = settlement.decide(statement.printed)
         now = time.perf_counter()
-        self.settled[statement.id] = Settled(statement, settlement, verdict, now - self._since)
-        self._since = now
+        seconds, self._since = now - self._since, now
+        self.settled[statement.id] = Settled(statement, settlement, verdict, seconds, grounds)
         return verdict
 
+    def _keep(self, fact: Fact) -> None:
+        """The certificates of all that a fact was made from."""
+        self.certificates += [c for below in facts_below(fact) for c in below.certificates]
+
+    def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Limit:
+        """A limit as it was found, and kept as what it was asked for."""
+        found = limit(expr, variable, sp.sympify(at))
+        self._compared(title, found, value)
+        check = Limit(expr, variable, sp.sympify(at), sp.sympify(value))
+        self.checks.append((title, check))
+        return check
+
     def _proved(self, title: str, left: Form, right: Form) -> str:
+        method = self._compared(title, left, right)
+        self.checks.append((title, Same(parts(left), parts(right))))
+        return method
+
+    def _compared(self, title: str, left: Form, right: Form) -> str:
         result = compare(left, right)
         if result.equal:
             return result.method
@@ -435,6 +470,18 @@ class Page:
                 paper=paper,
             )
         )
+
+
+def _checks(ground: Any) -> tuple[Check, ...]:
+    """What was asked for a ground that is no form."""
+    match ground:
+        case Evidence():
+            return ground.checks
+        case Witness():
+            return () if ground.check is None else (ground.check,)
+        case Fact():
+            return (Sign(ground),)
+    return ()
 
 
 def _sign(relation: Expr) -> str:

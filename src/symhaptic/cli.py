@@ -222,6 +222,33 @@ def report(
 
 
 @app.command()
+def mutants(
+    output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Where to write.")] = Path(
+        "reports/mutants.json"
+    ),
+    workers: Annotated[int, typer.Option("--workers", min=1, help="Processes at a time.")] = 2,
+) -> None:
+    """Change every statement and step in one place; fail where a wrong one is not refused."""
+    from symhaptic import library, listing, mutation
+
+    found = []
+    for trial in mutation.trials(library.shipped(), workers):
+        found.append(trial)
+        typer.echo(f"{trial.chapter}: {trial.refused} refused", err=True)
+    wrong = [survivor for trial in found for survivor in trial.accepted]
+    for survivor in wrong:
+        typer.echo(f"ACCEPTED  {survivor.of}: {survivor.change}")
+    _replace(listing.replace, output, mutation.committed(found))
+    survivors = sum(len(trial.survivors) for trial in found) - len(wrong)
+    typer.echo(
+        f"wrote {output}: {sum(trial.refused for trial in found)} changes refused, "
+        f"{survivors} survive with a reason, {len(wrong)} accepted though wrong"
+    )
+    if wrong:
+        raise typer.Exit(1)
+
+
+@app.command()
 def trace(
     gamma: Annotated[str, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m.")],
     delta: Annotated[str, typer.Option("--delta", metavar="D", help="Damping b T/m.")],

@@ -56,6 +56,11 @@ def expected_ledger() -> Path:
     return inside if inside.exists() else _beside("reports") / "ledger.json"
 
 
+def expected_mutants() -> Path:
+    """The committed outcome of `symhaptic mutants`."""
+    return _beside("reports") / "mutants.json"
+
+
 def shipped() -> list[Path]:
     """The paper's derivations, in the order of the paper."""
     return sorted(folder().glob("s*.py"))

@@ -20,7 +20,7 @@ from sympy import Expr
 from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.points import Point
-from symhaptic.proof.sign import Fact, NotShown
+from symhaptic.proof.sign import Fact, NotShown, rule
 
 _BITS = 96
 """Working precision."""
@@ -48,6 +48,7 @@ class Denied:
     """Whether it may be zero there."""
 
 
+@rule
 def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
     """``expr > 0`` everywhere in the box; ``given`` finds balls of its other symbols there.
 

@@ -63,21 +63,34 @@ def compare(left: Form, right: Form) -> Comparison:
         return Comparison(False, f"{len(ours)} components against {len(theirs)}", {})
     method = ""
     for one, other in zip(ours, theirs, strict=True):
-        result = _compare(one, other)
+        result = _shown(one, other) or _told_apart(one, other)
         if not result.equal:
             return result
         method = result.method or method
     return Comparison(True, method)
 
 
-def _compare(left: Expr, right: Expr) -> Comparison:
+def equal(left: Form, right: Form) -> bool:
+    """Whether two forms are proved to say the same, without asking why they should not.
+
+    >>> x = sp.Symbol("x")
+    >>> equal(sp.tan(x), sp.sin(x)/sp.cos(x)), equal(x < 1, x <= 1)
+    (True, False)
+    """
+    ours, theirs = parts(left), parts(right)
+    if not ours or len(ours) != len(theirs):
+        return False
+    found = (_shown(one, other) for one, other in zip(ours, theirs, strict=True))
+    return all(result is not None and result.equal for result in found)
+
+
+def _shown(left: Expr, right: Expr) -> Comparison | None:
+    """What the normal form shows; None where that is not enough to say that they are equal."""
     try:
         if isinstance(left, Relational) and isinstance(right, Relational):
-            return _relations(left, right)
+            return _relations(_turned(left), _turned(right))
         if not (isinstance(left, Expr) and isinstance(right, Expr)):
-            if left == right:
-                return Comparison(True, "identical")
-            return _told_apart(left, right)
+            return Comparison(True, "identical") if left == right else None
         field = Field([left, right])
         if field.are_equal(left, right):
             return Comparison(True, f"zero in {field_name(field)}")
@@ -85,21 +98,27 @@ def _compare(left: Expr, right: Expr) -> Comparison:
         return Comparison(None, str(missing))
     except Undefined as pole:
         return Comparison(False, str(pole), {})
-    return _told_apart(left, right)
+    return None
 
 
-def _relations(left: Relational, right: Relational) -> Comparison:
-    one, other = _turned(left), _turned(right)
-    ours, theirs = one.lhs - one.rhs, other.lhs - other.rhs
-    if one.func == other.func:
-        if isinstance(one, (sp.Eq, sp.Ne)) and one.lhs == other.lhs:
-            same = compare(one.rhs, other.rhs)
-            if same.equal is not None:
-                return same
-        field = Field([ours, theirs])
-        if _proportional(field, ours, theirs, signed=isinstance(one, (sp.Eq, sp.Ne))):
-            return Comparison(True, f"zero in {field_name(field)}")
-    return _told_apart(one, other)
+def _relations(left: Relational, right: Relational) -> Comparison | None:
+    if left.func != right.func:
+        return None
+    if _of_one_thing(left, right):
+        same = _shown(left.rhs, right.rhs)
+        if not (left.rhs.has(left.lhs) or right.rhs.has(left.lhs)) or (same and same.equal):
+            return same
+    ours, theirs = left.lhs - left.rhs, right.lhs - right.rhs
+    field = Field([ours, theirs])
+    if _proportional(field, ours, theirs, signed=isinstance(left, (sp.Eq, sp.Ne))):
+        return Comparison(True, f"zero in {field_name(field)}")
+    return None
+
+
+def _of_one_thing(left: Expr, right: Expr) -> bool:
+    """Two equations with the same left side."""
+    kinds = (sp.Eq, sp.Ne)
+    return isinstance(left, kinds) and isinstance(right, kinds) and left.lhs == right.lhs
 
 
 def _turned(relation: Expr) -> Expr:
@@ -137,7 +156,11 @@ def field_name(field: Field) -> str:
 
 def _told_apart(left: Expr, right: Expr) -> Comparison:
     """A point where both are defined and certainly differ; an unknown H is tried as H_0 + H_1 x."""
-    left, right = _with_lines(left), _with_lines(right)
+    if _of_one_thing(left, right):
+        found = _told_apart(left.rhs, right.rhs)
+        if found.equal is False:
+            return found
+    left, right = _with_lines(_turned(left)), _with_lines(_turned(right))
     for point in points(left, right):
         values = differ(left, right, point)
         if values is not None and None not in values:

@@ -7,8 +7,10 @@ the original are discarded before they count.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import TypeAlias, TypeVar
 
 import sympy as sp
 from sympy import Expr
@@ -17,6 +19,8 @@ from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.paper.reading import Printed
 from symhaptic.proof.decide import compare
+
+_T = TypeVar("_T")
 
 _SWAPPED = {sp.sin: sp.cos, sp.cos: sp.sin, sp.Abs: lambda x: x, sp.re: sp.im}
 _TURNED = {
@@ -53,7 +57,7 @@ def mutants(printed: Printed) -> Iterator[Mutant]:
 
     >>> from sympy.abc import x
     >>> [str(m.form[0]) for m in mutants((sp.sin(x) < 1,))][:3]
-    ['sin(x) > 1', 'sin(x) <= 1', 'sin(x) < 2']
+    ['sin(x) > 1', 'sin(x) <= 1', 'cos(x) < 1']
     """
     seen = {printed}
     for form, change in (*_changed_lines(printed), *_exchanged_lines(printed)):
@@ -98,24 +102,97 @@ def wrong(printed: Printed) -> Iterator[Mutant]:
     return (m for m in mutants(printed) if not compare(printed, m.form).equal)
 
 
+def misprints(latex: str) -> Iterator[tuple[str, str]]:
+    """Print with one digit a unit more or less, or one sign turned, and what was changed.
+
+    >>> [changed for changed, _ in misprints("x + 19")]
+    ['x - 19', 'x + 29', 'x + 09', 'x + 18']
+    """
+    for i, letter in enumerate(latex):
+        others = {"+": "-", "-": "+"}.get(letter, "")
+        if letter.isdigit():
+            others = {"0": "1", "9": "8"}.get(letter, f"{ord(letter) - 47}{ord(letter) - 49}")
+        for other in others:
+            yield f"{latex[:i]}{other}{latex[i + 1 :]}", f"{letter} to {other} at character {i + 1}"
+
+
 def _variants(expr: Expr) -> Iterator[tuple[Expr, str]]:
-    if isinstance(expr, Relational):
-        for kind in _TURNED.get(expr.func, ()):
-            yield kind(expr.lhs, expr.rhs, evaluate=False), f"{expr.rel_op} turned"
-        for changed, change in _variants(expr.rhs):
-            yield expr.func(expr.lhs, changed, evaluate=False), change
-        if not isinstance(expr, sp.Eq):  # the left side of an equation is what it is about
-            for changed, change in _variants(expr.lhs):
-                yield expr.func(changed, expr.rhs, evaluate=False), change
-        return
-    yield from _here(expr)
+    for part, put in _places(expr):
+        for changed, change in _here(part):
+            yield put(changed), change
+
+
+_Put: TypeAlias = Callable[[Expr], Expr]
+
+
+def _places(expr: Expr, put: _Put = lambda whole: whole) -> Iterator[tuple[Expr, _Put]]:
+    """Every part of an expression, with what puts another one in its place."""
+    yield expr, put
+    kept = isinstance(expr, sp.Eq)  # the left side of an equation is what it is about
     for i, arg in enumerate(expr.args):
-        for changed, change in _variants(arg):
-            yield expr.func(*expr.args[:i], changed, *expr.args[i + 1 :]), change
+        if not (kept and i == 0):
+            yield from _places(arg, partial(_replaced, expr, i, put))
+
+
+def _replaced(whole: Expr, place: int, put: _Put, part: Expr) -> Expr:
+    args = (*whole.args[:place], part, *whole.args[place + 1 :])
+    if isinstance(whole, Relational):
+        return put(whole.func(*args, evaluate=False))
+    return put(whole.func(*args))
+
+
+def few(printed: Printed, count: int) -> Iterator[Mutant]:
+    """So many variants, from places all over the formula; only those are made.
+
+    >>> from sympy.abc import x, y
+    >>> [m.form[0] for m in few((x + sp.sin(2*y),), 2)]
+    [-x + sin(2*y), x - sin(2*y)]
+    """
+    places = [
+        (part, put, i)
+        for i, whole in enumerate(printed)
+        for part, put in _places(whole)
+        if _changeable(part)
+    ]
+    for k, (part, put, i) in enumerate(spread(places, count)):
+        variants = list(_here(part))
+        changed, change = variants[k % len(variants)]
+        form = (*printed[:i], put(changed), *printed[i + 1 :])
+        if form != printed and not any(isinstance(p, BooleanAtom) for p in form):
+            yield Mutant(form, change)
+
+
+def spread(things: Sequence[_T], count: int) -> list[_T]:
+    """So many of them, evenly from the first to the last.
+
+    >>> spread(range(10), 4)
+    [0, 3, 6, 9]
+    """
+    if len(things) <= count:
+        return list(things)
+    return [things[round(i * (len(things) - 1) / (count - 1))] for i in range(count)]
+
+
+def _changeable(part: Expr) -> bool:
+    """Whether something can be changed at the root of a part."""
+    return (
+        next(_here(part), None) is not None
+        if part.is_Function
+        else bool(
+            part.is_Add
+            or part.is_Mul
+            or part.is_Rational
+            or part.is_Symbol
+            or part.func in _TURNED
+            or (part.is_Pow and part.args[1].is_Integer)
+        )
+    )
 
 
 def _here(expr: Expr) -> Iterator[tuple[Expr, str]]:
     """Changes at the root of an expression."""
+    for kind in _TURNED.get(expr.func, ()):
+        yield kind(expr.lhs, expr.rhs, evaluate=False), f"{expr.rel_op} turned"
     if expr.is_Add:
         for i, term in enumerate(expr.args):
             rest = expr.args[:i] + expr.args[i + 1 :]

@@ -25,20 +25,23 @@ _CHOICES: dict[str, tuple[str, ...]] = {
 _LIMIT = 400
 
 
+def choices(symbol: Expr) -> tuple[Expr, ...]:
+    """Simple values of a symbol's domain."""
+    entry = SYMBOLS.get(symbol.name)
+    return tuple(sp.Rational(v) for v in _CHOICES[entry.domain if entry else "real"])
+
+
 def points(*exprs: Expr) -> Iterator[Point]:
     """Rational points of the domain, simple ones first, always in the same order."""
     symbols = sorted({s for e in exprs for s in e.free_symbols}, key=str)
-    choices = []
-    for symbol in symbols:
-        entry = SYMBOLS.get(symbol.name)
-        choices.append(_CHOICES[entry.domain if entry else "real"])
+    lists = [choices(symbol) for symbol in symbols]
     # first a generic point with different values, then all combinations
     order = itertools.chain(
         (
-            tuple(choice[(i + shift) % len(choice)] for i, choice in enumerate(choices))
+            tuple(choice[(i + shift) % len(choice)] for i, choice in enumerate(lists))
             for shift in range(5)
         ),
-        itertools.product(*choices),
+        itertools.product(*lists),
     )
     for values in itertools.islice(order, _LIMIT):
-        yield {s: sp.Rational(v) for s, v in zip(symbols, values, strict=True)}
+        yield dict(zip(symbols, values, strict=True))

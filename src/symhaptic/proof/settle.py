@@ -9,16 +9,25 @@ from typing import TypeAlias
 import sympy as sp
 from flint import arb
 from sympy import Expr
+from sympy.core.relational import Relational
 
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
 from symhaptic.proof.ball import Value, value_at
+from symhaptic.proof.checks import Check
+from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import decimals, holds, measured, rounding
-from symhaptic.proof.decide import Form, compare, differ, named, parts
+from symhaptic.proof.decide import Form, compare, differ, equal, named, parts
 from symhaptic.proof.points import Point
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
+
+ACCEPTED = PASSES | {Kind.QUALIFIED}
+"""Verdicts of what is right, with a condition or without."""
+
+WRONG = frozenset({Kind.MISPRINT, Kind.REFUTED})
+"""Verdicts of what is false as printed."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +36,7 @@ class Witness:
 
     at: Mapping[Expr, Expr]
     method: str
+    check: Check | None = None
 
 
 Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | Witness | None
@@ -68,16 +78,32 @@ class Settlement:
             return self._constants(Verdict(Kind.ENCLOSED, "", note=self.note))
         return self._constants(self._without_constants(printed))
 
+    def accepts(self, printed: Printed, kinds: frozenset[Kind] = ACCEPTED) -> bool:
+        """Whether the verdict on a printed form is one of these kinds.
+
+        As :meth:`decide`, without asking at which point a wrong form fails where that decides it.
+        """
+        right = not WRONG & kinds
+        if right and printed and self.derived and not self._derives(printed):
+            return False
+        try:
+            return self.decide(printed).kind in kinds
+        except Unfounded:
+            return False
+
     def _without_constants(self, printed: Printed) -> Verdict:
         if not printed or not self.derived:
             return self._in_words(printed)
         note = self._noted(printed)
-        result = compare(self._read(printed), self._read(self.derived))
+        result = compare(self.read(printed), self.read(self.derived))
         if result.equal is None:
             return Verdict(Kind.UNDECIDED, result.method, note=note)
         if not result.equal:
             kind = Kind.MISPRINT if self.misprint else Kind.REFUTED
-            point = self._chosen(printed) or result.point
+            point = self._chosen(printed)
+            if point is None and self.corrected is not None and self.unless is not None:
+                raise Unfounded("nothing differs at the counterexample")
+            point = point or result.point
             return Verdict(
                 kind,
                 self._right_form(),
@@ -92,6 +118,7 @@ class Settlement:
             return Verdict(Kind.EXTERNAL, self.external, note=note)
         if self.provided is not None:
             return self._qualified(printed, result.method, note)
+        self._check_unopposed()
         kind = Kind.DEFINITION if self.definition else Kind.PROVED
         return Verdict(kind, result.method, note=note)
 
@@ -119,6 +146,7 @@ class Settlement:
             )
         if self.provided is not None:
             return self._qualified(printed, method, self.note)
+        self._check_unopposed()
         return Verdict(Kind.PROVED, method, note=self.note)
 
     def _qualified(self, printed: Printed, method: str, note: str | None) -> Verdict:
@@ -162,17 +190,23 @@ class Settlement:
 
     # -- checks -------------------------------------------------------------------------
 
+    def _check_unopposed(self) -> None:
+        """What is proved without a condition has no counterexample."""
+        if self.unless is not None:
+            raise Unfounded("a counterexample stands against what is said to be proved")
+
     def _check_counterexample(self, printed: Printed) -> None:
         point = self.unless or {}
         if self.truth is None:
             if self.shows is None:
                 raise Unfounded("the counterexample shows nothing")
             raise Unfounded("the counterexample needs the truth beside it")
+        if self.provided is not None and holds_at(self.provided, point):
+            raise Unfounded("the condition holds at the counterexample")
         special = self.specialise or (lambda form: form)
         theirs: Value
         if isinstance(self.truth, Fact):
-            if self.truth.expr in {expr for expr, _ in self.truth.rests}:
-                raise Unfounded("an assumption is not a fact")
+            _check_proved(self.truth)
             theirs = True
         elif isinstance(self.truth, Witness):
             if any(point.get(s) != v for s, v in self.truth.at.items()):
@@ -180,6 +214,7 @@ class Settlement:
             theirs = False
         elif isinstance(self.truth, tuple) and isinstance(self.truth[-1], Fact):
             relation, fact = self.truth
+            _check_proved(fact)
             if not compare(relation, -fact.expr > 0).equal:
                 raise Unfounded("the fact does not contradict the relation")
             theirs = False
@@ -202,20 +237,23 @@ class Settlement:
         ):
             raise Unfounded("at the counterexample a value stands against a truth")
 
+    def _derives(self, printed: Printed) -> bool:
+        return equal(self.read(printed), self.read(self.derived))
+
     def _chosen(self, printed: Printed) -> Point | None:
         """The counterexample that was chosen, if printed and derived form do differ there."""
         if self.unless is None or len(printed) != len(self.derived):
             return None
-        for ours, theirs in zip(self._read(printed), self._read(self.derived), strict=True):
+        for ours, theirs in zip(self.read(printed), self.read(self.derived), strict=True):
             if isinstance(ours, sp.Eq) and isinstance(theirs, sp.Eq) and ours.lhs == theirs.lhs:
                 ours, theirs = ours.rhs, theirs.rhs
             if differ(ours, theirs, self.unless) is not None:
                 return self.unless
         return None
 
-    def _read(self, forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    def read(self, forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
         """Forms with the definitions that are in force put in."""
-        return tuple(form.xreplace(dict(self.given)) for form in forms)
+        return tuple(_placed(form, self.given) for form in forms)
 
     def _noted(self, printed: Printed) -> str | None:
         for part in printed:
@@ -229,13 +267,25 @@ class Settlement:
         if self.corrected is None:
             return "the derived form is another"
         right = tuple(p for line in self.corrected for p in read(line))
-        result = compare(self._read(right), self._read(self.derived))
+        result = compare(self.read(right), self.read(self.derived))
         if not result.equal:
             raise Unfounded(f"the corrected form is not the derived one: {result.method}")
         return f"as corrected {result.method}"
 
     def _correction(self) -> str | None:
         return None if self.corrected is None else r",\quad ".join(self.corrected)
+
+
+def _check_proved(fact: Fact) -> None:
+    if fact.expr in {expr for expr, _ in fact.rests}:
+        raise Unfounded("an assumption is not a fact")
+
+
+def _placed(form: Expr, given: Mapping[Expr, Expr]) -> Expr:
+    """A form with definitions put in, its relations left as they are."""
+    if isinstance(form, Relational):
+        return form.func(*(side.xreplace(dict(given)) for side in form.args), evaluate=False)
+    return form.xreplace(dict(given))
 
 
 def _value(forms: tuple[Expr, ...], point: Point) -> Value:

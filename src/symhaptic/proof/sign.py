@@ -16,8 +16,10 @@ Nothing here samples.  A certificate that does not add up raises :class:`NotShow
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import wraps
+from typing import Any, ParamSpec
 
 import sympy as sp
 from sympy import Expr
@@ -41,8 +43,9 @@ class Fact:
     strict: bool = True
     reason: str = "assumed"
     rests: frozenset[tuple[Expr, bool]] = frozenset()
-    certificates: tuple[Certificate, ...] = field(default=(), compare=False)
-    """Of the balls that it rests on."""
+    certificates: tuple[Certificate, ...] = field(default=(), compare=False, repr=False)
+    """Of the balls that show it, where balls do."""
+    made: Made | None = field(default=None, compare=False, repr=False)
 
     @property
     def relation(self) -> Expr:
@@ -51,16 +54,54 @@ class Fact:
         return kind(self.expr, 0, evaluate=False)
 
 
+@dataclass(frozen=True)
+class Made:
+    """The rule that a fact was made by, and from what, so that it can be made again."""
+
+    rule: Callable[..., Fact]
+    args: tuple[Any, ...]
+    named: Mapping[str, Any]
+
+
+def facts_below(fact: Fact) -> Iterator[Fact]:
+    """A fact and all those that it was made from, but for assumptions; each once."""
+    found = [fact] if fact.made else []
+    for known in found:
+        for part in _inside([*known.made.args, *known.made.named.values()] if known.made else []):
+            if part.made and part not in found:
+                found.append(part)
+    yield from found
+
+
+def _inside(parts: Iterable[Any]) -> Iterator[Fact]:
+    for part in parts:
+        if isinstance(part, Fact):
+            yield part
+        elif isinstance(part, Interval):
+            yield from _inside(part.held)
+        elif isinstance(part, (list, tuple)):
+            yield from _inside(part)
+
+
+_P = ParamSpec("_P")
+
+
+def rule(build: Callable[_P, Fact]) -> Callable[_P, Fact]:
+    """A way to a fact, which then knows how it was made."""
+
+    @wraps(build)
+    def making(*args: _P.args, **named: _P.kwargs) -> Fact:
+        return replace(build(*args, **named), made=Made(making, args, named))
+
+    return making
+
+
 def assume(expr: Expr, strict: bool = True) -> Fact:
     """An assumption: part of the domain, not a claim."""
     return Fact(sp.sympify(expr), strict, "assumed", frozenset([(sp.sympify(expr), strict)]))
 
 
-def _together(*facts: Fact) -> tuple[Certificate, ...]:
-    """The certificates on which a new fact rests through others."""
-    return tuple(c for fact in facts for c in fact.certificates)
-
-
+@rule
 def number(expr: Expr) -> Fact:
     """A positive number, shown by a ball."""
     if sign(expr) != 1:
@@ -83,7 +124,7 @@ class Interval:
                 sp.diff(assumption.expr, variable) + slope.expr
             ):
                 raise NotShown(f"{assumption.expr} > 0 is not known for smaller {variable}")
-        self.variable, self.lower = variable, lower
+        self.variable, self.lower, self.held = variable, lower, held
         self.above = assume(variable - lower)
         """The assumption that the variable lies above the lower end."""
         self.holds = self.above.rests.union(*(a.rests for a, _ in held))
@@ -94,6 +135,7 @@ class Interval:
 Product = Sequence[Fact | int | sp.Rational]
 
 
+@rule
 def combined(expr: Expr, *products: Product) -> Fact:
     """``expr`` is the given sum of products of facts and positive rationals.
 
@@ -119,11 +161,10 @@ def combined(expr: Expr, *products: Product) -> Fact:
         strict = strict or positive
     if not is_zero(sp.sympify(expr) - total):
         raise NotShown(f"{expr} is not {total}")
-    used = [f for product in products for f in product if isinstance(f, Fact)]
-    reason = "a sum of products of positive terms"
-    return Fact(sp.sympify(expr), strict, reason, rests, _together(*used))
+    return Fact(sp.sympify(expr), strict, "a sum of products of positive terms", rests)
 
 
+@rule
 def quotient(expr: Expr, numerator: Fact, denominator: Fact) -> Fact:
     """``expr`` is a fact divided by a strictly positive fact."""
     if not denominator.strict:
@@ -131,29 +172,28 @@ def quotient(expr: Expr, numerator: Fact, denominator: Fact) -> Fact:
     if not is_zero(expr - numerator.expr / denominator.expr):
         raise NotShown(f"{expr} is not ({numerator.expr})/({denominator.expr})")
     rests = numerator.rests | denominator.rests
-    used = _together(numerator, denominator)
-    return Fact(expr, numerator.strict, "a quotient of positive terms", rests, used)
+    return Fact(expr, numerator.strict, "a quotient of positive terms", rests)
 
 
+@rule
 def sine(angle: Fact, complement: Fact) -> Fact:
     """sin x > 0, because x > 0 and pi - x > 0."""
     if not is_zero(angle.expr + complement.expr - sp.pi):
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi")
     strict, rests = angle.strict and complement.strict, angle.rests | complement.rests
-    return Fact(
-        sp.sin(angle.expr), strict, "the sine of (0, pi)", rests, _together(angle, complement)
-    )
+    return Fact(sp.sin(angle.expr), strict, "the sine of (0, pi)", rests)
 
 
+@rule
 def cosine(angle: Fact, complement: Fact) -> Fact:
     """cos x > 0, because x >= 0 and pi/2 - x > 0."""
     if not is_zero(angle.expr + complement.expr - sp.pi / 2):
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi/2")
     rests = angle.rests | complement.rests
-    used = _together(angle, complement)
-    return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests, used)
+    return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests)
 
 
+@rule
 def chord(lower: Fact, upper: Fact, gap: Fact) -> Fact:
     """sin x - sin y > 0, because y + pi/2 >= 0, pi/2 - x >= 0 and x - y > 0, in this order.
 
@@ -167,9 +207,10 @@ def chord(lower: Fact, upper: Fact, gap: Fact) -> Fact:
     larger, smaller = sp.pi / 2 - upper.expr, lower.expr - sp.pi / 2
     rests = lower.rests | upper.rests | gap.rests
     expr = sp.sin(larger) - sp.sin(smaller)
-    return Fact(expr, gap.strict, "the sine rises", rests, _together(lower, upper, gap))
+    return Fact(expr, gap.strict, "the sine rises", rests)
 
 
+@rule
 def exponential(exponent: Expr) -> Fact:
     """exp x > 0 for a real x."""
     if not is_zero(conjugated(exponent) - exponent):
@@ -177,6 +218,7 @@ def exponential(exponent: Expr) -> Fact:
     return Fact(sp.exp(exponent), True, "an exponential")
 
 
+@rule
 def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
     """``expr > 0``: it tends to 0 at the interval's lower end, and its derivative is positive.
 
@@ -196,9 +238,10 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
     if not is_zero(sp.diff(expr, over.variable) - slope.expr):
         raise NotShown(f"the derivative of {expr} is not {slope.expr}")
     rests = slope.rests | over.rests
-    return Fact(expr, slope.strict, "rises from zero", rests, slope.certificates)
+    return Fact(expr, slope.strict, "rises from zero", rests)
 
 
+@rule
 def either(first: Fact, second: Fact, split: Expr) -> Fact:
     """The same fact from two cases: ``first`` where split > 0, ``second`` where split <= 0.
 
@@ -211,5 +254,4 @@ def either(first: Fact, second: Fact, split: Expr) -> Fact:
     if not is_zero(first.expr - second.expr):
         raise NotShown(f"{first.expr} and {second.expr} are two different things")
     rests = (first.rests - {(split, True)}) | (second.rests - {(-split, False)})
-    used = _together(first, second)
-    return Fact(first.expr, first.strict and second.strict, "two cases", rests, used)
+    return Fact(first.expr, first.strict and second.strict, "two cases", rests)

@@ -11,11 +11,13 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from symhaptic.ledger import GENERATED, Entry, committed, counted, ledger, of_chapter
-from symhaptic.library import Chapter
+from symhaptic.library import Chapter, expected_mutants
 from symhaptic.proof.verdict import Kind
 from symhaptic.report.errata import errata
+from symhaptic.report.mutants import mutants_listed
 from symhaptic.report.page import chapter_tex
 from symhaptic.report.words import escaped, prose
 
@@ -35,7 +37,7 @@ DRAFT = ".draft-"
 STALE = 3600
 """Seconds after which a draft is taken to be left over."""
 
-RESERVED = ("book", "errata", "ledger", "preamble")
+RESERVED = ("book", "errata", "ledger", "mutants", "preamble")
 """Names of the report's own files, which no chapter may have."""
 
 NO_TEX = (
@@ -83,7 +85,8 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
     }
     numbers = {chapter.source: number for number, chapter in enumerate(chapters, 1)}
     rows = [_row(entry, numbers) for entry in entries]
-    for name, extra in (
+    trials = mutants_listed(expected_mutants())
+    parts: list[tuple[str, dict[str, Any]]] = [
         ("preamble", {}),
         (
             "book",
@@ -91,11 +94,14 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
                 "chapters": [c.name for c in chapters],
                 "kinds": [(str(k), m) for k, m in MEANINGS],
                 "count": f"{len(entries)} statements",
+                "appendices": ["errata", "ledger", *(["mutants"] if trials else [])],
             },
         ),
         ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
         ("ledger", {"rows": rows}),
-    ):
+        *([("mutants", trials)] if trials else []),
+    ]
+    for name, extra in parts:
         files[f"{name}.tex"] = environment.get_template(f"{name}.tex").render(**shared, **extra)
     files["ledger.json"] = committed(entries)
     return files
