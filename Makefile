@@ -9,6 +9,7 @@ report: .venv/ready
 test: .venv/ready
 	$(BIN)/ruff check
 	$(BIN)/mypy
+	$(BIN)/symhaptic verify --strict
 	$(BIN)/pytest -n 2
 
 bench: .venv/ready

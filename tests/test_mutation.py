@@ -208,9 +208,9 @@ def test_the_ledger_holds_nothing_of_the_checks():
     """Entries go from one process to another; they carry verdicts, not closures."""
     import pickle
 
-    from symhaptic.ledger import ledger
+    from symhaptic.ledger import of_derivation
 
-    entries = ledger([run(folder() / "s4d_parts_delay.py")])
+    entries = of_derivation(folder() / "s4d_parts_delay.py")
     assert len(pickle.dumps(entries)) < 200_000
 
 
