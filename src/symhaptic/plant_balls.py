@@ -37,6 +37,21 @@ def numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
     n_0 is the response to the first of two periods of force: exp(-delta) times n_1 of the plant
     whose time runs backwards, that is with -delta (chapter s4a_discretisation has the samples).
     """
+    key = (ctx.prec, *(end for s in (gamma, delta) for end in _ends(at[s])))
+    if key not in _KNOWN:
+        _KNOWN[key] = _numbers(at)
+    return _KNOWN[key]
+
+
+_KNOWN: dict[tuple[object, ...], dict[sp.Symbol, acb]] = {}
+"""Numbers of plants, by precision and intervals; many questions ask for the same ones."""
+
+
+def _ends(value: acb) -> tuple[object, object]:
+    return value.real.mid().man_exp(), value.real.rad().man_exp()
+
+
+def _numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
     first = _held(at)
     fall = (-at[delta]).exp()
     back = _held({**at, delta: -at[delta]})
@@ -87,8 +102,7 @@ class Named:
 
     def __call__(self, at: Balls) -> Balls:
         """Balls of the expressions, for balls of gamma, delta and what else occurs in them."""
-        parts = (at[s].real for s in self.of)
-        key = tuple(part.man_exp() for x in parts for part in (x.mid(), x.rad()))
+        key = tuple(end for s in self.of for end in _ends(at[s]))
         if key not in self._known:
             values = {**at, **numbers(at)}
             named = {s: ball(expr, values, ctx.prec) for s, expr in self.meanings.items()}

@@ -6,9 +6,9 @@ Nothing is searched for, and nothing is shared with the search but the ball arit
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import add, mul
 from typing import Any, TypeAlias
 
@@ -204,13 +204,19 @@ def _number(number: Expr) -> arb:
     return _value(number).real
 
 
-def program(expr: Expr, symbols: list[sp.Symbol]) -> Callable[..., Any]:
+def program(expr: Expr, symbols: Sequence[Expr]) -> Callable[..., Any]:
     """A function of balls or of their series, each subexpression computed once.
 
     >>> x = sp.Symbol("x")
     >>> print(program(sp.sin(x)**2 + 1, [x])(acb(0)).real)
     1.00000000000000
     """
+    return _program(expr, tuple(symbols), ctx.prec)
+
+
+@lru_cache(maxsize=1024)
+def _program(expr: Expr, symbols: tuple[Expr, ...], bits: int) -> Callable[..., Any]:
+    """The same for the precision in force, in which its numbers are."""
     place: dict[Expr, int] = {symbol: i for i, symbol in enumerate(symbols)}
     steps: list[tuple[Callable[..., Ball], tuple[int, ...]]] = []
 
