@@ -230,7 +230,6 @@ def passivity_margin(parts: Parts = FULL) -> Form:
     sin((d+1/2) theta) is that of (2d+1) halves of theta, and sin(theta/2) does not vanish.
     """
     _needs_damping(parts, "passivity_margin")
-    symbols = _of(parts, theta, alpha, beta, delta, d)
     half = theta / 2
     if parts.delay:
         kernel = SinNext(2 * d, half) / (2 * sin(half))
@@ -238,6 +237,7 @@ def passivity_margin(parts: Parts = FULL) -> Form:
     else:
         kernel, swing = HALF, cos(theta)
     margin = delta - alpha * kernel + (beta * swing if parts.virtual_damping else 0)
+    symbols = tuple(s for s in (theta, alpha, beta, delta, d) if margin.has(s))
     return Form(
         "passivity_margin",
         "physical damping minus the damping that the wall needs at the angle theta = omega T; "
@@ -258,23 +258,20 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     _needs_damping(parts, "passivity_boundary")
     if not parts.virtual_damping:
         raise NoForm("passivity_boundary: a scene without virtual damping has no such curve")
-    symbols = _of(parts, theta, delta, d)
-    title = "the wall that is just passive and whose worst angle is theta = omega T"
+    if not parts.delay:
+        raise NoForm("passivity_boundary: without delay it is one point, max_passive_stiffness")
+    symbols = (theta, delta, d)
+    push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
+    below = Spread(d, theta)
+    curve = 2 * delta * push / below, delta * (Chord(d, theta) - push) / below
     exact = tuple(_normalised(parts, side) for side in passivity.envelope())
-    beyond = ("theta <= pi/(d + 1), beyond which it bounds nothing",) if parts.delay else ()
-    if parts.delay:
-        push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
-        below = Spread(d, theta)
-        curve = 2 * delta * push / below, delta * (Chord(d, theta) - push) / below
-    else:
-        curve = 2 * delta, sp.S.Zero
     return Form(
         "passivity_boundary",
-        title,
+        "the wall that is just passive and whose worst angle is theta = omega T",
         symbols,
         tuple(zip(("alpha", "beta"), curve, strict=True)),
         tuple(zip(curve, exact, strict=True)),
-        _domain(symbols, *beyond),
+        _domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing"),
     )
 
 
