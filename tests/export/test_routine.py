@@ -19,7 +19,7 @@ from symhaptic.notation import delta, gamma
 from symhaptic.proof.normal import Field
 
 ROUTINES = known()
-SERIES = ("RiseSeries", "FallSeries", "ApartSeries")
+SERIES = ("RiseSeries", "FallSeries", "TogetherSeries", "ApartSeries")
 CLOSED = [name for name in ROUTINES if name in entire.ALL]
 
 

@@ -25,7 +25,7 @@ class ArrayApi(Target):
 
     name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", _Printer
     choice = "xp.where({0}, {1}, {2})"
-    words = MappingProxyType({"&&": "&", "||": "|"})
+    words = MappingProxyType({"&&": "&", "||": "|", "!": "~"})
     keywords = vocabulary(
         "False None True and as assert async await break class continue def del elif else except "
         "finally for from global if import in is lambda nonlocal not or pass raise return try "

@@ -215,11 +215,32 @@ def together() -> Routine:
     do = Steps()
     m = motion(do)
     grown, turned = _halved(do, m, sin)
-    swing = (grown**2 + turned) / do.nonzero(gamma) * 4
     still = S(choose(sp.Ne(delta, 0), 0, -gamma / 4))
+    swing = (grown**2 + turned) / Max(gamma, NEAR**2) * 4
     creep = Decay(m.p) * Decay(m.q)
-    return do.routine("Together", "n1 + n0", (gamma, delta),
-                      choose(m.w < 0, choose(sp.Eq(delta, 0), still**2, swing), creep))  # fmt: skip
+    given = choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
+    near = 2 * half_and(do, exp(-m.half), "TogetherSeries", *given)
+    far = choose(m.w < 0, choose(sp.Eq(delta, 0), still**2, swing), creep)
+    return do.routine("Together", "n1 + n0", (gamma, delta), choose(m.small, near, far))
+
+
+def together_series() -> Routine:
+    """Divided difference of cosh(sqrt) at h^2 and w, less 1/2."""
+    do = Steps()
+    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 2) for k in range(1, 14))])
+    return do.routine("TogetherSeries", "divided difference of cosh(sqrt) at h^2 and w, less 1/2",
+                      (h, w), total)  # fmt: skip
+
+
+def _mixed(do: Steps, coefficients: list[Expr]) -> Expr:
+    """Sum over i and j of (h^2)^j w^i times coefficient i + j."""
+    y = do("y", h * h)
+    inner: Expr = sp.S.Zero
+    total: Expr = sp.S.Zero
+    for k in range(len(coefficients) - 1, -1, -1):
+        inner = do(f"e{k}", coefficients[k] + w * inner)
+        total = do(f"b{k}", inner + y * total)
+    return total
 
 
 def _halved(do: Steps, m: Motion, wave: type[sp.Function]) -> tuple[Expr, Expr]:
@@ -233,16 +254,18 @@ def _halved(do: Steps, m: Motion, wave: type[sp.Function]) -> tuple[Expr, Expr]:
 
 
 def nyquist() -> Routine:
-    """1 + a + e."""
+    """1 + a + e: a sum where a > 0, a sum of squares where it is not."""
     do = Steps()
     m = motion(do)
     grown, turned = _halved(do, m, cos)
+    v = _swinging(do, m)
     fast = do("fast", exp(-m.p))
     slow = do("slow", exp(-m.q))
     slow = do("slow", slow - slow * m.q_low)
+    ends = do("ends", 1 + exp(-delta))
+    swing = choose(v.even > 0, ends + 2 * v.envelope * v.even, 4 * (grown**2 + turned))
     return do.routine("Nyquist", "1 + a + e", (gamma, delta),
-                      choose(m.w < 0, 4 * (grown**2 + turned),
-                             (1 + fast) * (1 + slow)))  # fmt: skip
+                      choose(m.w < 0, swing, (1 + fast) * (1 + slow)))  # fmt: skip
 
 
 def swing() -> Routine:
@@ -282,16 +305,12 @@ def apart() -> Routine:
 def apart_series() -> Routine:
     """Divided difference of sinh(sqrt)/sqrt at h^2 and w."""
     do = Steps()
-    y = do("y", h * h)
-    inner: Expr = sp.S.Zero
-    total: Expr = sp.S.Zero
-    for k in range(13, -1, -1):  # sum over j of y^j (sum over i of w^i/(2(i+j)+3)!)
-        inner = do(f"e{k}", 1 / factorial(2 * k + 3) + w * inner)
-        total = do(f"b{k}", inner + y * total)
+    total = _mixed(do, [1 / factorial(2 * k + 3) for k in range(14)])
     return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w",
                       (h, w), total)  # fmt: skip
 
 
 ROUTINES = (
-    rise, rise_series, fall, fall_series, together, nyquist, swing, apart, apart_series,
+    rise, rise_series, fall, fall_series, together, together_series, nyquist, swing, apart,
+    apart_series,
 )  # fmt: skip

@@ -21,6 +21,10 @@ x, w, k, y, z = sp.symbols("x w k y z")
 _QUARTER = sp.Rational(3, 2)
 """Near a quarter turn."""
 
+_SIXTH = sp.Rational(*(1 / 6).as_integer_ratio())
+_SIXTH_LOW = sp.Rational(1, 6) - _SIXTH
+"""1/6 is no float: what it misses goes into the next term."""
+
 _SPLIT = sp.Integer(2**27 + 1)
 """Veltkamp's factor: halves of a float whose products are exact."""
 
@@ -88,9 +92,12 @@ def lag() -> Routine:
 
 
 def sinc() -> Routine:
-    """sin(x)/x."""
+    """sin(x)/x, for small x from the gap between x and sin x."""
     do = Steps()
-    return do.routine("Sinc", "sin(x)/x", (x,), choose(sp.Eq(x, 0), 1, sin(x) / do.nonzero(x)))
+    near = do("near", choose(sp.Abs(x) >= 1, 0, x))
+    far = sin(x) / do.nonzero(x)
+    near = 1 - near * near * Gap(near)
+    return do.routine("Sinc", "sin(x)/x", (x,), choose(sp.Abs(x) < 1, near, far))
 
 
 def gap() -> Routine:
@@ -99,8 +106,10 @@ def gap() -> Routine:
     near = do("near", choose(sp.Abs(x) >= 2, 0, x))
     square = do("square", -near * near)
     total: Expr = sp.S.Zero
-    for i in range(13, -1, -1):
+    for i in range(13, 0, -1):
         total = do(f"b{i}", 1 / factorial(2 * i + 3) + square * total)
+    rest = do("rest", square * total + _SIXTH_LOW)
+    total = do("total", _SIXTH + rest)
     whole = do("whole", choose(sp.Abs(x) < 2, 2, x))
     far = (x - sin(x)) / whole / (whole * whole)
     return do.routine("Gap", "(x - sin(x))/x^3", (x,), choose(sp.Abs(x) < 2, total, far))

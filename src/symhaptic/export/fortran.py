@@ -24,7 +24,7 @@ class Fortran(Target):
 
     name, title, printer, ignores_case = "fortran", "Fortran 2008", _Printer, True
     choice = "merge({1}, {2}, {0})"
-    words = MappingProxyType({"&&": ".and.", "||": ".or.", "!=": "/="})
+    words = MappingProxyType({"&&": ".and.", "||": ".or.", "!=": "/=", "!": ".not."})
     keywords = vocabulary(
         "allocatable allocate assign associate block call case character class close common "
         "complex contains continue cycle data deallocate default dimension do double elemental "

@@ -20,7 +20,7 @@ class Octave(Target):
 
     name, title, printer = "octave", "GNU Octave and MATLAB", _Printer
     choice = "pick({0}, {1}, {2})"
-    words = MappingProxyType({"!=": "~="})
+    words = MappingProxyType({"!=": "~=", "!": "~"})
     keywords = vocabulary(
         "break case catch classdef continue do else elseif end endfunction endif endwhile "
         "enumeration events for function global if methods otherwise parfor persistent properties "

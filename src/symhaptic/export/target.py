@@ -140,6 +140,9 @@ class Printing(CodePrinter):  # type: ignore[misc]
     def _print_Or(self, expr: Expr) -> str:
         return self._joined(expr, "||")
 
+    def _print_Not(self, expr: Expr) -> str:
+        return f"{self.target.words.get('!', '!')}({self._print(expr.args[0])})"
+
     def _joined(self, expr: Expr, word: str) -> str:
         parts = sorted((self._print(a) for a in expr.args), key=str)
         return f" {self.target.words.get(word, word)} ".join(f"({p})" for p in parts)

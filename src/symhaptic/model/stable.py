@@ -328,8 +328,8 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     """The wall that puts a root at exp(j theta).
 
     A and M = n1 z + n0 on the circle from their values at 1 and -1, so that no cosines are
-    subtracted: with s, c the sine and cosine of theta/2, A/z = A(1) c^2 - A(-1) s^2 + 2 j s c
-    (1 - e), and n1 z + n0 = (n1 + n0) c^2 - (n1 - n0) s^2 + 2 j s c n1.
+    subtracted: with t = tan(theta/2), (1 + t^2) A/z = A(1) - A(-1) t^2 + 2 j t (1 - e), and
+    (1 + t^2) M = n1 + n0 - (n1 - n0) t^2 + 2 j t n1.
     """
     if not parts.virtual_damping:
         raise NoForm("stability_boundary: a scene without virtual damping has no such curve")
@@ -348,9 +348,9 @@ def stability_boundary(parts: Parts = FULL) -> Form:
 
 
 def _boundary(parts: Parts, x: _Device) -> tuple[Expr, Expr]:
-    s, c = sin(theta / 2), cos(theta / 2)
-    above, above_j = x.at_one * c**2 - x.at_minus_one * s**2, 2 * s * c * x.loss
-    below, below_j = x.together * c**2 - x.apart * s**2, 2 * s * c * x.n1
+    t = sp.tan(theta / 2)
+    above, above_j = x.at_one - x.at_minus_one * t**2, 2 * t * x.loss
+    below, below_j = x.together - x.apart * t**2, 2 * t * x.n1
     size = below**2 + below_j**2
     ratio = (above * below + above_j * below_j) / size
     ratio_j = (above_j * below - above * below_j) / size
@@ -359,7 +359,7 @@ def _boundary(parts: Parts, x: _Device) -> tuple[Expr, Expr]:
     else:
         cosine, sine = cos(theta), sin(theta)
     real, imaginary = ratio_j * sine - ratio * cosine, -ratio_j * cosine - ratio * sine
-    return real - imaginary * s / c, imaginary / (2 * s * c)
+    return real - imaginary * t, imaginary * (1 + t**2) / (2 * t)
 
 
 FORMS: dict[str, Callable[..., Form]] = {
