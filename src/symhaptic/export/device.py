@@ -1,6 +1,6 @@
 r"""The entire functions of the device as routines: where each form keeps its digits.
 
-Both poles -p and -q of the device obey p + q = delta and p q = gamma.  Up to |p| = 2 a power
+Both poles -p and -q of the device obey p + q = delta and p q = gamma.  Near p = q = 0 a power
 series is used, beyond it closed forms that subtract no two nearly equal numbers:
 
     n1 = (Decay(q) - exp(-q) Decay(p - q))/p,   n0 = exp(-q) (Decay(p - q) - exp(-(p-q)) Decay(q))/p
@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import And, Expr, Max, cos, exp, factorial, sin, sqrt
+from sympy import Expr, Max, cos, exp, factorial, sin, sqrt
 
 from symhaptic.export.elementary import half_and
 from symhaptic.export.routine import (
@@ -31,11 +31,14 @@ from symhaptic.export.routine import (
 from symhaptic.model.entire import Decay, S
 from symhaptic.notation import delta, gamma
 
-NEAR = sp.Integer(2)
-"""Up to this size of both poles power series are used."""
+NEAR = sp.Rational(9, 4)
+"""Up to this size of the larger real pole power series are used."""
 
-TERMS = 28
-"""Their terms: the next one is below (29) 2^28/30! = 3e-23."""
+STIFF = sp.Integer(4)
+"""Up to this gamma, the squared size of complex poles."""
+
+TERMS = 32
+"""Their terms: the next one is below 33 NEAR^32/34! = 7e-25."""
 
 w, h = sp.symbols("w h")
 
@@ -89,8 +92,8 @@ def motion(do: Steps) -> Motion:
     off = do("off", off - ProductError(whole, q))
     off = do("off", off - q * p_low)
     q_low = do("q_low", off / whole)
-    creep = do("creep", choose(value < 0, half, p))
-    small = And(gamma < NEAR**2, creep < NEAR)
+    reach = do("reach", choose(value < 0, gamma / STIFF, p / NEAR))
+    small = reach < 1
     return Motion(half, value, root, root_low, some, p, whole, p_low, q, q_low, small)
 
 
@@ -118,8 +121,8 @@ def _creeping(do: Steps, m: Motion) -> Creeping:
 
 def _decay(do: Steps, rate: Expr, low: Expr, fall: Expr) -> tuple[Expr, Expr]:
     """(1 - exp(-rate))/rate and what the float misses."""
-    none = do("none", choose(sp.Eq(rate, 0), 1, 0))
-    whole = do("whole", rate + none)
+    whole = do.nonzero(rate)
+    none = do("none", whole - rate)  # 1 where the rate is 0
     top = do("top", none - expm1(-rate))
     total, lost = quotient(do, top, whole, low * fall, low)
     return total, lost
@@ -154,7 +157,7 @@ def rise() -> Routine:
     short, missed = quotient(do, top, m.whole, top_low + (c.slow_low - pulled_low), m.p_low)
     long = (1 - c.fall * (1 + m.q * c.between)) / do.nonzero(gamma)
     v = _swinging(do, m)
-    swing = (1 - v.envelope * (v.even + v.odd)) / Max(gamma, NEAR**2)
+    swing = (1 - v.envelope * (v.even + v.odd)) / Max(gamma, STIFF)
     far = choose(m.w < 0, swing, choose(m.q < 2, short + missed, long))
     given = choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
     near = half_and(do, exp(-m.half), "RiseSeries", *given)
@@ -176,7 +179,7 @@ def fall() -> Routine:
     top, top_low = difference(do, v.odd, v.even)
     top, lost = difference(do, top, -v.envelope)
     top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low))
-    stiff = do("stiff", Max(gamma, NEAR**2))
+    stiff = do("stiff", Max(gamma, STIFF))
     swing, missed = quotient(do, top, stiff, top_low)
     given = choose(sp.Not(m.small), 0, gamma), choose(sp.Not(m.small), 0, delta)
     near = half_and(do, exp(-delta), "FallSeries", *given)
@@ -216,7 +219,7 @@ def together() -> Routine:
     m = motion(do)
     grown, turned = _halved(do, m, sin)
     still = S(choose(sp.Ne(delta, 0), 0, -gamma / 4))
-    swing = (grown**2 + turned) / Max(gamma, NEAR**2) * 4
+    swing = (grown**2 + turned) / Max(gamma, STIFF) * 4
     creep = Decay(m.p) * Decay(m.q)
     given = choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
     near = 2 * half_and(do, exp(-m.half), "TogetherSeries", *given)
@@ -227,7 +230,7 @@ def together() -> Routine:
 def together_series() -> Routine:
     """Divided difference of cosh(sqrt) at h^2 and w, less 1/2."""
     do = Steps()
-    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 2) for k in range(1, 14))])
+    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 2) for k in range(1, 16))])
     return do.routine("TogetherSeries", "divided difference of cosh(sqrt) at h^2 and w, less 1/2",
                       (h, w), total)  # fmt: skip
 
@@ -273,10 +276,10 @@ def swing() -> Routine:
     do = Steps()
     m = motion(do)
     c = _creeping(do, m)
-    v = _swinging(do, m)
+    sine, cosine = do("sine", sin(m.root)), do("cosine", cos(m.root))
+    turn, lost = product(do, do("envelope", exp(-m.half)), cosine, -m.root_low * sine)
     return do.routine("Swing", "a, the sum of the sampled device's poles", (gamma, delta),
-                      choose(m.w < 0, 2 * v.envelope * v.even,
-                             c.fall + c.fall * c.ratio))  # fmt: skip
+                      choose(m.w < 0, 2 * (turn + lost), c.fall + c.fall * c.ratio))  # fmt: skip
 
 
 def apart() -> Routine:
@@ -293,7 +296,7 @@ def apart() -> Routine:
     low = do("low", top_low + (c.slow_low + more_low - pulled_low))
     creep = (top + low) / do.nonzero(m.p * delta)
     v = _swinging(do, m)
-    swing = (Decay(delta) - 2 * v.envelope * v.odd / do.nonzero(delta)) / Max(gamma, NEAR**2)
+    swing = (Decay(delta) - 2 * v.envelope * v.odd / do.nonzero(delta)) / Max(gamma, STIFF)
     series = sp.Function("ApartSeries")(
         choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
     )
@@ -305,7 +308,7 @@ def apart() -> Routine:
 def apart_series() -> Routine:
     """Divided difference of sinh(sqrt)/sqrt at h^2 and w."""
     do = Steps()
-    total = _mixed(do, [1 / factorial(2 * k + 3) for k in range(14)])
+    total = _mixed(do, [1 / factorial(2 * k + 3) for k in range(16)])
     return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w",
                       (h, w), total)  # fmt: skip
 

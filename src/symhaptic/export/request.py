@@ -9,11 +9,11 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
 
-from symhaptic.export import vectors
 from symhaptic.export.library import Library, library
 from symhaptic.export.readme import readme
 from symhaptic.export.target import Refused, Target
 from symhaptic.export.targets import TARGETS
+from symhaptic.export.vectors import text as test_vectors
 from symhaptic.model import stable
 from symhaptic.model.stable import Form, NoForm
 from symhaptic.scene import FULL, Parts
@@ -23,7 +23,7 @@ TITLE = "Passivity and stability of haptic walls"
 LISTING = "FILES"
 """Name of the file that lists all files of an export: only these may be replaced."""
 
-_LONGEST = 12
+_LONGEST = 6
 """Periods up to which a polynomial is written out."""
 
 
@@ -78,17 +78,20 @@ def _by_name(name: str, parts: Parts, delay: int | None) -> Form:
 
 
 def built(
-    language: Target, forms: Sequence[Form], name: str = "haptic"
+    language: Target, forms: Sequence[Form], name: str = "haptic", vectors: bool = True
 ) -> tuple[Library, dict[str, str]]:
-    """The library and all files of an export, by name."""
+    """The library and all files of an export, by name; without ``vectors`` the source alone."""
     if not name.isascii() or not name.isidentifier() or name != name.lower():
         raise Refused(f"--name {name}: is no name; lower-case letters, digits and _ are allowed")
     taken = {"selftest", "main", "python", "numpy", *(form.name for form in forms)}
     if language.reserves(name) or name in taken:
         raise Refused(f"--name {name}: is reserved in {language.title}; another word is allowed")
     made = library(name, TITLE, forms, language)
-    text = vectors.text(made.forms)
-    files = language.source(made) | language.selftest(made)
+    files = language.source(made)
+    if not vectors:
+        return made, files
+    text = test_vectors(made.forms)
+    files |= language.selftest(made)
     files |= {"vectors.txt": text, "README.md": readme(made, language, text.count("\n"))}
     files[LISTING] = "\n".join(sorted([*files, LISTING])) + "\n"
     return made, files

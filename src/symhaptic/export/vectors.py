@@ -17,7 +17,7 @@ from symhaptic.model.entire import Apart, C, Entire, Fall, Rise, S, Swing, value
 from symhaptic.model.stable import Form
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 
-_ALLOWED = {"discretize": 4, "passivity_margin": 4}
+_ALLOWED = {"discretize": 4, "passivity_margin": 4, "stability_conditions": 64}
 _ELSE = 8
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Rational, Symbol, cos, exp, pi, sin
 
-from symhaptic.model import boundary, loop, passivity, plant
+from symhaptic.model import boundary, jury, loop, passivity, plant
 from symhaptic.model.entire import (
     Apart,
     C,
@@ -362,11 +362,36 @@ def _boundary(parts: Parts, x: _Device) -> tuple[Expr, Expr]:
     return real - imaginary * t, imaginary * (1 + t**2) / (2 * t)
 
 
+def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
+    """Jury's inequalities for one whole delay, in numbers that stay small for a slow device.
+
+    Made of 1 - e and of 1 - a + e instead of e and a, so that what cancels has cancelled already.
+    """
+    steps = _whole(parts, delay, "stability_conditions")
+    loss, at_one = sp.symbols("L q")
+    named = plant.Sampled(n_1, n_0, 2 - loss - at_one, 1 - loss)
+    polynomial = sp.Poly(loop.closing(named, parts).subs(d, steps), z)
+    device = _device(parts)
+    known = {n_1: device.n1, n_0: device.n0, loss: device.loss, at_one: device.at_one}
+    found = [c.xreplace(known) for c in jury.criterion(polynomial.all_coeffs()).expressions]
+    found = [c for c in found if not (c.is_number and c > 0)]
+    same = _same_device(parts)
+    return Form(
+        "stability_conditions",
+        f"numbers that are all positive exactly where the loop is stable, d = {steps}",
+        tuple(s for s in (alpha, beta, gamma, delta) if any(c.has(s) for c in found)),
+        tuple((f"c{i}", c) for i, c in enumerate(found)),
+        (*same[:2], same[4], same[6]),
+        _domain(_of(parts, gamma, delta)),
+    )
+
+
 FORMS: dict[str, Callable[..., Form]] = {
     f.__name__: f
     for f in (
         discretize,
         characteristic_polynomial,
+        stability_conditions,
         stability_boundary,
         passivity_margin,
         passivity_boundary,
@@ -385,7 +410,7 @@ STATEMENTS = {
 }
 """Formulas of the paper that the forms compute."""
 
-_FOR_ONE_DELAY = ("characteristic_polynomial",)
+_FOR_ONE_DELAY = ("characteristic_polynomial", "stability_conditions")
 
 
 def form(name: str, parts: Parts = FULL, delay: int | None = None) -> Form:
