@@ -4,6 +4,7 @@ import warnings
 
 import mpmath
 import numpy as np
+import oracle
 import pytest
 
 import symhaptic
@@ -106,6 +107,8 @@ def test_other_array_libraries(library):
         module.config.update("jax_enable_x64", True)
         module = pytest.importorskip("jax.numpy")
     function = lambdify("discretize", modules=library)
+    if library == "jax":
+        function = pytest.importorskip("jax").jit(function)
     gamma, delta = np.random.default_rng(7).uniform(0, 6, (2, 100))
     found = function(module.asarray(gamma), module.asarray(delta))
     for ours, numpys in zip(found, lambdify("discretize")(gamma, delta), strict=True):
@@ -155,3 +158,32 @@ def test_a_scene_leaves_arguments_out():
 def test_what_is_not_known_is_named(arguments, named):
     with pytest.raises(ValueError, match=named):
         lambdify(**arguments)
+
+
+def test_counted_roots_are_those_of_the_kernel_and_of_the_matrix():
+    """Any whole delay: beside eigenvalues of the loop's matrix, and beside the kernel's count."""
+    rng = np.random.default_rng(9)
+    count = lambdify("is_stable")
+    size = 3000
+    delay = np.where(rng.random(size) < 0.7, rng.integers(0, 9, size), rng.integers(0, 10**6, size))
+    wall = rng.normal(0, 1, (2, size)) * 10 ** rng.uniform(-4, 1, size) / (delay + 1)
+    plant = 10 ** rng.uniform(-6, 1.2, (2, size))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        outside, stable_ = count(*wall, *plant, delay.astype(float))
+    assert np.array_equal(outside, symhaptic.unstable_roots(*wall, *plant, delay))
+    assert np.array_equal(stable_ > 0, symhaptic.is_stable(*wall, *plant, delay))
+    some = delay < 9
+    sizes = [oracle.moduli(*wall[:, k], *plant[:, k], int(delay[k])) for k in np.flatnonzero(some)]
+    clear = np.array([np.abs(s - 1).min() > 1e-7 for s in sizes])
+    true = np.array([(s > 1).sum() for s in sizes])
+    assert np.array_equal(outside[some][clear], true[clear])
+    assert clear.mean() > 0.9
+
+
+def test_a_loop_that_nothing_stabilises():
+    count = lambdify("is_stable")
+    assert count(0.0, 0.0, 0.3, 0.0, 2.0)[1] == 0  # it keeps on swinging
+    assert count(0.0, 0.0, 0.3, 0.1, 2.0)[1] == 1
+    assert count(-0.3, 0.1, 0.3, 0.5, 1.0)[1] == 0  # a root at 1
+    assert count(0.1, 0.1, np.pi**2, 0.0, 0.0)[1] == 0  # whole half swings in a period

@@ -39,7 +39,7 @@ class Fortran(Target):
     operations = called(
         "",
         ProductError="product_error({0}, {1})",
-        floor="real(floor({0}, int64), dp)",
+        floor="(aint({0}) - merge(1.0_dp, 0.0_dp, aint({0}) > {0}))",
     )
 
     def number(self, value: float) -> str:

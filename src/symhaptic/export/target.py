@@ -63,7 +63,7 @@ def code_name(name: str) -> str:
     return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower())
 
 
-_TAKEN = frozenset(code_name(name) for name in ENTIRE)
+_TAKEN = frozenset(code_name(name) for name in (*ENTIRE, "Stable", "UnstableRoots"))
 
 
 class Printing(CodePrinter):  # type: ignore[misc]

@@ -13,6 +13,7 @@ import sympy as sp
 from mpmath import mpf
 from sympy import Expr, Symbol
 
+from symhaptic.model.counted import Stable, UnstableRoots, outside
 from symhaptic.model.entire import Apart, C, Entire, Fall, Rise, S, Swing, value
 from symhaptic.model.stable import Form
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
@@ -93,6 +94,12 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
         exact = _entire(cls, tuple(sized(arg, at)[0] for arg in expr.args))
         return exact, max(abs(exact), _swing(expr, at))
     parts = [sized(arg, at) for arg in expr.args]
+    if isinstance(expr, UnstableRoots):
+        count = outside(*(v for v, _ in parts))
+        return count, count
+    if isinstance(expr, Stable):  # no root on the circle, where the count is known
+        good = mpf(parts[0][0] == 0)
+        return good, good
     if expr.is_Add:
         return mpmath.fsum(v for v, _ in parts), max(size for _, size in parts)
     if expr.is_Mul:
@@ -138,7 +145,7 @@ def vectors(form: Form) -> Iterator[list[float]]:
             at = {s: mpf(v) for s, v in zip(form.arguments, point, strict=True)}
             try:
                 found = [sized(expr, at) for expr in form.expressions]
-            except ZeroDivisionError:
+            except ArithmeticError:
                 continue
             if any(size > 1e290 or 0 < abs(v) < 1e-290 for v, size in found):
                 continue

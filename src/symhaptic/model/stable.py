@@ -15,6 +15,7 @@ import sympy as sp
 from sympy import Expr, Rational, Symbol, cos, exp, pi, sin
 
 from symhaptic.model import boundary, jury, loop, passivity, plant
+from symhaptic.model.counted import Stable, UnstableRoots
 from symhaptic.model.entire import (
     Apart,
     C,
@@ -386,11 +387,31 @@ def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
     )
 
 
+def is_stable(parts: Parts = FULL) -> Form:
+    """Roots outside the unit circle, and whether the loop is stable, for any whole delay."""
+    x = _device(parts)
+    wall = alpha, beta if parts.virtual_damping else sp.S.Zero
+    numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
+    count = UnstableRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)
+    stiffness = gamma if parts.stiffness else sp.S.Zero
+    damping = delta if parts.damping else sp.S.Zero
+    symbols = _of(parts, alpha, beta, gamma, delta, d)
+    return Form(
+        "is_stable",
+        "roots outside the unit circle, and 1 where the loop is stable, else 0",
+        symbols,
+        (("outside", count), ("stable", Stable(count, *wall, stiffness, damping))),
+        _same_device(parts),
+        _domain(symbols, *(("d whole",) * parts.delay)),
+    )
+
+
 FORMS: dict[str, Callable[..., Form]] = {
     f.__name__: f
     for f in (
         discretize,
         characteristic_polynomial,
+        is_stable,
         stability_conditions,
         stability_boundary,
         passivity_margin,
