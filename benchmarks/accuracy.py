@@ -168,7 +168,9 @@ def sized(expr, at, functions):
         value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
         return value, np.maximum(np.abs(value), swing(expr, [v for v, _ in parts]))
     if expr.is_Add:
-        return sum(v for v, _ in parts), np.max(np.broadcast_arrays(*(s for _, s in parts)), axis=0)
+        total = sum(v for v, _ in parts)
+        terms = np.broadcast_arrays(np.abs(total), *(size for _, size in parts))
+        return total, np.max(terms, axis=0)
     if expr.is_Mul:
         return math.prod(v for v, _ in parts), math.prod(s for _, s in parts)
     if expr.is_Pow:

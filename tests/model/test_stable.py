@@ -8,7 +8,7 @@ import sympy as sp
 from mpmath import mpf
 from scipy.linalg import expm
 
-from symhaptic.model import entire, stable
+from symhaptic.model import entire, plant, stable
 from symhaptic.model.entire import Entire, written_out
 from symhaptic.notation import SYMBOLS, delta, gamma
 from symhaptic.proof.decide import compare
@@ -184,3 +184,10 @@ def test_values_where_the_closed_form_is_undefined(cls, at, limit):
     found = entire.value(cls(*symbols), dict(zip(symbols, map(mpf, at), strict=True)))
     expected = sp.N(sp.sympify(limit), 30)
     assert mpmath.nstr(found, 25) == mpmath.nstr(mpmath.mpmathify(expected), 25)
+
+
+def test_numbers_at_critical_damping():
+    """A double pole at -1: n1 = 1 - 2/e and n0 = 1/e^2, by hand from 1 - (1 + t) e^-t."""
+    found = plant.sampled(plant.Plant(sp.S.One, sp.S(2), sp.S.One))
+    assert sp.expand(found.n1 - (1 - 2 * sp.exp(-1))) == 0
+    assert sp.expand(found.n0 - sp.exp(-2)) == 0

@@ -80,7 +80,8 @@ _PLAIN = {sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mp
 def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
     """Value and largest term of a form at a point: what its last place is measured by.
 
-    A difference is as large as its larger side, a product as large as its factors.
+    A difference is as large as its larger side, a sum at least as large as its value, a product
+    as large as its factors.
     """
     if expr.is_Symbol:
         return at[expr], abs(at[expr])
@@ -101,7 +102,8 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
         good = mpf(parts[0][0] == 0)
         return good, good
     if expr.is_Add:
-        return mpmath.fsum(v for v, _ in parts), max(size for _, size in parts)
+        total = mpmath.fsum(v for v, _ in parts)
+        return total, max(abs(total), *(size for _, size in parts))
     if expr.is_Mul:
         return mpmath.fprod(v for v, _ in parts), mpmath.fprod(size for _, size in parts)
     if expr.is_Pow and expr.args[1].is_Integer:

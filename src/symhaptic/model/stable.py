@@ -351,7 +351,7 @@ def stability_boundary(parts: Parts = FULL) -> Form:
 def _boundary(parts: Parts, x: _Device) -> tuple[Expr, Expr]:
     t = sp.tan(theta / 2)
     above, above_j = x.at_one - x.at_minus_one * t**2, 2 * t * x.loss
-    below, below_j = x.together - x.apart * t**2, 2 * t * x.n1
+    below, below_j = x.together - x.apart * t**2, t * (x.together + x.apart)  # 2 t n1
     size = below**2 + below_j**2
     ratio = (above * below + above_j * below_j) / size
     ratio_j = (above_j * below - above * below_j) / size
