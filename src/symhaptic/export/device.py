@@ -40,6 +40,9 @@ STIFF = sp.Integer(4)
 TERMS = 32
 """Their terms: the next one is below 33 NEAR^32/34! = 7e-25."""
 
+_CAREFUL = 4
+"""Last terms of a series with signs that are added up to twice the precision."""
+
 w, h = sp.symbols("w h")
 
 
@@ -206,11 +209,20 @@ def fall_series() -> Routine:
     do = Steps()
     one: Expr = sp.S.Zero
     two: Expr = sp.S.Zero
-    for k in range(TERMS - 1, -1, -1):
+    for k in range(TERMS - 1, _CAREFUL - 1, -1):
+        one, two = do(f"b{k}", 1 / factorial(k + 2) + delta * one - gamma * two), one
+    one_low: Expr = sp.S.Zero
+    two_low: Expr = sp.S.Zero
+    for k in range(_CAREFUL - 1, -1, -1):
         own = 1 / factorial(k + 2) if k else sp.S.Zero
-        one, two = do(f"b{k}", own + delta * one - gamma * two), one
+        grown, grown_low = product(do, delta, one, one_low)
+        less, less_low = product(do, gamma, two, two_low)
+        total, lost = difference(do, grown, less)
+        total, more = difference(do, total, -own)
+        low = do("low", lost + more + (grown_low - less_low))
+        one, one_low, two, two_low = total, low, one, one_low
     return do.routine("FallSeries", "divided difference of exp at 0, p and q, less 1/2",
-                      (gamma, delta), one)  # fmt: skip
+                      (gamma, delta), one + one_low)  # fmt: skip
 
 
 def together() -> Routine:
