@@ -34,11 +34,14 @@ from symhaptic.notation import delta, gamma
 NEAR = sp.Rational(9, 4)
 """Up to this size of the larger real pole power series are used."""
 
+FAR = sp.Rational(8, 3)
+"""The same for a series whose terms have all one sign."""
+
 STIFF = sp.Integer(4)
 """Up to this gamma, the squared size of complex poles."""
 
-TERMS = 32
-"""Their terms: the next one is below 33 NEAR^32/34! = 7e-25."""
+TERMS = 34
+"""Their terms: the next one is below 35 FAR^34/36! = 3e-26."""
 
 _CAREFUL = 4
 """Last terms of a series with signs that are added up to twice the precision."""
@@ -72,7 +75,7 @@ class Motion:
     """Whether the power series serve."""
 
 
-def motion(do: Steps) -> Motion:
+def motion(do: Steps, near: Expr = NEAR) -> Motion:
     """The steps that find it."""
     half = do("half", delta / 2)
     square = do("square", half * half)
@@ -95,7 +98,7 @@ def motion(do: Steps) -> Motion:
     off = do("off", off - ProductError(whole, q))
     off = do("off", off - q * p_low)
     q_low = do("q_low", off / whole)
-    reach = do("reach", choose(value < 0, gamma / STIFF, p / NEAR))
+    reach = do("reach", choose(value < 0, gamma / STIFF, p / near))
     small = reach < 1
     return Motion(half, value, root, root_low, some, p, whole, p_low, q, q_low, small)
 
@@ -133,34 +136,34 @@ def _decay(do: Steps, rate: Expr, low: Expr, fall: Expr) -> tuple[Expr, Expr]:
 
 @dataclass(frozen=True)
 class Swinging:
-    """exp(-delta/2), cos(root) and (delta/2) sin(root)/root, the last with what it misses."""
+    """exp(-delta/2), cos(root) and (delta/2) sin(root)/root, with what these two miss."""
 
     envelope: Expr
     even: Expr
+    even_low: Expr
     odd: Expr
     odd_low: Expr
 
 
 def _swinging(do: Steps, m: Motion) -> Swinging:
     sine, cosine = do("sine", sin(m.root)), do("cosine", cos(m.root))
-    even = do("even", cosine - m.root_low * sine)
+    low = do("low", -m.root_low * sine)
     top, top_low = product(do, m.half, sine, m.root_low * cosine)
-    return Swinging(
-        do("envelope", exp(-m.half)), even, *quotient(do, top, m.some, top_low, m.root_low)
-    )
+    odd = quotient(do, top, m.some, top_low, m.root_low)
+    return Swinging(do("envelope", exp(-m.half)), cosine, low, *odd)
 
 
 def rise() -> Routine:
     """n_1."""
     do = Steps()
-    m = motion(do)
+    m = motion(do, FAR)
     c = _creeping(do, m)
     pulled, pulled_low = product(do, c.fall, c.between, c.between_low)
     top, top_low = difference(do, c.slow, pulled)
     short, missed = quotient(do, top, m.whole, top_low + (c.slow_low - pulled_low), m.p_low)
     long = (1 - c.fall * (1 + m.q * c.between)) / do.nonzero(gamma)
     v = _swinging(do, m)
-    swing = (1 - v.envelope * (v.even + v.odd)) / Max(gamma, STIFF)
+    swing = (1 - v.envelope * (v.even + v.odd + v.even_low)) / Max(gamma, STIFF)
     far = choose(m.w < 0, swing, choose(m.q < 2, short + missed, long))
     given = choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
     near = half_and(do, exp(-m.half), "RiseSeries", *given)
@@ -181,7 +184,7 @@ def fall() -> Routine:
     v = _swinging(do, m)
     top, top_low = difference(do, v.odd, v.even)
     top, lost = difference(do, top, -v.envelope)
-    top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low))
+    top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
     stiff = do("stiff", Max(gamma, STIFF))
     swing, missed = quotient(do, top, stiff, top_low)
     given = choose(sp.Not(m.small), 0, gamma), choose(sp.Not(m.small), 0, delta)
@@ -278,7 +281,7 @@ def nyquist() -> Routine:
     slow = do("slow", exp(-m.q))
     slow = do("slow", slow - slow * m.q_low)
     ends = do("ends", 1 + exp(-delta))
-    swing = choose(v.even > 0, ends + 2 * v.envelope * v.even, 4 * (grown**2 + turned))
+    swing = choose(v.even > 0, ends + 2 * v.envelope * (v.even + v.even_low), 4 * (grown**2 + turned))
     return do.routine("Nyquist", "1 + a + e", (gamma, delta),
                       choose(m.w < 0, swing, (1 + fast) * (1 + slow)))  # fmt: skip
 
