@@ -21,7 +21,8 @@ from flint import acb, arb
 from symhaptic.export import request
 from symhaptic.export.target import code_name
 from symhaptic.export.targets import TARGETS
-from symhaptic.model.entire import Apart, C, Entire, Fall, Rise, S, Swing
+from symhaptic.model.entire import C, Entire, S
+from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
 
 HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
 DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]

@@ -14,8 +14,8 @@ from sympy.core.relational import Relational
 from symhaptic.export import request
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
-from symhaptic.model.entire import value
 from symhaptic.model.stable import STATEMENTS, Form
+from symhaptic.model.values import value
 from symhaptic.scene import FULL, Parts, Scene
 
 FORMS = ("stable", "derived", "printed")

@@ -13,14 +13,14 @@ from symhaptic.export import device
 from symhaptic.export.library import known
 from symhaptic.export.routine import Assign, Choice, ProductError, lazy
 from symhaptic.export.target import OPERATIONS, code_name
-from symhaptic.model import entire
+from symhaptic.model import values
 from symhaptic.model.entire import written_out
 from symhaptic.notation import delta, gamma
 from symhaptic.proof.normal import Field
 
 ROUTINES = known()
 SERIES = ("RiseSeries", "FallSeries", "TogetherSeries", "ApartSeries")
-CLOSED = [name for name in ROUTINES if name in entire.ALL]
+CLOSED = [name for name in ROUTINES if name in values.ALL]
 
 
 def leaves(block, steps=()):
@@ -62,14 +62,14 @@ def plain(expr, sign):
 def test_closed_branches_are_the_definition(name):
     """By the normal form: proved wherever both are defined."""
     routine = ROUTINES[name]
-    closed = entire.ALL[name].definition(*routine.arguments)
+    closed = values.ALL[name].definition(*routine.arguments)
     proved = 0
     for leaf in leaves(lazy(routine)):
         if any(leaf.has(sp.Function(s)) for s in SERIES) or leaf.is_number:
             continue
         if name == "Gap" and not leaf.has(sp.sin):
             continue  # its own series
-        still = {delta: sp.S.Zero} if name == "Together" and leaf.has(entire.S) else {}
+        still = {delta: sp.S.Zero} if name == "Together" and leaf.has(values.S) else {}
         found = []
         for sign in (1, -1):
             ours, theirs = (plain(side, sign).xreplace(still) for side in (leaf, closed))
@@ -117,7 +117,7 @@ def test_every_branch_reaches_the_last_digit_of_a_float(name):
             numbers = [mpf(x) for x in point]
             found = run(name, *numbers)
             at = dict(zip(routine.arguments, numbers, strict=True))
-            exact = entire.value(entire.ALL[name](*routine.arguments), at)
+            exact = values.value(values.ALL[name](*routine.arguments), at)
             assert abs(found - exact) < 1e-19 * abs(exact), point
 
 

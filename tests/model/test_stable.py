@@ -8,7 +8,7 @@ import sympy as sp
 from mpmath import mpf
 from scipy.linalg import expm
 
-from symhaptic.model import entire, plant, stable
+from symhaptic.model import plant, stable, values
 from symhaptic.model.entire import Entire, written_out
 from symhaptic.notation import SYMBOLS, delta, gamma
 from symhaptic.proof.decide import compare
@@ -96,8 +96,8 @@ def test_what_a_scene_lacks_is_said():
 
 # -- entire functions ----------------------------------------------------------------------
 
-ONE = [cls for cls in entire.ALL.values() if 1 in cls.nargs]
-TWO = [cls for cls in entire.ALL.values() if 2 in cls.nargs]
+ONE = [cls for cls in values.ALL.values() if 1 in cls.nargs]
+TWO = [cls for cls in values.ALL.values() if 2 in cls.nargs]
 
 
 @pytest.mark.parametrize("cls", ONE, ids=lambda c: c.__name__)
@@ -120,7 +120,7 @@ def test_the_series_of_two_variables_is_the_closed_form(cls, at):
         assert abs(series - closed) < mpf(10) ** -10
 
 
-@pytest.mark.parametrize("cls", entire.ALL.values(), ids=lambda c: c.__name__)
+@pytest.mark.parametrize("cls", values.ALL.values(), ids=lambda c: c.__name__)
 def test_derivatives(cls):
     """Against a difference quotient of the closed form, by mpmath."""
     count = next(iter(cls.nargs))
@@ -149,15 +149,15 @@ def test_the_device_beside_the_exponential_of_its_matrix(at):
     a, e = moved[0, 0] + moved[1, 1], moved[0, 0] * moved[1, 1] - moved[0, 1] * moved[1, 0]
     point = {gamma: mpf(at[0]), delta: mpf(at[1])}
     expected = {
-        entire.Rise: n1,
-        entire.Fall: n0,
-        entire.Together: n1 + n0,
-        entire.Apart: (n1 - n0) / at[1],
-        entire.Swing: a,
-        entire.Nyquist: 1 + a + e,
+        values.Rise: n1,
+        values.Fall: n0,
+        values.Together: n1 + n0,
+        values.Apart: (n1 - n0) / at[1],
+        values.Swing: a,
+        values.Nyquist: 1 + a + e,
     }
     for cls, number in expected.items():
-        found = entire.value(cls(gamma, delta), point)
+        found = values.value(cls(gamma, delta), point)
         assert float(found) == pytest.approx(number, rel=1e-12), cls
 
 
@@ -165,23 +165,23 @@ def test_the_device_beside_the_exponential_of_its_matrix(at):
     ("cls", "at", "limit"),
     [
         # the leading term of each power series
-        (entire.Rise, (0, 0), "0.5"),
-        (entire.Fall, (0, 0), "0.5"),
-        (entire.Apart, (0, 0), "1/6"),
-        (entire.Together, (0, 0), "1"),
-        (entire.Gap, (0,), "1/6"),
-        (entire.Lag, (0,), "1/6"),
-        (entire.Creep, (0,), "0.5"),
+        (values.Rise, (0, 0), "0.5"),
+        (values.Fall, (0, 0), "0.5"),
+        (values.Apart, (0, 0), "1/6"),
+        (values.Together, (0, 0), "1"),
+        (values.Gap, (0,), "1/6"),
+        (values.Lag, (0,), "1/6"),
+        (values.Creep, (0,), "0.5"),
         # (1 - cos(2))/4 and 1 - 2/e: textbook steps of an undamped and of a critical device
-        (entire.Rise, (4, 0), "(1 - cos(2))/4"),
-        (entire.Rise, (1, 2), "1 - 2*exp(-1)"),
-        (entire.Fall, (1, 2), "exp(-2)"),
-        (entire.Rise, (0, 3), "(3 - 1 + exp(-3))/9"),
+        (values.Rise, (4, 0), "(1 - cos(2))/4"),
+        (values.Rise, (1, 2), "1 - 2*exp(-1)"),
+        (values.Fall, (1, 2), "exp(-2)"),
+        (values.Rise, (0, 3), "(3 - 1 + exp(-3))/9"),
     ],
 )
 def test_values_where_the_closed_form_is_undefined(cls, at, limit):
     symbols = sp.symbols(f"x:{len(at)}")
-    found = entire.value(cls(*symbols), dict(zip(symbols, map(mpf, at), strict=True)))
+    found = values.value(cls(*symbols), dict(zip(symbols, map(mpf, at), strict=True)))
     expected = sp.N(sp.sympify(limit), 30)
     assert mpmath.nstr(found, 25) == mpmath.nstr(mpmath.mpmathify(expected), 25)
 

@@ -281,7 +281,9 @@ def nyquist() -> Routine:
     slow = do("slow", exp(-m.q))
     slow = do("slow", slow - slow * m.q_low)
     ends = do("ends", 1 + exp(-delta))
-    swing = choose(v.even > 0, ends + 2 * v.envelope * (v.even + v.even_low), 4 * (grown**2 + turned))
+    swing = choose(
+        v.even > 0, ends + 2 * v.envelope * (v.even + v.even_low), 4 * (grown**2 + turned)
+    )
     return do.routine("Nyquist", "1 + a + e", (gamma, delta),
                       choose(m.w < 0, swing, (1 + fast) * (1 + slow)))  # fmt: skip
 

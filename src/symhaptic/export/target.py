@@ -16,7 +16,7 @@ from sympy import Expr, Symbol
 from sympy.printing.codeprinter import CodePrinter
 
 from symhaptic.export.routine import Routine
-from symhaptic.model.entire import ALL as ENTIRE
+from symhaptic.model.values import ALL as ENTIRE
 from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:

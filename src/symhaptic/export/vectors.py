@@ -14,8 +14,10 @@ from mpmath import mpf
 from sympy import Expr, Symbol
 
 from symhaptic.model.counted import Stable, UnstableRoots, outside
-from symhaptic.model.entire import Apart, C, Entire, Fall, Rise, S, Swing, value
+from symhaptic.model.entire import C, Entire, S
+from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
 from symhaptic.model.stable import Form
+from symhaptic.model.values import value
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 
 _ALLOWED = {"discretize": 4, "passivity_margin": 4, "stability_conditions": 64}

@@ -17,24 +17,19 @@ from sympy import Expr, Rational, Symbol, cos, exp, pi, sin
 from symhaptic.model import boundary, jury, loop, passivity, plant
 from symhaptic.model.counted import Stable, UnstableRoots
 from symhaptic.model.entire import (
-    Apart,
     C,
     Chord,
     CosNext,
     Creep,
     Decay,
     Fade,
-    Fall,
     Lag,
-    Nyquist,
-    Rise,
     S,
     Sinc,
     SinNext,
     Spread,
-    Swing,
-    Together,
 )
+from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
 from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, n_0, n_1, theta, z
 from symhaptic.scene import FULL, Parts
 
