@@ -60,7 +60,9 @@ class ArrayApi(Target):
         lines += ["", *(f"    {line}" for line in about[1:]), '    """'] if about[1:] else []
         if not about[1:]:
             lines[-1] += '"""'
-        if args and args[0] != "xp":
+        if not args:
+            lines.append('    xp = import_module("numpy")')
+        elif args[0] != "xp":
             one = "," if len(args) == 1 else ""
             lines.append(f"    xp, ({', '.join(args)}{one}) = _arrays({', '.join(args)})")
         for symbol, expr in routine.steps:
