@@ -10,8 +10,8 @@ from symhaptic.export.accuracy import MEASURED
 from symhaptic.export.library import Library
 from symhaptic.export.target import Target
 from symhaptic.export.vectors import allowed
-from symhaptic.model.entire import Entire
 from symhaptic.model.stable import Form
+from symhaptic.model.values import ALL
 from symhaptic.notation import SYMBOLS
 
 MARK = "Written by `symhaptic export`; do not edit."
@@ -43,13 +43,26 @@ def readme(library: Library, target: Target, count: int) -> str:
     ]
     for form in library.forms:
         lines += _function(form)
-    used = {f.func for form in library.forms for e in form.expressions for f in e.atoms(Entire)}
-    if used:
-        lines += ["## Functions without singularities", ""]
-        lines += ["They are computed by a series where the closed form would lose digits.", ""]
-        lines += [f"- {f.__name__}: {f.meaning}" for f in sorted(used, key=lambda f: f.__name__)]
+    meanings = _meanings(library)
+    if meanings:
+        lines += ["## The functions in these formulas", ""]
+        lines += [
+            "None has a singularity: where a closed form would lose digits a series is used.",
+            "",
+        ]
+        lines += [f"- {name}: {meaning}" for name, meaning in sorted(meanings.items())]
         lines.append("")
     return "\n".join(lines)
+
+
+def _meanings(library: Library) -> dict[str, str]:
+    """What the formulas are made of, and what that is made of."""
+    atoms = {f for form in library.forms for e in form.expressions for f in e.atoms(sp.Function)}
+    found = {type(f).__name__: f.meaning for f in atoms if hasattr(f, "meaning")}
+    for name in ("C", "S", "Rise"):
+        if any(f"{name}(" in text for text in found.values()):
+            found[name] = ALL[name].meaning
+    return found
 
 
 def _function(form: Form) -> list[str]:

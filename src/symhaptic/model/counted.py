@@ -15,12 +15,17 @@ class UnstableRoots(Function):  # type: ignore[misc]
     """Roots outside the unit circle, of arguments that :data:`ARGUMENTS` names."""
 
     nargs = 10
+    meaning = (
+        "roots outside the unit circle of a loop with wall (alpha, beta) and whole delay d, "
+        "counted from where device and wall are equally strong on the circle"
+    )
 
 
 class Stable(Function):  # type: ignore[misc]
     """1 where no root is outside or on the circle, else 0: (roots, alpha, beta, gamma, delta)."""
 
     nargs = 5
+    meaning = "1 if there are none, alpha > -gamma, and the device is not left swinging, else 0"
 
 
 ARGUMENTS = sp.symbols("alpha beta d n1 n0 at_one at_minus_one loss together apart")
