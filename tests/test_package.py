@@ -62,6 +62,7 @@ FORBIDDEN = {
     "model": ("symhaptic.paper", "symhaptic.proof", "symhaptic.report", "symhaptic.chapter"),
     "paper": ("symhaptic.model", "symhaptic.proof", "symhaptic.report", "symhaptic.chapter"),
     "proof": ("symhaptic.model", "symhaptic.report", "symhaptic.chapter"),
+    "export": ("symhaptic.paper", "symhaptic.proof", "symhaptic.report", "symhaptic.chapter"),
     "kernels": (*SYMBOLIC, "scipy", "symhaptic.tracer"),
     "tracer": SYMBOLIC,
 }

@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from symhaptic.callables import lambdify
     from symhaptic.formulas import Formula, formula
     from symhaptic.kernels.boundary import stability_boundary
     from symhaptic.kernels.extremum import Extremum
@@ -51,6 +52,7 @@ _HOME = {
     "grid_boundary": "symhaptic.tracer.grid",
     "is_passive": "symhaptic.kernels.passivity",
     "is_stable": "symhaptic.kernels.stability",
+    "lambdify": "symhaptic.callables",
     "linear_limit": "symhaptic.kernels.linear",
     "max_passive_stiffness": "symhaptic.kernels.passivity",
     "max_stable_stiffness": "symhaptic.tracer.extremes",
@@ -79,6 +81,7 @@ __all__ = [
     "grid_boundary",
     "is_passive",
     "is_stable",
+    "lambdify",
     "linear_limit",
     "max_passive_stiffness",
     "max_stable_stiffness",

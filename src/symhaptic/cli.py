@@ -292,6 +292,60 @@ def trace(
         _replace(listing.replace, output, content)
 
 
+@app.command()
+def export(
+    formulas: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[FORMULA]...", help="Functions, or eq11 and such; all if none."),
+    ] = None,
+    target: Annotated[
+        str | None,
+        typer.Option("--target", help="numpy, c, cpp, fortran, rust, javascript or octave."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", metavar="DIR", help="Folder to write; haptic-TARGET if none."),
+    ] = None,
+    scene: Annotated[
+        str,
+        typer.Option(
+            "--scene",
+            help="What the loop lacks: no-stiffness,no-damping,no-virtual-damping,no-delay.",
+        ),
+    ] = "",
+    delay: Annotated[
+        int | None,
+        typer.Option(
+            "--delay", metavar="D", help="Whole periods, where one delay has to be chosen."
+        ),
+    ] = None,
+    name: Annotated[str, typer.Option("--name", help="Name of the module.")] = "haptic",
+    listing: Annotated[bool, typer.Option("--list", help="Print what can be exported.")] = False,
+) -> None:
+    """Write stable forms as source code that stands alone, with test vectors and a self-test."""
+    from symhaptic.export import request
+    from symhaptic.export.target import Refused
+
+    try:
+        forms = request.chosen(formulas or [], request.scene(scene), delay)
+        if listing:
+            for form in forms:
+                args = ", ".join(symbol.name for symbol in form.arguments)
+                typer.echo(f"{form.name}({args})\n    {form.title}")
+            return
+        if target is None:
+            _usage(
+                "--target: is needed; allowed are numpy, c, cpp, fortran, rust, javascript, octave"
+            )
+        language = request.target(target)
+        folder = output or Path(f"{name}-{target}")
+        _, files = request.built(language, forms, name)
+        request.write(files, folder)
+    except Refused as wrong:
+        _usage(str(wrong))
+    typer.echo(f"wrote {folder}")
+
+
 def _number(name: str, text: str) -> float:
     try:
         return float(text)

@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass, fields
 from itertools import product
 from numbers import Real
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 @dataclass(frozen=True)
@@ -142,6 +142,32 @@ class Scene:
         _, delta, delay = self.dimensionless
         found = max_passive_stiffness(delta, delay)
         return float(found.alpha) * self.mass / self.sampling_period**2
+
+    def to_control(self) -> Any:
+        """The sampled device behind its delay, from N to m, for python-control.
+
+        Raises :class:`ModuleNotFoundError` where that is not installed.
+        """
+        from symhaptic.systems import control_system
+
+        return control_system(self)
+
+    def to_scipy(self) -> Any:
+        """The sampled device behind its delay, from N to m, as a ``scipy.signal.dlti``.
+
+        >>> system = Scene(mass=1.0, sampling_period=1.0, delay=0.5).to_scipy()
+        >>> system.num.tolist(), system.den.tolist()
+        ([0.125, 0.75, 0.125], [1.0, -2.0, 1.0, 0.0])
+        """
+        from symhaptic.systems import scipy_system
+
+        return scipy_system(self)
+
+    def to_sympy(self) -> Any:
+        """The sampled device behind its delay, from N to m, as an exact SymPy expression in z."""
+        from symhaptic.systems import sympy_system
+
+        return sympy_system(self)
 
     def delay_margin(self, K: float, B: float) -> float:
         """Largest delay in s up to which the wall of stiffness ``K`` (N/m), ``B`` (Ns/m) is stable.

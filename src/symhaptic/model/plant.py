@@ -73,10 +73,13 @@ class Plant:
         """State at ``time`` after rest, under a unit force: the integral of exp(A t) (0, 1/m)."""
         one, two = self.poles(split)
         if one == two:
-            position = time**2 / 2
+            velocity = time * sp.exp(one * time)
+            position = (
+                time**2 / 2 if one == 0 else (1 + (one * time - 1) * sp.exp(one * time)) / one**2
+            )
         else:
+            velocity = (sp.exp(one * time) - sp.exp(two * time)) / (one - two)
             position = (_grown(one, time) - _grown(two, time)) / (one - two)
-        velocity = time if one == two else ((sp.exp(one * time) - sp.exp(two * time)) / (one - two))
         return Matrix([position, velocity]) / self.mass
 
 

@@ -1,0 +1,99 @@
+"""Formulas as functions of numbers, without a file between."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import mpmath
+import sympy as sp
+from sympy import Expr
+from sympy.core.relational import Relational
+
+from symhaptic.export import request
+from symhaptic.export.target import Refused
+from symhaptic.export.targets import TARGETS
+from symhaptic.model.stable import STATEMENTS, Form
+from symhaptic.model.values import value
+from symhaptic.scene import FULL, Parts, Scene
+
+FORMS = ("stable", "derived", "printed")
+MODULES = ("numpy", "jax", "torch", "cupy", "mpmath")
+
+
+def lambdify(
+    id: str, form: str = "stable", modules: str = "numpy", scene: Scene | Parts | None = None
+) -> Callable[..., Any]:
+    """A function of numbers from a formula.
+
+    ``id`` is that of a formula of the paper with a stable form, such as ``"eq11"``, or the name of
+    a function that `symhaptic export --list` prints.  ``form`` is ``"stable"``, which keeps its
+    digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
+    ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries, or mpmath, which gives
+    as many digits as ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out.  The arguments of a
+    stable form are dimensionless and in the order that `--list` prints; those of the others are in
+    the order of their names.  Returns one number or a tuple.
+
+    Raises :class:`ValueError` for what is not known, or not in the scene.
+
+    >>> import numpy as np
+    >>> stiffest = lambdify("eq11")
+    >>> alpha, beta, theta = stiffest(1.0, np.array([0.0, 1.0]))
+    >>> alpha.round(6).tolist()
+    [2.0, 0.828427]
+    >>> [float(x) for x in lambdify("discretize", scene=Parts(stiffness=False))(0.0)]
+    [0.5, 0.5, 2.0, 1.0]
+    """
+    for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
+        if given not in known:
+            raise ValueError(f"{name}: {given!r} is not allowed; {', '.join(known)} are")
+    parts = scene.parts if isinstance(scene, Scene) else scene or FULL
+    if form != "stable":
+        if scene is not None:
+            raise ValueError(f"scene: is not allowed with form={form!r}; stable forms have scenes")
+        return _of_the_paper(id, form, modules)
+    try:
+        (wanted,) = request.chosen([id], parts)
+    except Refused as wrong:
+        raise ValueError(f"id: {wrong}") from None
+    return _in_digits(wanted) if modules == "mpmath" else _on_arrays(wanted)
+
+
+@cache
+def _on_arrays(form: Form) -> Callable[..., Any]:
+    _, files = request.built(TARGETS["numpy"], [form], "callables", vectors=False)
+    space: dict[str, Any] = {"__name__": f"symhaptic.{form.name}"}
+    exec(compile(files["callables.py"], f"<{form.name}>", "exec"), space)
+    function: Callable[..., Any] = space[form.name]
+    return function
+
+
+def _in_digits(form: Form) -> Callable[..., Any]:
+    def function(*numbers: Any) -> Any:
+        if len(numbers) != len(form.arguments):
+            names = ", ".join(s.name for s in form.arguments)
+            raise TypeError(f"{form.name}({names}) takes {len(form.arguments)} numbers")
+        at = dict(zip(form.arguments, map(mpmath.mpmathify, numbers), strict=True))
+        found = tuple(value(expr, at, mpmath.mp.dps) for expr in form.expressions)
+        return found if len(found) > 1 else found[0]
+
+    return function
+
+
+def _of_the_paper(id: str, form: str, modules: str) -> Callable[..., Any]:
+    from symhaptic.formulas import formula
+
+    own = next((ids[0] for name, ids in STATEMENTS.items() if name == id), id)
+    lines = getattr(formula(own), form)
+    sides = [_side(line) for line in lines]
+    symbols = sorted(set().union(*(side.free_symbols for side in sides)), key=str)
+    found: Callable[..., Any] = sp.lambdify(
+        symbols, sides[0] if len(sides) == 1 else sides, modules
+    )
+    return found
+
+
+def _side(line: Expr) -> Expr:
+    """What an equation defines; an inequality as it is."""
+    return line.rhs if isinstance(line, Relational) and isinstance(line, sp.Eq) else line

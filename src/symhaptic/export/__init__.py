@@ -1,0 +1,1 @@
+"""Stable forms as source code: one module per target language, over one list of operations."""

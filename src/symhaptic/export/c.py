@@ -1,0 +1,164 @@
+"""C99."""
+
+from __future__ import annotations
+
+from sympy.printing.c import C99CodePrinter
+
+from symhaptic.export.library import Library
+from symhaptic.export.routine import Assign, Block, Choice, Routine, lazy
+from symhaptic.export.target import Printing, Target, called, describe, vocabulary
+
+FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
+
+KEYWORDS = vocabulary(
+    "auto break case char const continue default do double else enum extern float for goto if "
+    "inline int long register restrict return short signed sizeof static struct switch "
+    "typedef union unsigned void volatile while _Bool _Complex _Imaginary main"
+)
+
+
+class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
+    """SymPy's, with the shared operations, and without macros that the standard does not have."""
+
+    def __init__(self) -> None:
+        super().__init__({"math_macros": {}})
+
+
+def braces(
+    target: Target, block: Block, ends: list[str], declare: str, depth: int = 1
+) -> list[str]:
+    """Statements in a language with braces; ``ends`` are the lines that return the results."""
+    printer, pad, lines = target.printing(), "    " * depth, []
+    for statement in block:
+        if isinstance(statement, Assign):
+            name = target.rename(statement.name.name)
+            lines.append(f"{pad}{declare} {name} = {printer.doprint(statement.expr)};")
+        elif isinstance(statement, Choice):
+            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
+            lines += braces(target, statement.yes, ends, declare, depth + 1)
+            lines += [f"{pad}}}", *braces(target, statement.no, ends, declare, depth)]
+        else:
+            shown = [printer.doprint(r) for r in statement.results]
+            lines += [pad + end.format(*shown) for end in ends]
+    return lines
+
+
+class C(Target):
+    """One source file and its header."""
+
+    name, title, keywords, printer = "c", "C99", KEYWORDS, _Printer
+    operations = called(
+        "",
+        Abs="fabs({0})",
+        Max="fmax({0}, {1})",
+        Min="fmin({0}, {1})",
+        ProductError="fma({0}, {1}, -({0}*{1}))",
+    )
+
+    def source(self, library: Library) -> dict[str, str]:
+        """NAME.c and NAME.h."""
+        guard = f"{library.name.upper()}_H"
+        heads = []
+        for form, routine in zip(library.forms, library.public, strict=True):
+            heads += ["/*", *(f" * {line}" for line in describe(form)), " */"]
+            heads += [f"{self._head(library, routine)};", ""]
+        header = [f"#ifndef {guard}", f"#define {guard}", "", *heads, "#endif", ""]
+        lines = ["#include <math.h>", "", f'#include "{library.name}.h"', ""]
+        for helper in library.helpers:
+            lines += [f"/* {helper.about} */", f"static {self._helper(helper)} {{"]
+            lines += [*braces(self, lazy(helper), ["return {0};"], "const double"), "}", ""]
+        for routine in library.public:
+            ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
+            lines.append(f"{self._head(library, routine)} {{")
+            if len(ends) == 1:
+                ends = ["return {0};"]
+            lines += [*braces(self, lazy(routine), ends, "const double"), "}", ""]
+        return {f"{library.name}.h": "\n".join(header), f"{library.name}.c": "\n".join(lines)}
+
+    def _out(self, name: str) -> str:
+        return f"{name}_out"
+
+    def _helper(self, routine: Routine) -> str:
+        args = ", ".join(f"double {self.rename(s.name)}" for s in routine.arguments)
+        return f"double {self.call(routine.name)}({args})"
+
+    def _head(self, library: Library, routine: Routine) -> str:
+        args = [f"double {self.rename(s.name)}" for s in routine.arguments]
+        kind = "double"
+        if len(routine.results) > 1:
+            kind, args = "void", args + [f"double *{self._out(n)}" for n, _ in routine.results]
+        return f"{kind} {library.name}_{routine.name}({', '.join(args) or 'void'})"
+
+    def usage(self, library: Library) -> str:
+        """The declaration of the first function."""
+        return f'#include "{library.name}.h"\n\n{self._head(library, library.public[0])};'
+
+    def selftest(self, library: Library) -> dict[str, str]:
+        """selftest.c."""
+        cases = []
+        for r in library.public:
+            count = len(r.arguments)
+            args = [f"x[{i}]" for i in range(count)]
+            name = f"{library.name}_{r.name}"
+            if len(r.results) > 1:
+                args += [f"&got[{i}]" for i in range(len(r.results))]
+                call = f"{name}({', '.join(args)})"
+            else:
+                call = f"got[0] = {name}({', '.join(args)})"
+            cases.append(
+                f'        if (strcmp(name, "{r.name}") == 0) {{\n'
+                f"            arguments = {count}, results = {len(r.results)};\n"
+                f"            read_all(file, x, arguments + 2*results);\n"
+                f"            {call};\n        }}\n"
+            )
+        return {"selftest.c": _SELFTEST % (library.name, "".join(cases))}
+
+    def commands(self, name: str) -> list[list[str]]:
+        """Compile with warnings as errors, then run."""
+        return [
+            ["gcc", "-std=c99", *FLAGS, "-o", "selftest", "selftest.c", f"{name}.c", "-lm"],
+            ["./selftest"],
+        ]
+
+
+_SELFTEST = """#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "%s.h"
+
+static void read_all(FILE *file, double *into, int count) {
+    int i;
+    char word[64];
+    for (i = 0; i < count; ++i) {
+        if (fscanf(file, "%%63s", word) != 1) exit(2);
+        into[i] = strtod(word, NULL);
+    }
+}
+
+int main(void) {
+    double x[64], got[32];
+    char name[64];
+    int tried = 0, missed = 0;
+    FILE *file = fopen("vectors.txt", "r");
+    if (file == NULL) return 2;
+    while (fscanf(file, "%%63s", name) == 1) {
+        int arguments = 0, results = 0, i;
+%s        if (results == 0) return 2;
+        for (i = 0; i < results; ++i) {
+            const double expected = x[arguments + 2*i], allowed = x[arguments + 2*i + 1];
+            ++tried;
+            if (!(fabs(got[i] - expected) <= allowed)) {
+                ++missed;
+                printf("%%s, result %%d: %%.17g instead of %%.17g\\n", name, i, got[i], expected);
+            }
+        }
+    }
+    fclose(file);
+    printf("%%d values, %%d missed\\n", tried, missed);
+    return tried == 0 || missed > 0;
+}
+"""
+
+TARGET = C()

@@ -1,0 +1,173 @@
+r"""Roots outside the unit circle, counted at a cost that does not grow with the delay.
+
+On the circle a root needs :math:`|A|=|M||W|` of the device and the wall, a quadratic in
+:math:`y=4\sin^2(\theta/2)` that does not contain the delay; between its solutions one side leads
+and takes the argument along.  Chapter s4d_roots_counted derives this.  The quadratic is expanded
+about y = 0, about the device's own frequency and about y = 4, and each root taken from the nearest.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy import And, Expr, Max, Or, atan2, floor, pi, sqrt
+
+from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.model.counted import ARGUMENTS
+
+alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together, apart = ARGUMENTS
+roots, gamma, delta = sp.symbols("roots gamma delta")
+
+
+@dataclass(frozen=True)
+class _Wall:
+    slope: Expr
+    force: Expr
+    far: Expr
+    """alpha + 2 beta."""
+
+
+@dataclass(frozen=True)
+class _Quadratic:
+    c: Expr
+    b: Expr
+    a: Expr
+
+
+@dataclass(frozen=True)
+class _Angle:
+    """halves pi + rest."""
+
+    halves: Expr
+    rest: Expr
+
+
+def _about(do: Steps, e: Expr, v: _Wall) -> tuple[_Quadratic, _Quadratic, _Quadratic, Expr, Expr]:
+    """The quadratic about 0, the own frequency and 4, and that frequency's y and 4 - y."""
+    cross, lost = do("cross", n1 * n0), do("lost", loss * loss)
+    square = do("square", e + cross * v.force)
+    push, pull = do("push", together * alpha), do("pull", apart * v.far)
+    near = _Quadratic(
+        do("near0", (at_one - push) * (at_one + push)),
+        do("near1", lost - at_one * (1 + e) + cross * alpha**2 - together**2 * v.force),
+        square,
+    )
+    far = _Quadratic(
+        do("far0", (at_minus_one - pull) * (at_minus_one + pull)),
+        do("far1", lost - at_minus_one * (1 + e) - cross * v.far**2 + apart**2 * v.force),
+        square,
+    )
+    center, beyond = do("center", 2 * at_one / (1 + e)), do("beyond", 2 * at_minus_one / (1 + e))
+    sine, tilt = do("sine", center * beyond / 4), do("tilt", (beyond - center) / 4)
+    real = do("real", (together * beyond - apart * center) / 4)
+    m0, m1 = do("m0", real**2 + n1**2 * sine), do("m1", n1**2 * tilt - n1 * real)
+    wave = do("wave", (alpha * beyond - v.far * center) / 4)
+    wall = do("wall", wave**2 + v.slope**2 * sine)
+    own = _Quadratic(
+        do("own0", lost * sine - m0 * wall),
+        do("own1", lost * tilt - m1 * wall - m0 * v.force),
+        do("own2", e - m1 * v.force),
+    )
+    return near, own, far, center, beyond
+
+
+def _root(do: Steps, parts: tuple[_Quadratic, ...]) -> tuple[Expr, Expr]:
+    """The root of the discriminant, from the point where its terms are smallest, and its sign."""
+    discs, sizes = [], []
+    for k in parts:
+        square, product = do("square", k.b * k.b), do("product", 4 * k.c * k.a)
+        discs.append(do("disc", square - product))
+        sizes.append(do("size", square + sp.Abs(product)))
+    first = And(sizes[1] <= sizes[0], sizes[1] <= sizes[2])
+    third = And(sizes[2] < sizes[0], sizes[2] < sizes[1])
+    disc = do("disc", choose(first, discs[1], choose(third, discs[2], discs[0])))
+    return do("root", sqrt(Max(disc, 0))), disc
+
+
+def _solved(do: Steps, k: _Quadratic, root: Expr) -> tuple[Expr, Expr]:
+    """(-b - root)/(2 a) and (-b + root)/(2 a) without cancellation; -1 for what is infinite."""
+    upper = k.b >= 0
+    q = do("q", -(k.b + choose(upper, root, -root)) / 2)
+    lead, own = do("lead", choose(sp.Eq(k.a, 0), 1, k.a)), do("own", choose(sp.Eq(q, 0), 1, q))
+    one = do("one", choose(sp.Eq(k.a, 0), -1, q / lead))
+    two = do("two", choose(sp.Eq(q, 0), -1, k.c / own))
+    return do("low", choose(upper, one, two)), do("high", choose(upper, two, one))
+
+
+def _angle(do: Steps, real: Expr, up: Expr) -> _Angle:
+    """Angle of real + j up where up keeps its sign, which is + for 0."""
+    x, y = do("x", real), do("y", up)
+    halves = do("halves", choose(x < 0, choose(y < 0, -1, 1), 0))
+    return _Angle(halves, do("turned", atan2(choose(x < 0, -y, y), sp.Abs(x))))
+
+
+def _turns(do: Steps, e: Expr, v: _Wall, y: Expr, rest: Expr, off: Expr) -> Expr:
+    """The nearest whole number of turns in the phase at a crossing."""
+    sine = do("sine", 2 * sqrt(y * rest))
+    below = _angle(do, -2 * (1 + e) * off, loss * sine)
+    above = _angle(do, together * rest - apart * y, n1 * sine)
+    force = _angle(do, alpha * rest - v.far * y, v.slope * sine)
+    far = y > 2
+    half = do("half", atan2(sqrt(choose(far, rest, y)), sqrt(choose(far, y, rest))))
+    late = do("late", d + 2)
+    halves = do("halves", above.halves + force.halves - below.halves - choose(far, late, 0))
+    turned = above.rest + force.rest - below.rest - late * choose(far, -2 * half, 2 * half)
+    share = do("share", turned / (2 * pi))
+    even = do("even", floor(halves / 2))
+    left = do("left", halves / 2 - even)
+    odd = sp.Eq(left, sp.S.Half)  # the sign of the rest decides, however small it is
+    return do("turns", even + choose(odd, floor(share) + 1, floor(share + left + sp.S.Half)))
+
+
+def _leads(k: _Quadratic) -> Expr:
+    """Whether the wall leads next to the end: the first coefficient that is not 0 is negative."""
+    zero = sp.Eq(k.c, 0)
+    return Or(k.c < 0, And(zero, Or(k.b < 0, And(sp.Eq(k.b, 0), k.a < 0))))
+
+
+def unstable_roots() -> Routine:
+    """The number of roots outside the unit circle."""
+    do = Steps()
+    e = do("e", 1 - loss)
+    v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
+    v = _Wall(v.slope, do("force", v.slope * beta), v.far)
+    near, own, far, center, beyond = _about(do, e, v)
+    root, disc = _root(do, (near, own, far))
+    ys, offs = _solved(do, near, root), _solved(do, own, root)
+    rests = _solved(do, far, root)[::-1]
+    total: Expr = sp.S.Zero
+    for sign, y, off, rest in zip((2, -2), ys, offs, rests, strict=True):
+        small = y < rest
+        edge = do("edge", choose(small, y, rest))
+        there = And(disc >= 0, y > 0, rest > 0, edge < 4)
+        inside = And(sp.Abs(off) < edge, center + off > 0, beyond - off > 0)
+        at = do("at", choose(inside, center + off, choose(small, y, 4 - rest)))
+        still = do("still", choose(inside, beyond - off, choose(small, 4 - y, rest)))
+        away = do("away", choose(inside, off, choose(small, y - center, beyond - rest)))
+        at, still = do("at", choose(there, at, 2)), do("still", choose(there, still, 2))
+        found = _turns(do, e, v, do("at", Max(at, 0)), do("still", Max(still, 0)), away)
+        total = do("total", total + choose(there, sign * found, 0))
+    side = do("side", choose(v.slope >= 0, 1, -1))
+    begin = choose(alpha > 0, 0, side)
+    end = do(
+        "end", choose(v.far > 0, side, 0) - (d + 3) + choose(apart > 0, choose(n1 >= 0, 1, -1), 0)
+    )
+    total = do("total", total + choose(_leads(near), begin, 0))
+    return do.routine("UnstableRoots", "roots outside the unit circle", ARGUMENTS,
+                      total - choose(_leads(far), end, 0))  # fmt: skip
+
+
+def stable() -> Routine:
+    """No root outside, none at 1, and no device that swings on whatever the wall does."""
+    do = Steps()
+    swing = do("swing", sqrt(gamma))
+    free = And(sp.Eq(alpha, 0), sp.Eq(beta, 0), sp.Eq(delta, 0))
+    bound = sp.Rational(4, 10**16) * swing
+    stuck = And(delta < sp.Rational(1, 10**15), gamma > 1, sp.Abs(sp.sin(swing)) <= bound)
+    good = And(sp.Eq(roots, 0), alpha > -gamma, sp.Not(free), sp.Not(stuck))
+    return do.routine("Stable", "1 where the loop is stable, else 0",
+                      (roots, alpha, beta, gamma, delta), choose(good, 1, 0))  # fmt: skip
+
+
+ROUTINES = (unstable_roots, stable)

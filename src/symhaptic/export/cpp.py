@@ -1,0 +1,138 @@
+"""C++17."""
+
+from __future__ import annotations
+
+from sympy.printing.cxx import CXX17CodePrinter
+
+from symhaptic.export.c import FLAGS, KEYWORDS, braces
+from symhaptic.export.library import Library
+from symhaptic.export.routine import Routine, lazy
+from symhaptic.export.target import Printing, Target, called, describe, vocabulary
+
+
+class _Printer(Printing, CXX17CodePrinter):  # type: ignore[misc]
+    """SymPy's, with the shared operations, and without macros that the standard does not have."""
+
+    def __init__(self) -> None:
+        super().__init__({"math_macros": {}})
+
+
+class Cpp(Target):
+    """One source file and its header; several results are a std::array."""
+
+    name, title, printer = "cpp", "C++17", _Printer
+    keywords = KEYWORDS | vocabulary(
+        "alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t class compl "
+        "constexpr const_cast decltype delete dynamic_cast explicit export false friend mutable "
+        "namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
+        "reinterpret_cast static_assert static_cast template this thread_local throw true try "
+        "typeid typename using virtual wchar_t xor xor_eq std"
+    )
+    operations = called(
+        "std::",
+        Abs="std::fabs({0})",
+        Max="std::fmax({0}, {1})",
+        Min="std::fmin({0}, {1})",
+        ProductError="std::fma({0}, {1}, -({0}*{1}))",
+    )
+
+    def source(self, library: Library) -> dict[str, str]:
+        """NAME.cpp and NAME.hpp."""
+        heads = []
+        for form, routine in zip(library.forms, library.public, strict=True):
+            heads += [*(f"/// {line}" for line in describe(form)), f"{self._head(routine)};", ""]
+        header = ["#pragma once", "", "#include <array>", "", f"namespace {library.name} {{", "",
+                  *heads, "}", ""]  # fmt: skip
+        lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "", "namespace {", ""]
+        for helper in library.helpers:
+            args = ", ".join(f"double {self.rename(s.name)}" for s in helper.arguments)
+            lines += [f"// {helper.about}", f"double {self.call(helper.name)}({args}) {{"]
+            lines += [*braces(self, lazy(helper), ["return {0};"], "const double"), "}", ""]
+        lines += ["}", "", f"namespace {library.name} {{", ""]
+        for routine in library.public:
+            count = len(routine.results)
+            values = ", ".join(f"{{{i}}}" for i in range(count))
+            end = f"return {{{{{values}}}}};" if count > 1 else "return {0};"
+            lines.append(f"{self._head(routine)} {{")
+            lines += [*braces(self, lazy(routine), [end], "const double"), "}", ""]
+        return {
+            f"{library.name}.hpp": "\n".join(header),
+            f"{library.name}.cpp": "\n".join([*lines, "}", ""]),
+        }
+
+    def _head(self, routine: Routine) -> str:
+        args = ", ".join(f"double {self.rename(s.name)}" for s in routine.arguments)
+        count = len(routine.results)
+        kind = "double" if count == 1 else f"std::array<double, {count}>"
+        return f"{kind} {routine.name}({args})"
+
+    def usage(self, library: Library) -> str:
+        """The declaration of the first function."""
+        head = self._head(library.public[0])
+        return f'#include "{library.name}.hpp"\n\nnamespace {library.name} {{ {head}; }}'
+
+    def selftest(self, library: Library) -> dict[str, str]:
+        """selftest.cpp."""
+        cases = []
+        for r in library.public:
+            args = ", ".join(f"x[{i}]" for i in range(len(r.arguments)))
+            call = f"{library.name}::{r.name}({args})"
+            keep = f"const auto y = {call}; got.assign(y.begin(), y.end())"
+            cases.append(
+                f'        if (name == "{r.name}") {{\n'
+                f"            const auto x = read_all(file, {len(r.arguments)});\n"
+                f"            {keep if len(r.results) > 1 else f'got = {{{call}}}'};\n        }}\n"
+            )
+        unused = any(not r.arguments for r in library.public)
+        text = _SELFTEST % (library.name, "".join(cases))
+        return {"selftest.cpp": text.replace("const auto x =", "[[maybe_unused]] const auto x =")
+                if unused else text}  # fmt: skip
+
+    def commands(self, name: str) -> list[list[str]]:
+        """Compile with warnings as errors, then run."""
+        return [
+            ["g++", "-std=c++17", *FLAGS, "-o", "selftest", "selftest.cpp", f"{name}.cpp"],
+            ["./selftest"],
+        ]
+
+
+_SELFTEST = """#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "%s.hpp"
+
+static std::vector<double> read_all(std::istream &file, int count) {
+    std::vector<double> found;
+    std::string word;
+    while (count-- > 0 && file >> word) found.push_back(std::strtod(word.c_str(), nullptr));
+    return found;
+}
+
+int main() {
+    std::ifstream file("vectors.txt");
+    std::string name;
+    int tried = 0, missed = 0;
+    while (file >> name) {
+        std::vector<double> got;
+%s        if (got.empty()) return 2;
+        const auto expected = read_all(file, static_cast<int>(2*got.size()));
+        if (expected.size() < 2*got.size()) return 2;
+        for (std::size_t i = 0; i < got.size(); ++i) {
+            ++tried;
+            if (!(std::fabs(got[i] - expected[2*i]) <= expected[2*i + 1])) {
+                ++missed;
+                std::printf("%%s, result %%d: %%.17g instead of %%.17g\\n", name.c_str(),
+                            static_cast<int>(i), got[i], expected[2*i]);
+            }
+        }
+    }
+    std::printf("%%d values, %%d missed\\n", tried, missed);
+    return tried == 0 || missed > 0;
+}
+"""
+
+TARGET = Cpp()

@@ -1,0 +1,209 @@
+"""The entire functions of one variable as routines, and products whose rounding is put back."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr, Max, cos, exp, factorial, sin, sqrt
+
+from symhaptic.export.routine import (
+    ProductError,
+    Routine,
+    Steps,
+    choose,
+    expm1,
+    fast_sum,
+    product,
+)
+from symhaptic.model.entire import CosNext, Decay, Gap, Sinc, SinNext
+
+x, w, k, y, z = sp.symbols("x w k y z")
+
+_QUARTER = sp.Rational(3, 2)
+"""Near a quarter turn."""
+
+_SIXTH = sp.Rational(*(1 / 6).as_integer_ratio())
+_SIXTH_LOW = sp.Rational(1, 6) - _SIXTH
+"""1/6 is no float: what it misses goes into the next term."""
+
+_SPLIT = sp.Integer(2**27 + 1)
+"""Veltkamp's factor: halves of a float whose products are exact."""
+
+
+def product_error() -> Routine:
+    """Dekker's product, for targets without a fused one."""
+    do = Steps()
+    product = do("product", y * z)
+    halves = []
+    for number in (y, z):
+        big = do("big", _SPLIT * number)
+        away = do("away", big - number)
+        high = do("high", big - away)
+        halves.append((high, do("low", number - high)))
+    (high, low), (most, least) = halves
+    left = do("left", high * most)
+    left = do("left", left - product)
+    left = do("left", left + high * least)
+    left = do("left", left + low * most)
+    return do.routine("ProductError", "y z minus the float nearest to it", (y, z),
+                      left + low * least)  # fmt: skip
+
+
+def decay() -> Routine:
+    """(1 - exp(-x))/x."""
+    do = Steps()
+    whole = do.nonzero(x)
+    return do.routine("Decay", "(1 - exp(-x))/x", (x,), choose(sp.Eq(x, 0), 1, -expm1(-x) / whole))
+
+
+def half_and(do: Steps, fall: Expr, series: str, *arguments: Expr) -> Expr:
+    """fall (1/2 + series), the sum in brackets not rounded."""
+    rest = do("rest", sp.Function(series)(*arguments))
+    total, lost = fast_sum(do, sp.S.Half, rest)
+    found, missed = product(do, do("envelope", fall), total, lost)
+    return found + missed
+
+
+def creep() -> Routine:
+    """The series of Rise without a spring, w = h^2."""
+    do = Steps()
+    half = do("half", choose(x >= 2, 0, x / 2))
+    near = half_and(do, exp(-half), "RiseSeries", half, half * half)
+    far = (1 - Decay(x)) / do.nonzero(x)
+    return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), choose(x < 2, near, far))
+
+
+def fade() -> Routine:
+    """The series of Fall without a spring, q = 0."""
+    do = Steps()
+    near = half_and(do, exp(-x), "FallSeries", sp.S.Zero, choose(x >= 2, 0, x))
+    far = (Decay(x) - exp(-x)) / do.nonzero(x)
+    return do.routine("Fade", "(1 - (1 + x) exp(-x))/x^2", (x,), choose(x < 2, near, far))
+
+
+def lag() -> Routine:
+    """The series of Apart without a spring, w = h^2."""
+    do = Steps()
+    half = do("half", choose(x >= 2, 0, x / 2))
+    near = exp(-half) * sp.Function("ApartSeries")(half, half * half)
+    whole = do("whole", Max(x, 2))
+    two = do("two", x - 2)
+    far = (two + (x + 2) * exp(-x)) / whole / (whole * whole)
+    return do.routine("Lag", "(x - 2 + (x + 2) exp(-x))/x^3", (x,), choose(x < 2, near, far))
+
+
+def sinc() -> Routine:
+    """sin(x)/x, for small x from the gap between x and sin x."""
+    do = Steps()
+    near = do("near", choose(sp.Abs(x) >= 1, 0, x))
+    far = sin(x) / do.nonzero(x)
+    near = 1 - near * near * Gap(near)
+    return do.routine("Sinc", "sin(x)/x", (x,), choose(sp.Abs(x) < 1, near, far))
+
+
+def gap() -> Routine:
+    """(x - sin(x))/x^3; from 2 on the difference keeps its digits."""
+    do = Steps()
+    near = do("near", choose(sp.Abs(x) >= 2, 0, x))
+    square = do("square", -near * near)
+    total: Expr = sp.S.Zero
+    for i in range(13, 0, -1):
+        total = do(f"b{i}", 1 / factorial(2 * i + 3) + square * total)
+    rest = do("rest", square * total + _SIXTH_LOW)
+    total = do("total", _SIXTH + rest)
+    whole = do("whole", choose(sp.Abs(x) < 2, 2, x))
+    far = (x - sin(x)) / whole / (whole * whole)
+    return do.routine("Gap", "(x - sin(x))/x^3", (x,), choose(sp.Abs(x) < 2, total, far))
+
+
+def cosh_root() -> Routine:
+    """cosh(sqrt w), cos(sqrt -w)."""
+    do = Steps()
+    root, low, _ = _root(do)
+    cosine = do("cosine", cos(root))
+    swing = cosine - low * sin(root)
+    grown = do("grown", exp(choose(w < 0, 0, root)))
+    return do.routine("C", "cosh(sqrt(w))", (w,), choose(w < 0, swing, (grown + 1 / grown) / 2))
+
+
+def sinhc_root() -> Routine:
+    """sinh(sqrt w)/sqrt w, sin(sqrt -w)/sqrt -w."""
+    do = Steps()
+    root, low, some = _root(do)
+    sine = do("sine", sin(root))
+    turned = do("turned", sine + low * cos(root))
+    swing = turned / some
+    grown = do("grown", expm1(choose(w < 0, 0, root)))
+    creep = (grown + grown / (1 + grown)) / 2 / some
+    return do.routine("S", "sinh(sqrt(w))/sqrt(w)", (w,),
+                      choose(sp.Eq(w, 0), 1, choose(w < 0, swing, creep)))  # fmt: skip
+
+
+def _root(do: Steps) -> tuple[Expr, Expr, Expr]:
+    """sqrt |w|, its rounding error, and the root with 1 in place of 0."""
+    size = do("size", sp.Abs(w))
+    root = do("root", sqrt(size))
+    some = do.nonzero(root)
+    left = do("left", size - root * root)
+    left = do("left", left - ProductError(root, root))
+    return root, do("low", left / some / 2), some
+
+
+def cos_next() -> Routine:
+    """cos((k + 1) x) with the rounding of sum and product put back."""
+    do = Steps()
+    angle, off = _next(do)
+    cosine = do("cosine", cos(angle))
+    return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine - off * sin(angle))
+
+
+def sin_next() -> Routine:
+    """sin((k + 1) x) with the rounding of sum and product put back."""
+    do = Steps()
+    angle, off = _next(do)
+    sine = do("sine", sin(angle))
+    return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine + off * cos(angle))
+
+
+def spread() -> Routine:
+    """Sines of two angles; up to a quarter turn of the delay they are close, beyond it they add."""
+    do = Steps()
+    order, turn, angle, some = _delayed(do)
+    near = order * (order * order * Gap(2 * angle) - Gap(x))
+    far = (order * sin(x) - 2 * SinNext(k, x) * CosNext(k, x)) / some / (some * some)
+    return do.routine("Spread", "((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3", (k, x),
+                      choose(turn < _QUARTER, near, far))  # fmt: skip
+
+
+def chord() -> Routine:
+    """The same for 2 sin - (2 k + 2) sin(x) cos."""
+    do = Steps()
+    order, turn, angle, some = _delayed(do)
+    along = do("along", CosNext(k, x))
+    wave = do("wave", Sinc(angle / 2))
+    inner = do("inner", wave * wave / 2 - Gap(angle))
+    near = order * (order * order * inner / 4 + Gap(x) * along)
+    far = (2 * SinNext(k, x) - order * sin(x) * along) / some / (some * some)
+    return do.routine("Chord", "(2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3", (k, x),
+                      choose(turn < _QUARTER, near, far))  # fmt: skip
+
+
+def _delayed(do: Steps) -> tuple[Expr, Expr, Expr, Expr]:
+    """2 (k + 1), the angle (k + 1) x, the same where it is small, and x where it is not."""
+    turn = do("turn", (k + 1) * x)
+    angle = do("angle", choose(turn >= _QUARTER, 0, turn))
+    some = do("some", choose(turn < _QUARTER, 1, x))
+    return do("order", 2 * (k + 1)), turn, angle, some
+
+
+def _next(do: Steps) -> tuple[Expr, Expr]:
+    count = do("count", k + 1)
+    before = do("before", count - 1)
+    angle = do("angle", count * x)
+    missed = do("missed", k - before)
+    return angle, do("off", ProductError(count, x) + missed * x)
+
+
+ROUTINES = (
+    decay, creep, fade, lag, sinc, gap, cosh_root, sinhc_root, cos_next, sin_next,
+    spread, chord,
+)  # fmt: skip

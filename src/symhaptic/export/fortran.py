@@ -1,0 +1,243 @@
+"""Fortran 2008."""
+
+from __future__ import annotations
+
+import textwrap
+from types import MappingProxyType
+
+from sympy.printing.fortran import FCodePrinter
+
+from symhaptic.export.library import Library
+from symhaptic.export.routine import Assign, Block, Choice, Routine, lazy
+from symhaptic.export.target import Printing, Target, called, describe, vocabulary
+
+
+class _Printer(Printing, FCodePrinter):  # type: ignore[misc]
+    """SymPy's, with the shared operations."""
+
+    def __init__(self) -> None:
+        super().__init__({"standard": 2008, "source_format": "free"})
+
+
+class Fortran(Target):
+    """One module; a function has one result, a subroutine several."""
+
+    name, title, printer, ignores_case = "fortran", "Fortran 2008", _Printer, True
+    choice = "merge({1}, {2}, {0})"
+    words = MappingProxyType({"&&": ".and.", "||": ".or.", "!=": "/=", "!": ".not."})
+    keywords = vocabulary(
+        "allocatable allocate assign associate block call case character class close common "
+        "complex contains continue cycle data deallocate default dimension do double elemental "
+        "else elsewhere end endif enddo entry equivalence exit external final forall format "
+        "function generic goto if implicit import include inquire integer intent interface "
+        "intrinsic logical module namelist none nullify only open operator optional parameter "
+        "pause pointer print private procedure program protected public pure read real recursive "
+        "return rewind save select sequence stop submodule subroutine target then type use value "
+        "volatile where while write exp sin cos tan sqrt abs max min floor merge dp expm1 "
+        "selftest spread scale"
+    )
+    operations = called(
+        "",
+        ProductError="product_error({0}, {1})",
+        floor="(aint({0}) - merge(1.0_dp, 0.0_dp, aint({0}) > {0}))",
+    )
+
+    def number(self, value: float) -> str:
+        """A double precision literal."""
+        return f"{value!r}_dp"
+
+    def source(self, library: Library) -> dict[str, str]:
+        """NAME.f90."""
+        names = ", ".join(r.name for r in library.public)
+        lines = [
+            f"module {library.name}",
+            "  use, intrinsic :: iso_fortran_env, only: dp => real64",
+            "  implicit none",
+            "  private",
+            *_folded(f"  public :: {names}"),
+            "",
+            "  interface",
+            '    pure function expm1(x) bind(c, name="expm1") result(y)',
+            "      use, intrinsic :: iso_c_binding, only: c_double",
+            "      real(c_double), intent(in), value :: x",
+            "      real(c_double) :: y",
+            "    end function expm1",
+            "  end interface",
+            "",
+            "contains",
+            "",
+        ]
+        for helper in library.helpers:
+            lines += [f"  ! {helper.about}", *self._written(helper), ""]
+        for form, routine in zip(library.forms, library.public, strict=True):
+            lines += [f"  ! {line}" for line in describe(form)]
+            lines += [*self._written(routine), ""]
+        return {f"{library.name}.f90": "\n".join([*lines, f"end module {library.name}", ""])}
+
+    def _results(self, routine: Routine) -> list[str]:
+        if len(routine.results) == 1:
+            return ["y_out"]
+        return [f"{name}_out" for name, _ in routine.results]
+
+    def _written(self, routine: Routine) -> list[str]:
+        args = [self.rename(s.name) for s in routine.arguments]
+        results, name = self._results(routine), self.call(routine.name)
+        block = lazy(routine)
+        locals_ = sorted({self.rename(n) for n in _assigned(block)})
+        if len(results) == 1:
+            head = f"  pure function {name}({', '.join(args)}) result({results[0]})"
+            kinds, tail = [f"    real(dp) :: {results[0]}"], "function"
+        else:
+            head = f"  pure subroutine {name}({', '.join(args + results)})"
+            kinds, tail = [f"    real(dp), intent(out) :: {', '.join(results)}"], "subroutine"
+        declared = [f"    real(dp), intent(in) :: {', '.join(args)}"] if args else []
+        declared += kinds + ([f"    real(dp) :: {', '.join(locals_)}"] if locals_ else [])
+        lines = [head, *declared, *self._body(block, results, 2), f"  end {tail} {name}"]
+        return [part for line in lines for part in _folded(line)]
+
+    def _body(self, block: Block, results: list[str], depth: int) -> list[str]:
+        printer, pad, lines = self.printing(), "  " * depth, []
+        for statement in block:
+            if isinstance(statement, Assign):
+                value = printer.doprint(statement.expr)
+                lines.append(f"{pad}{self.rename(statement.name.name)} = {value}")
+            elif isinstance(statement, Choice):
+                lines.append(f"{pad}if ({printer.doprint(statement.condition)}) then")
+                lines += self._body(statement.yes, results, depth + 1)
+                lines += [f"{pad}else", *self._body(statement.no, results, depth + 1)]
+                lines.append(f"{pad}end if")
+            else:
+                for name, value in zip(results, statement.results, strict=True):
+                    lines.append(f"{pad}{name} = {printer.doprint(value)}")
+        return lines
+
+    def usage(self, library: Library) -> str:
+        """A use of the first function."""
+        return f"use {library.name}, only: {library.public[0].name}"
+
+    def selftest(self, library: Library) -> dict[str, str]:
+        """selftest.f90."""
+        cases = []
+        for r in library.public:
+            count, many = len(r.arguments), len(r.results)
+            args = [f"x({i + 1})" for i in range(count)]
+            if many == 1:
+                call = f"got(1) = {r.name}({', '.join(args)})"
+            else:
+                call = (
+                    f"call {r.name}({', '.join([*args, *(f'got({i + 1})' for i in range(many))])})"
+                )
+            lines = [
+                f'    case ("{r.name}")',
+                f"      arguments = {count}",
+                f"      results = {many}",
+            ]
+            lines += ["      call read_all(line, x, arguments + 2*results)"]
+            cases += [part for line in [*lines, f"      {call}"] for part in _folded(line)]
+        text = _SELFTEST.replace("NAME", library.name).replace("CASES", "\n".join(cases))
+        return {"selftest.f90": text}
+
+    def commands(self, name: str) -> list[list[str]]:
+        """Compile with warnings as errors, then run."""
+        flags = [
+            "-std=f2008",
+            "-O2",
+            "-ffp-contract=off",
+            "-Wall",
+            "-Wextra",
+            "-pedantic",
+            "-Werror",
+        ]
+        # exact comparisons with zero are meant
+        flags += ["-Wno-compare-reals"]
+        return [
+            ["gfortran", *flags, "-o", "selftest", f"{name}.f90", "selftest.f90"],
+            ["./selftest"],
+        ]
+
+
+def _assigned(block: Block) -> set[str]:
+    found: set[str] = set()
+    for statement in block:
+        if isinstance(statement, Assign):
+            found.add(statement.name.name)
+        elif isinstance(statement, Choice):
+            found |= _assigned(statement.yes) | _assigned(statement.no)
+    return found
+
+
+def _folded(line: str) -> list[str]:
+    """A line in pieces that a compiler takes, each continued by an ampersand."""
+    if len(line) <= 100:
+        return [line]
+    indent = " " * (len(line) - len(line.lstrip()) + 4)
+    pieces = textwrap.wrap(
+        line, 98, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False,
+        drop_whitespace=True,
+    )  # fmt: skip
+    first = line[: len(line) - len(line.lstrip())]
+    pieces[0] = first + pieces[0].lstrip()
+    return [f"{piece} &" for piece in pieces[:-1]] + pieces[-1:]
+
+
+_SELFTEST = """program selftest
+  use, intrinsic :: iso_fortran_env, only: dp => real64, int64
+  use NAME
+  implicit none
+  character(len=4000) :: line
+  character(len=64) :: name
+  real(dp) :: x(64), got(32), expected, allowed
+  integer :: file, status, arguments, results, i, tried, missed
+  tried = 0
+  missed = 0
+  open (newunit=file, file="vectors.txt", status="old", action="read")
+  do
+    read (file, '(a)', iostat=status) line
+    if (status /= 0) exit
+    i = index(line, " ")
+    name = line(1:i - 1)
+    line = adjustl(line(i:))
+    select case (name)
+CASES
+    case default
+      stop 2
+    end select
+    do i = 1, results
+      expected = x(arguments + 2*i - 1)
+      allowed = x(arguments + 2*i)
+      tried = tried + 1
+      if (.not. abs(got(i) - expected) <= allowed) then
+        missed = missed + 1
+        print *, trim(name), i, got(i), expected
+      end if
+    end do
+  end do
+  close (file)
+  print *, tried, "values,", missed, "missed"
+  if (tried == 0 .or. missed > 0) stop 1
+
+contains
+
+  ! -0x1.8000000000000p+1, always with 13 digits
+  subroutine read_all(text, into, count)
+    character(len=*), intent(inout) :: text
+    real(dp), intent(out) :: into(:)
+    integer, intent(in) :: count
+    integer :: k, at, power
+    integer(int64) :: whole
+    character(len=14) :: digits
+    into = 0
+    do k = 1, count
+      at = index(text, "x")
+      digits = text(at + 1:at + 1)//text(at + 3:at + 15)
+      read (digits, '(z14)') whole
+      read (text(at + 17:index(text, " ") - 1), *) power
+      into(k) = scale(real(whole, dp), power - 52)
+      if (text(1:1) == "-") into(k) = -into(k)
+      text = adjustl(text(index(text, " "):))
+    end do
+  end subroutine read_all
+end program selftest
+"""
+
+TARGET = Fortran()

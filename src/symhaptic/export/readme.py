@@ -1,0 +1,90 @@
+"""The README of an export: formulas, units, domain, accuracy, and how to test it."""
+
+from __future__ import annotations
+
+import shlex
+
+import sympy as sp
+
+from symhaptic.export.accuracy import MEASURED
+from symhaptic.export.library import Library
+from symhaptic.export.target import Target
+from symhaptic.export.vectors import allowed
+from symhaptic.model.stable import Form
+from symhaptic.model.values import ALL
+from symhaptic.notation import SYMBOLS
+
+MARK = "Written by `symhaptic export`; do not edit."
+
+
+def readme(library: Library, target: Target, count: int) -> str:
+    """The text, in Markdown."""
+    commands = [shlex.join(command) for command in target.commands(library.name)]
+    lines = [
+        f"# {library.title}",
+        "",
+        MARK,
+        "",
+        f"{target.title}, double precision. All quantities are dimensionless, in units of the",
+        "moving mass m and the sampling period T: alpha = K T^2/m, beta = B T/m, gamma = k T^2/m,",
+        "delta = b T/m, d = t_d/T, theta = omega T.",
+        "",
+        "```",
+        target.usage(library),
+        "```",
+        "",
+        f"The self-test reads {count} lines of vectors.txt, with numbers to the last digit, and",
+        "ends with status 1 where a value is farther off than allowed:",
+        "",
+        "```",
+        *commands,
+        "```",
+        "",
+    ]
+    for form in library.forms:
+        lines += _function(form)
+    meanings = _meanings(library)
+    if meanings:
+        lines += ["## The functions in these formulas", ""]
+        lines += [
+            "None has a singularity: where a closed form would lose digits a series is used.",
+            "",
+        ]
+        lines += [f"- {name}: {meaning}" for name, meaning in sorted(meanings.items())]
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _meanings(library: Library) -> dict[str, str]:
+    """What the formulas are made of, and what that is made of."""
+    atoms = {f for form in library.forms for e in form.expressions for f in e.atoms(sp.Function)}
+    found = {type(f).__name__: f.meaning for f in atoms if hasattr(f, "meaning")}
+    for name in ("C", "S", "Rise"):
+        if any(f"{name}(" in text for text in found.values()):
+            found[name] = ALL[name].meaning
+    return found
+
+
+def _function(form: Form) -> list[str]:
+    lines = [f"## {form.name}", "", f"{form.title[0].upper()}{form.title[1:]}.", ""]
+    if form.arguments:
+        lines += ["| argument | unit | range | meaning |", "|---|---|---|---|"]
+        for symbol in form.arguments:
+            row = SYMBOLS[symbol.name]
+            lines.append(f"| {row.name} | {row.unit} | {row.domain} | {row.meaning} |")
+        lines.append("")
+    if form.domain:
+        lines += [f"Domain: {', '.join(form.domain)}.", ""]
+    for name, expr in form.results:
+        lines += [f"    {name} = {expr}", ""]
+    lines += [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in form.results]
+    measured = MEASURED.get(form.name)
+    if measured is not None:
+        lines += [
+            "",
+            f"Largest error measured: {measured:g} units in the last place of the largest",
+        ]
+        lines += ["term, in C, for the loop with all its parts (gcc, glibc, x86-64)."]
+    most = allowed(form)
+    lines += ["", f"The self-test allows {most} units in the last place of the largest term.", ""]
+    return lines

@@ -1,0 +1,141 @@
+"""From a request to a folder: what is asked for is checked before anything is written."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Sequence
+from difflib import get_close_matches
+from pathlib import Path
+
+from symhaptic.export.library import Library, library
+from symhaptic.export.readme import readme
+from symhaptic.export.target import Refused, Target
+from symhaptic.export.targets import TARGETS
+from symhaptic.export.vectors import text as test_vectors
+from symhaptic.model import stable
+from symhaptic.model.stable import Form, NoForm
+from symhaptic.scene import FULL, Parts
+
+TITLE = "Passivity and stability of haptic walls"
+
+LISTING = "FILES"
+"""Name of the file that lists all files of an export: only these may be replaced."""
+
+_LONGEST = 6
+"""Periods up to which a polynomial is written out."""
+
+
+def target(name: str) -> Target:
+    """The target of this name."""
+    if name not in TARGETS:
+        raise Refused(f"--target {name}: is not a target; allowed are {', '.join(TARGETS)}")
+    return TARGETS[name]
+
+
+def scene(words: str) -> Parts:
+    """The loop that is left, such as ``"no-stiffness,no-delay"``.
+
+    >>> scene("no-stiffness,no-delay").name
+    'damping, virtual damping'
+    """
+    parts = FULL
+    allowed = [f"no-{part.replace('_', '-')}" for part in FULL.present()]
+    for word in filter(None, (w.strip() for w in words.split(","))):
+        if word == "no-mass":
+            raise Refused("--scene no-mass: a loop without a mass has no motion to sample")
+        if word not in allowed:
+            raise Refused(f"--scene {word}: is not known; allowed are {', '.join(allowed)}")
+        parts = parts.without(word.removeprefix("no-").replace("-", "_"))
+    return parts
+
+
+def chosen(names: Sequence[str], parts: Parts = FULL, delay: int | None = None) -> list[Form]:
+    """The forms of these names, or of these formulas of the paper; all of the scene if none."""
+    if delay is not None and not 0 <= delay <= _LONGEST:
+        raise Refused(f"--delay {delay}: whole numbers from 0 to {_LONGEST} are allowed")
+    periods = (1 if delay is None else delay) if parts.delay else (delay or None)
+    if not names:
+        return list(stable.forms(parts, periods))
+    found = {}
+    for name in dict.fromkeys(names):
+        form = _by_name(name, parts, periods)
+        found[form.name] = form
+    return list(found.values())
+
+
+def _by_name(name: str, parts: Parts, delay: int | None) -> Form:
+    known = {id: own for own, ids in stable.STATEMENTS.items() for id in ids}
+    own = known.get(name, name)
+    if own not in stable.FORMS:
+        close = get_close_matches(name, [*stable.FORMS, *known], 4, 0.5) or list(stable.FORMS)
+        raise Refused(f"FORMULA: {name!r} has no stable form; allowed are {', '.join(close)}")
+    try:
+        return stable.form(own, parts, delay)
+    except NoForm as lacking:
+        raise Refused(f"FORMULA: {lacking}") from None
+
+
+def built(
+    language: Target, forms: Sequence[Form], name: str = "haptic", vectors: bool = True
+) -> tuple[Library, dict[str, str]]:
+    """The library and all files of an export, by name; without ``vectors`` the source alone."""
+    if not name.isascii() or not name.isidentifier() or name != name.lower():
+        raise Refused(f"--name {name}: is no name; lower-case letters, digits and _ are allowed")
+    taken = {"selftest", "main", "python", "numpy", *(form.name for form in forms)}
+    if language.reserves(name) or name in taken:
+        raise Refused(f"--name {name}: is reserved in {language.title}; another word is allowed")
+    made = library(name, TITLE, forms, language)
+    files = language.source(made)
+    if not vectors:
+        return made, files
+    text = test_vectors(made.forms)
+    files |= language.selftest(made)
+    files |= {"vectors.txt": text, "README.md": readme(made, language, text.count("\n"))}
+    files[LISTING] = "\n".join(sorted([*files, LISTING])) + "\n"
+    return made, files
+
+
+def write(files: dict[str, str], folder: Path) -> None:
+    """A folder that appears whole or not at all, in place of an older export at most."""
+    _check(folder)
+    try:
+        draft = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
+    except OSError as wrong:
+        raise Refused(
+            f"-o {folder}: cannot write there ({wrong.strerror}); a folder in one that exists is "
+            "allowed"
+        ) from None
+    try:
+        new = draft / "new"
+        for name, text in files.items():
+            path = new / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        if folder.exists():
+            os.replace(folder, draft / "old")
+        os.replace(new, folder)
+    except OSError as wrong:
+        if (draft / "old").exists() and not folder.exists():
+            os.replace(draft / "old", folder)
+        raise Refused(f"-o {folder}: cannot write there ({wrong.strerror})") from None
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+
+
+def _check(folder: Path) -> None:
+    """Only what an export has written may be replaced."""
+    if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
+        raise Refused(f"-o {folder}: is no folder; a new or an empty one is allowed")
+    if not folder.exists():
+        return
+    names = sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir())
+    listing = folder / LISTING
+    own = listing.read_text(encoding="utf-8").split("\n") if listing.is_file() else []
+    others = [name for name in names if name not in own]
+    if others:
+        raise Refused(
+            f"-o {folder}: holds other files ({others[0]}); a new, an empty or an earlier export's "
+            "folder is allowed"
+        )

@@ -1,0 +1,140 @@
+"""Rust."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+from sympy.printing.rust import RustCodePrinter
+
+from symhaptic.export.c import braces
+from symhaptic.export.library import Library
+from symhaptic.export.routine import Routine, lazy
+from symhaptic.export.target import Printing, Target, describe, vocabulary
+
+
+class _Printer(Printing, RustCodePrinter):  # type: ignore[misc]
+    """SymPy's, with the shared operations."""
+
+
+class Rust(Target):
+    """One module; several results are a tuple."""
+
+    name, title, printer = "rust", "Rust", _Printer
+    choice = "(if {0} {{ {1} }} else {{ {2} }})"
+    keywords = vocabulary(
+        "as async await break const continue crate dyn else enum extern false fn for if impl in "
+        "let loop match mod move mut pub ref return self Self static struct super trait true type "
+        "unsafe use where while abstract become box do final macro override priv typeof unsized "
+        "virtual yield try union gen core std main"
+    )
+    operations = MappingProxyType(
+        {
+            "Abs": "({0}).abs()",
+            "Max": "({0}).max({1})",
+            "Min": "({0}).min({1})",
+            "ProductError": "({0}).mul_add({1}, -({0}*{1}))",
+            "atan2": "({0}).atan2({1})",
+            "cos": "({0}).cos()",
+            "exp": "({0}).exp()",
+            "expm1": "({0}).exp_m1()",
+            "floor": "({0}).floor()",
+            "sin": "({0}).sin()",
+            "sqrt": "({0}).sqrt()",
+            "tan": "({0}).tan()",
+        }
+    )
+
+    def number(self, value: float) -> str:
+        """A literal with its type, so that methods can be called."""
+        return f"{value!r}_f64"
+
+    def source(self, library: Library) -> dict[str, str]:
+        """NAME.rs, a module."""
+        lines = ["#![allow(unused_parens)]", ""]
+        for helper in library.helpers:
+            lines += [f"// {helper.about}", f"fn {self._head(helper)} -> f64 {{"]
+            lines += [*braces(self, lazy(helper), ["return {0};"], "let"), "}", ""]
+        for form, routine in zip(library.forms, library.public, strict=True):
+            count = len(routine.results)
+            values = ", ".join(f"{{{i}}}" for i in range(count))
+            end = f"return ({values});" if count > 1 else "return {0};"
+            kind = f"({', '.join(['f64'] * count)})" if count > 1 else "f64"
+            lines += [f"/// {line}" for line in describe(form)]
+            lines.append(f"pub fn {self._head(routine)} -> {kind} {{")
+            lines += [*braces(self, lazy(routine), [end], "let"), "}", ""]
+        return {f"{library.name}.rs": "\n".join(lines)}
+
+    def _head(self, routine: Routine) -> str:
+        args = ", ".join(f"{self.rename(s.name)}: f64" for s in routine.arguments)
+        return f"{self.call(routine.name)}({args})"
+
+    def usage(self, library: Library) -> str:
+        """A use of the first function."""
+        return f"mod {library.name};\nuse {library.name}::{library.public[0].name};"
+
+    def selftest(self, library: Library) -> dict[str, str]:
+        """selftest.rs."""
+        arms = []
+        for r in library.public:
+            count, many = len(r.arguments), len(r.results)
+            args = ", ".join(f"x[{i}]" for i in range(count))
+            call = f"{library.name}::{r.name}({args})"
+            got = (
+                f"{{ let y = {call}; vec![{', '.join(f'y.{i}' for i in range(many))}] }}"
+                if many > 1
+                else f"vec![{call}]"
+            )
+            arms.append(f'            "{r.name}" => ({count}, {got}),\n')
+        return {
+            "selftest.rs": _SELFTEST.replace("NAME", library.name).replace("ARMS", "".join(arms))
+        }
+
+    def commands(self, name: str) -> list[list[str]]:
+        """Compile with warnings as errors, then run."""
+        return [
+            ["rustc", "--edition=2021", "-O", "-D", "warnings", "-o", "selftest", "selftest.rs"],
+            ["./selftest"],
+        ]
+
+
+_SELFTEST = """mod NAME;
+
+// -0x1.8000000000000p+1, always with 13 digits
+fn parse(word: &str) -> f64 {
+    let (sign, rest) = match word.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, word),
+    };
+    let digits = format!("{}{}", &rest[2..3], &rest[4..17]);
+    let whole = u64::from_str_radix(&digits, 16).unwrap() as f64;
+    let power: i32 = rest[18..].parse().unwrap();
+    let half = (power - 52) / 2; // in two steps, since 2^-1074 is no normal number
+    sign * whole * 2f64.powi(half) * 2f64.powi(power - 52 - half)
+}
+
+fn main() {
+    let text = std::fs::read_to_string("vectors.txt").unwrap();
+    let (mut tried, mut missed) = (0, 0);
+    for line in text.lines() {
+        let mut words = line.split(' ');
+        let name = words.next().unwrap();
+        let x: Vec<f64> = words.map(parse).collect();
+        let (count, got): (usize, Vec<f64>) = match name {
+ARMS            _ => panic!("{}", name),
+        };
+        for (i, value) in got.iter().enumerate() {
+            let (expected, allowed) = (x[count + 2 * i], x[count + 2 * i + 1]);
+            tried += 1;
+            let close = (value - expected).abs() <= allowed;
+            if !close {
+                missed += 1;
+                println!("{}, result {}: {} instead of {}", name, i, value, expected);
+            }
+        }
+    }
+    println!("{} values, {} missed", tried, missed);
+    std::process::exit(if tried == 0 || missed > 0 { 1 } else { 0 });
+}
+"""
+
+TARGET = Rust()

@@ -1,0 +1,168 @@
+"""Test vectors: arguments, values to the last digit, and how far off a value may be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import cache
+from itertools import product
+from typing import Any
+
+import mpmath
+import sympy as sp
+from mpmath import mpf
+from sympy import Expr, Symbol
+
+from symhaptic.model.counted import Stable, UnstableRoots, outside
+from symhaptic.model.entire import C, Entire, S
+from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.model.stable import Form
+from symhaptic.model.values import value
+from symhaptic.notation import alpha, beta, d, delta, gamma, theta
+
+_ALLOWED = {"discretize": 4, "passivity_margin": 4, "stability_conditions": 64}
+_ELSE = 8
+
+
+def allowed(form: Form) -> int:
+    """Units in the last place that a self-test allows, of the largest term of the stable form."""
+    return _ALLOWED.get(form.name, _ELSE)
+
+
+_HARD = {
+    gamma: (0.0, 1e-300, 1e-12, 1e-3, 1.0, 9.869604401089358, 700.0),
+    delta: (0.0, 1e-300, 1e-8, 0.02, 2.0, 60.0, 700.0),
+    alpha: (0.0, 0.3, -0.1, 1e-9),
+    beta: (0.0, 0.2, -0.05, 1e3),
+    d: (0.0, 1.0, 2.0, 1e6, 0.5),
+    theta: (1e-9, 0.01, 1.0, 3.0, 3.141592653589793 - 1e-9),
+}
+_CRITICAL = [
+    (0.25, 1.0),
+    (math.nextafter(0.25, 0), 1.0),
+    (math.nextafter(0.25, 1), 1.0),
+    (25.0, 10.0),
+]
+_MOST = 40
+"""Vectors a function: all combinations where these are fewer, else an even choice of them."""
+
+
+def hexadecimal(number: float) -> str:
+    """A float without any rounding, always with 13 digits.
+
+    >>> hexadecimal(-3.0), hexadecimal(0.0)
+    ('-0x1.8000000000000p+1', '0x0.0000000000000p+0')
+    """
+    text = number.hex()
+    mantissa, _, power = text.partition("p")
+    whole, _, digits = mantissa.partition(".")
+    return f"{whole}.{digits:0<13}p{power}"
+
+
+def points(form: Form) -> list[tuple[float, ...]]:
+    """Ordinary and hard arguments of a form."""
+    choices = [_HARD[s] for s in form.arguments]
+    everything = list(product(*choices))
+    step = max(1, len(everything) // _MOST) | 1
+    found = everything[:: step if len(everything) > _MOST else 1]
+    if gamma in form.arguments and delta in form.arguments:
+        for i, (stiffness, damping) in enumerate(_CRITICAL):
+            point = dict(zip(form.arguments, everything[(i * 37) % len(everything)], strict=True))
+            point |= {gamma: stiffness, delta: damping}
+            found.append(tuple(point[s] for s in form.arguments))
+    return found
+
+
+_DIGITS = 60
+"""Of each entire function; what a stable form loses beyond is its largest term's last place."""
+
+_PLAIN = {sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan}
+
+
+def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
+    """Value and largest term of a form at a point: what its last place is measured by.
+
+    A difference is as large as its larger side, a sum at least as large as its value, a product
+    as large as its factors.
+    """
+    if expr.is_Symbol:
+        return at[expr], abs(at[expr])
+    if expr.is_Rational:
+        exact = mpf(expr.p) / expr.q
+        return exact, abs(exact)
+    if expr is sp.pi:
+        return +mpmath.pi, +mpmath.pi
+    if isinstance(expr, Entire):
+        cls: Any = type(expr)
+        exact = _entire(cls, tuple(sized(arg, at)[0] for arg in expr.args))
+        return exact, max(abs(exact), _swing(expr, at))
+    parts = [sized(arg, at) for arg in expr.args]
+    if isinstance(expr, UnstableRoots):
+        count = outside(*(v for v, _ in parts))
+        return count, count
+    if isinstance(expr, Stable):  # no root on the circle, where the count is known
+        good = mpf(parts[0][0] == 0)
+        return good, good
+    if expr.is_Add:
+        total = mpmath.fsum(v for v, _ in parts)
+        return total, max(abs(total), *(size for _, size in parts))
+    if expr.is_Mul:
+        return mpmath.fprod(v for v, _ in parts), mpmath.fprod(size for _, size in parts)
+    if expr.is_Pow and expr.args[1].is_Integer:
+        (base, size), power = parts[0], int(expr.args[1])
+        return base**power, size**power if power > 0 else abs(base) ** power
+    exact = _PLAIN[expr.func](parts[0][0])
+    return exact, abs(exact)
+
+
+@cache
+def _entire(cls: Any, args: tuple[mpf, ...]) -> mpf:
+    symbols = sp.symbols(f"x:{len(args)}")
+    return value(cls(*symbols), dict(zip(symbols, args, strict=True)), _DIGITS)
+
+
+def _swing(expr: Expr, at: Mapping[Symbol, mpf]) -> mpf:
+    """The size of the sines and cosines in a function that swings through zero."""
+    if isinstance(expr, (C, S)):
+        w = sized(expr.args[0], at)[0]
+        return mpf(0) if w >= -1 else 1 if isinstance(expr, C) else 1 / mpmath.sqrt(-w)
+    if not isinstance(expr, (Rise, Fall, Swing, Apart)):
+        return mpf(0)
+    g, dl = (sized(arg, at)[0] for arg in expr.args)
+    if g < 4 or dl**2 >= 4 * g:
+        return mpf(0)
+    decayed = mpmath.exp(-dl / 2)
+    if isinstance(expr, Swing):
+        return 2 * decayed
+    if isinstance(expr, Apart):
+        return 1 / g / max(dl, mpf(1))
+    return (1 if isinstance(expr, Rise) else decayed) / g
+
+
+def vectors(form: Form) -> Iterator[list[float]]:
+    """For each point: the arguments, then each result's exact value, rounded, and its tolerance.
+
+    Points where a result is no number, or too small or large for a float, are left out.
+    """
+    for point in points(form):
+        with mpmath.workdps(_DIGITS):
+            at = {s: mpf(v) for s, v in zip(form.arguments, point, strict=True)}
+            try:
+                found = [sized(expr, at) for expr in form.expressions]
+            except ArithmeticError:
+                continue
+            if any(size > 1e290 or 0 < abs(v) < 1e-290 for v, size in found):
+                continue
+            row = list(point)
+            for exact, size in found:
+                row += [float(exact), allowed(form) * math.ulp(float(size))]
+        yield row
+
+
+def text(forms: tuple[Form, ...]) -> str:
+    """One line a vector: the function's name, then its numbers."""
+    lines = []
+    for form in forms:
+        for row in vectors(form):
+            lines.append(" ".join([form.name, *(hexadecimal(x + 0.0) for x in row)]))
+    return "\n".join(lines) + "\n"

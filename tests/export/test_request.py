@@ -1,0 +1,158 @@
+"""What can be asked for, what is refused with one line, and that nothing is touched then."""
+
+import os
+import time
+from types import MappingProxyType
+
+import pytest
+
+from symhaptic import cli
+from symhaptic.export import request
+from symhaptic.export.target import OPERATIONS, Refused, Target
+from symhaptic.export.targets import TARGETS
+from symhaptic.model import stable
+from symhaptic.scene import Parts
+
+
+def symhaptic(monkeypatch, capsys, *words):
+    monkeypatch.setattr("sys.argv", ["symhaptic", *words])
+    with pytest.raises(SystemExit) as ended:
+        cli.main()
+    said = capsys.readouterr()
+    return ended.value.code, said.out, said.err
+
+
+HOSTILE = {
+    "unknown target": (["--target", "cobol"], "--target cobol"),
+    "no target": ([], "--target"),
+    "no mass": (["--target", "c", "--scene", "no-mass"], "--scene no-mass"),
+    "unknown part": (["--target", "c", "--scene", "no-friction"], "--scene no-friction"),
+    "keyword": (["--target", "c", "--name", "for"], "--name for"),
+    "keyword in capitals": (["--target", "fortran", "--name", "While"], "--name While"),
+    "path as a name": (["--target", "c", "--name", "../up"], "--name ../up"),
+    "own function's name": (["--target", "c", "--name", "discretize"], "--name discretize"),
+    "unknown formula": (["eq99", "--target", "c"], "eq99"),
+    "formula without form": (["eq1", "--target", "c"], "eq1"),
+    "not in the scene": (["passivity_margin", "--scene", "no-damping", "--target", "c"], "damping"),
+    "delay without delay": (["eq18", "--scene", "no-delay", "--delay", "3", "--target", "c"], "3"),
+    "endless delay": (["eq18", "--delay", "1000", "--target", "c"], "--delay 1000"),
+    "no folder above": (["--target", "c", "-o", "missing/out"], "-o missing/out"),
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_bad_request_is_one_line_and_touches_nothing(name, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    words, named = HOSTILE[name]
+    code, out, err = symhaptic(monkeypatch, capsys, "export", *words)
+    assert code == 2
+    assert out == ""
+    assert err.count("\n") == 1
+    assert named in err
+    assert not os.listdir(tmp_path)
+
+
+def test_a_folder_with_other_files_is_left_alone(tmp_path, monkeypatch, capsys):
+    folder = tmp_path / "out"
+    folder.mkdir()
+    (folder / "thesis.txt").write_text("mine")
+    code, _, err = symhaptic(
+        monkeypatch, capsys, "export", "linear_limit", "--target", "c", "-o", str(folder)
+    )
+    assert code == 2
+    assert "thesis.txt" in err
+    assert os.listdir(folder) == ["thesis.txt"]
+    assert (folder / "thesis.txt").read_text() == "mine"
+    assert os.listdir(tmp_path) == ["out"]
+
+
+@pytest.mark.parametrize("kind", ["file", "link"])
+def test_what_is_no_folder_is_left_alone(kind, tmp_path):
+    place = tmp_path / "out"
+    if kind == "file":
+        place.write_text("mine")
+    else:
+        place.symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(Refused, match="no folder"):
+        request.write({"a.c": ""}, place)
+    assert place.is_symlink() or place.read_text() == "mine"
+
+
+def test_an_earlier_export_is_replaced_whole(tmp_path, monkeypatch, capsys):
+    folder = tmp_path / "out"
+    words = ["export", "--target", "c", "-o", str(folder)]
+    assert symhaptic(monkeypatch, capsys, *words)[0] == 0
+    before = set(os.listdir(folder))
+    (folder / "haptic.c").write_text("changed")
+    assert symhaptic(monkeypatch, capsys, *words, "eq25")[0] == 0
+    assert set(os.listdir(folder)) == before
+    assert "linear_limit" in (folder / "haptic.c").read_text()
+    assert os.listdir(tmp_path) == ["out"]
+    (folder / "mine.txt").write_text("mine")
+    assert symhaptic(monkeypatch, capsys, *words)[0] == 2
+
+
+def test_the_list_names_functions_and_arguments(monkeypatch, capsys):
+    code, out, _ = symhaptic(monkeypatch, capsys, "export", "--list", "--scene", "no-stiffness")
+    assert code == 0
+    assert "discretize(delta)" in out
+    assert "linear_limit(beta, delta, d)" in out
+    assert "gamma" not in out.replace("gamma^", "")
+
+
+def test_formulas_of_the_paper_are_found_by_their_number():
+    names = [form.name for form in request.chosen(["eq11", "eq25", "max_passive_stiffness"])]
+    assert names == ["max_passive_stiffness", "linear_limit"]
+
+
+def test_a_scene_exports_fewer_arguments(tmp_path):
+    _, files = request.built(
+        TARGETS["c"], request.chosen(["discretize"], Parts(stiffness=False)), "plant"
+    )
+    assert "void plant_discretize(double delta, " in files["plant.h"]
+    assert "gamma" not in files["plant.c"].split("plant_discretize")[1]
+
+
+def test_every_target_has_every_operation_or_is_refused():
+    for target in TARGETS.values():
+        assert set(OPERATIONS) <= set(target.operations)
+
+    class Poor(type(TARGETS["c"])):
+        name = "poor"
+        operations = MappingProxyType(
+            {k: v for k, v in TARGETS["c"].operations.items() if k != "tan"}
+        )
+
+    with pytest.raises(Refused, match="poor: has no operation 'tan', which max_passive_stiffness"):
+        request.built(Poor(), request.chosen(["max_passive_stiffness"]))
+    assert issubclass(Poor, Target)
+
+
+def test_the_readme_says_what_is_needed():
+    for target in TARGETS.values():
+        made, files = request.built(target, request.chosen([]))
+        text = files["README.md"]
+        for form in made.forms:
+            assert f"## {form.name}" in text
+            for name, expr in form.results:
+                assert f"    {name} = {expr}" in text
+        assert "Domain: gamma >= 0, delta >= 0." in text
+        assert "| gamma | 1 | nonnegative | physical stiffness, k T^2/m |" in text
+        assert "units in the last place" in text
+        assert sorted(files) == files["FILES"].split()
+
+
+def test_one_function_takes_little_time():
+    """At most 2 s; all targets together at most 60 s (seven times the slowest here)."""
+    begin = time.process_time()
+    request.built(TARGETS["fortran"], request.chosen(["stability_boundary"]))
+    assert time.process_time() - begin < 2
+
+
+def test_the_same_request_gives_the_same_files():
+    first = request.built(TARGETS["rust"], request.chosen([]))[1]
+    assert first == request.built(TARGETS["rust"], request.chosen([]))[1]
+
+
+def test_all_forms_have_a_statement_or_none():
+    assert set(stable.STATEMENTS) <= set(stable.FORMS)

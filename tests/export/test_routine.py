@@ -1,0 +1,139 @@
+"""Each branch of a routine is the function that it claims to be, its roundings left out."""
+
+from functools import cache, partial
+
+import mpmath
+import pytest
+import sympy as sp
+from mpmath import mpf
+from sympy import Max, Piecewise
+from sympy.codegen.cfunctions import expm1
+
+from symhaptic.export import device
+from symhaptic.export.library import known
+from symhaptic.export.routine import Assign, Choice, ProductError, lazy
+from symhaptic.export.target import OPERATIONS, code_name
+from symhaptic.model import values
+from symhaptic.model.entire import written_out
+from symhaptic.notation import delta, gamma
+from symhaptic.proof.normal import Field
+
+ROUTINES = known()
+SERIES = ("RiseSeries", "FallSeries", "TogetherSeries", "ApartSeries")
+CLOSED = [name for name in ROUTINES if name in values.ALL]
+
+
+def leaves(block, steps=()):
+    """What each branch returns, with the steps that lead there put in, in exact arithmetic."""
+    known_ = dict(steps)
+    for statement in block:
+        if isinstance(statement, Assign):
+            exact = statement.expr.replace(ProductError, lambda *_: sp.S.Zero)
+            exact = exact.replace(expm1, lambda x: sp.exp(x) - 1)
+            known_[statement.name] = exact.xreplace(known_)
+        elif isinstance(statement, Choice):
+            yield from leaves(statement.yes, known_.items())
+            yield from leaves(statement.no, known_.items())
+            return
+        else:
+            exact = statement.results[0].replace(ProductError, lambda *_: sp.S.Zero)
+            yield exact.replace(expm1, lambda x: sp.exp(x) - 1).xreplace(known_)
+
+
+R = sp.Symbol("r", positive=True)
+W = sp.Symbol("w")
+
+
+def plain(expr, sign):
+    """A formula without guards, where the root of the motion is real or imaginary.
+
+    No divisor is 0, and w = delta^2/4 - gamma is r^2 or -r^2.
+    """
+    while guards := [p for p in expr.atoms(Piecewise) if not p.args[0][0].has(Piecewise)]:
+        first = min(guards, key=sp.count_ops)
+        expr = expr.xreplace({first: first.args[-1][0]})
+    expr = expr.replace(Max, lambda *a: max(a, key=lambda x: len(x.free_symbols)))
+    expr = written_out(expr.xreplace({gamma: delta**2 / 4 - sign * R**2, W: sign * R**2}))
+    expr = expr.replace(sp.Abs, lambda x: sign * sp.expand(x))
+    return expr.replace(lambda e: e.is_Pow, lambda e: sp.expand(e.base) ** e.exp)
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_closed_branches_are_the_definition(name):
+    """By the normal form: proved wherever both are defined."""
+    routine = ROUTINES[name]
+    closed = values.ALL[name].definition(*routine.arguments)
+    proved = 0
+    for leaf in leaves(lazy(routine)):
+        if any(leaf.has(sp.Function(s)) for s in SERIES) or leaf.is_number:
+            continue
+        if name == "Gap" and not leaf.has(sp.sin):
+            continue  # its own series
+        still = {delta: sp.S.Zero} if name == "Together" and leaf.has(values.S) else {}
+        found = []
+        for sign in (1, -1):
+            ours, theirs = (plain(side, sign).xreplace(still) for side in (leaf, closed))
+            found.append(Field([ours, theirs]).are_equal(ours, theirs))
+        assert any(found), (name, leaf)
+        proved += 1
+    assert proved
+
+
+@cache
+def steps(name):
+    """The steps of a routine as functions of all that is known before, in mpmath."""
+    routine = ROUTINES[name]
+    modules = [{n: partial(run, n) for n in ROUTINES}, {"ProductError": lambda *_: 0}, "mpmath"]
+    before, found = list(routine.arguments), []
+    for symbol, expr in (*routine.steps, (None, routine.results[0][1])):
+        found.append(sp.lambdify(before, expr, modules))
+        before = [*before, symbol]
+    return found
+
+
+def run(name, *values):
+    """A routine in as many digits as are asked for, which has nothing to put back then."""
+    for step in steps(name):
+        values = (*values, step(*values))
+    return values[-1]
+
+
+PAIRS = [("0.01", "0.1"), ("3.99", "0.01"), ("3.9", "3.97"), ("4.9", "4.43"), ("3.99", "3"),
+         ("0", "1.99"), ("1", "2"), ("0.5", "1.9"), ("1e-5", "1.2"), ("0", "2.5"), ("4.5", "0.1"),
+         ("9", "6"), ("30", "1"), ("2", "40")]  # fmt: skip
+SINGLE = ["0.01", "0.5", "1.4", "1.6", "1.999", "2.5", "30"]
+TURNS = [("0", "0.3"), ("0", "3"), ("1", "0.7"), ("1", "1.3"), ("10", "0.1"), ("10.5", "0.2")]
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_every_branch_reaches_the_last_digit_of_a_float(name):
+    """Series to the ends of their regions and closed branches beyond, beside the definition."""
+    routine = ROUTINES[name]
+    points = [(x,) for x in SINGLE] + [(f"-{x}",) for x in SINGLE if name in ("C", "S")]
+    if len(routine.arguments) == 2:
+        points = PAIRS if gamma in routine.arguments else TURNS
+    for point in points:
+        with mpmath.workdps(60):
+            numbers = [mpf(x) for x in point]
+            found = run(name, *numbers)
+            at = dict(zip(routine.arguments, numbers, strict=True))
+            exact = values.value(values.ALL[name](*routine.arguments), at)
+            assert abs(found - exact) < 1e-19 * abs(exact), point
+
+
+def test_the_series_have_enough_terms():
+    """The next term of the divided difference of exp at three nodes of the largest size."""
+    size = float(device.NEAR)
+    assert device.STIFF <= device.NEAR**2
+    assert size**device.TERMS * (device.TERMS + 1) / float(sp.factorial(device.TERMS + 2)) < 1e-24
+
+
+def test_names_in_code_are_unique():
+    names = [code_name(name) for name in ROUTINES]
+    assert len(set(names)) == len(names)
+    assert not set(names) & {op.lower() for op in OPERATIONS}
+
+
+def test_no_step_hides_a_routine_that_is_called():
+    for routine in ROUTINES.values():
+        assert len({s for s, _ in routine.steps}) == len(routine.steps)

@@ -1,0 +1,76 @@
+"""Every export is compiled with warnings as errors and run over its own test vectors."""
+
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from symhaptic.export import request
+from symhaptic.export.targets import TARGETS
+from symhaptic.export.vectors import hexadecimal
+from symhaptic.scene import Parts
+
+SCENES = {
+    "everything": Parts(),
+    "no stiffness": Parts(stiffness=False),
+    "no damping": Parts(damping=False),
+    "no delay": Parts(delay=False),
+    "no virtual damping": Parts(virtual_damping=False),
+    "mass only": Parts(stiffness=False, damping=False, delay=False),
+}
+
+
+def run_all(target, name, folder):
+    """The commands of the README, in the folder; what the machine lacks is skipped by name."""
+    said = ""
+    for command in target.commands(name):
+        program = sys.executable if command[0] == "python" else command[0]
+        if not command[0].startswith("./") and shutil.which(program) is None:
+            pytest.skip(f"no {program} here: the export to {target.title} is not run")
+        run = subprocess.run(
+            [program, *command[1:]], cwd=folder, capture_output=True, text=True, check=False
+        )
+        assert run.returncode == 0, run.stdout + run.stderr
+        said = run.stdout
+    return said
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=str)
+@pytest.mark.parametrize("language", TARGETS)
+def test_the_self_test_of_every_target_passes(language, scene, tmp_path):
+    target, parts = TARGETS[language], SCENES[scene]
+    delay = 2 if parts.delay else None
+    made, files = request.built(target, request.chosen([], parts, delay))
+    folder = tmp_path / "out"
+    request.write(files, folder)
+    said = run_all(target, "haptic", folder)
+    values = sum(
+        len(made.public[i].results) * files["vectors.txt"].count(f"{routine.name} ")
+        for i, routine in enumerate(made.public)
+    )
+    assert said.split()[0] == str(values)
+    assert values > 5
+
+
+@pytest.mark.parametrize("language", TARGETS)
+def test_the_self_test_fails_on_a_miss(language, tmp_path):
+    """One expected value off by ten units in the fourth last digit."""
+    target = TARGETS[language]
+    _, files = request.built(target, request.chosen(["linear_limit"], Parts(stiffness=False)))
+    lines = files["vectors.txt"].splitlines()
+    words = next(line for line in lines if not line.split()[4].startswith("0x0")).split()
+    right = words[4]
+    wrong = hexadecimal(float.fromhex(right) * (1 + 1e-12))
+    files["vectors.txt"] = files["vectors.txt"].replace(right, wrong)
+    folder = tmp_path / "out"
+    request.write(files, folder)
+    for command in target.commands("haptic"):
+        program = sys.executable if command[0] == "python" else command[0]
+        if not command[0].startswith("./") and shutil.which(program) is None:
+            pytest.skip(f"no {program} here: the export to {target.title} is not run")
+        run = subprocess.run(
+            [program, *command[1:]], cwd=folder, capture_output=True, text=True, check=False
+        )
+    assert run.returncode == 1
+    assert "linear_limit" in run.stdout

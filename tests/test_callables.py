@@ -1,0 +1,189 @@
+"""Formulas as functions: on arrays without a warning, in many digits, and for smaller scenes."""
+
+import warnings
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+
+import symhaptic
+from symhaptic import Scene, formulas, lambdify
+from symhaptic.export import request
+from symhaptic.library import folder, run
+from symhaptic.model import stable
+from symhaptic.scene import Parts
+
+HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
+NAMES = ["discretize", "stability_boundary", "passivity_margin", "passivity_boundary",
+         "max_passive_stiffness", "linear_limit"]  # fmt: skip
+
+
+def points(form):
+    rng = np.random.default_rng(3)
+    ranges = {"theta": (1e-6, 3.1), "gamma": (0, 12), "delta": (0, 6), "d": (0, 20)}
+    columns = []
+    for symbol in form.arguments:
+        low, high = ranges.get(symbol.name, (-1, 1))
+        column = rng.uniform(low, high, 400)
+        columns.append(np.floor(column) if symbol.name == "d" else column)
+    return columns
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_arrays_and_single_numbers_agree_without_a_warning(name):
+    function = lambdify(name)
+    columns = points(stable.form(name))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        together = np.stack(np.broadcast_arrays(*np.atleast_2d(function(*columns))))
+        for k in range(0, 400, 40):
+            one = np.ravel(function(*(float(c[k]) for c in columns)))
+            assert one == pytest.approx(together[:, k], rel=1e-13, abs=1e-14)
+
+
+def test_hard_plants_on_arrays_without_a_warning():
+    gamma, delta = (a.ravel() for a in np.meshgrid(HARD, HARD))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = np.stack(lambdify("eq14")(gamma, delta))
+    assert np.isfinite(found).all()
+
+
+def test_what_the_package_computes_otherwise():
+    """The kernels are another implementation; both are right to their last digits."""
+    gamma, delta = np.random.default_rng(4).uniform(0, 6, (2, 500))
+    theta = np.random.default_rng(5).uniform(0.05, 3, 500)
+    pairs = [
+        (lambdify("discretize")(gamma, delta), symhaptic.discretize(gamma, delta)),
+        (
+            lambdify("stability_boundary")(theta, gamma, delta, 2.0),
+            symhaptic.stability_boundary(theta, gamma, delta, 2),
+        ),
+        (
+            lambdify("passivity_boundary")(theta / 3, delta, 2.0),
+            symhaptic.passivity_boundary(theta / 3, delta, 2),
+        ),
+        (lambdify("eq11")(delta, 3.0), symhaptic.max_passive_stiffness(delta, 3)),
+    ]
+    for ours, theirs in pairs:
+        for one, other in zip(ours, theirs, strict=True):
+            assert np.broadcast_to(one, other.shape) == pytest.approx(other, rel=1e-11, abs=1e-12)
+
+
+def test_the_inequalities_are_the_roots():
+    """All positive exactly where numpy.roots of the polynomial lie inside the unit circle."""
+    rng = np.random.default_rng(6)
+    for delay in (0, 1, 2, 3):
+        (conditions,) = request.chosen(["stability_conditions"], delay=delay)
+        (polynomial,) = request.chosen(["characteristic_polynomial"], delay=delay)
+        run = [symhaptic.callables._on_arrays(form) for form in (conditions, polynomial)]
+        both = set()
+        for _ in range(150):
+            wall = rng.uniform(-0.2, 1.5 / (delay + 1), 2)
+            plant = rng.uniform(0, 2, 2)
+            positive = min(run[0](*wall, *plant)) > 0
+            radius = np.abs(np.roots([float(c) for c in run[1](*wall, *plant)])).max()
+            if abs(radius - 1) > 1e-9:
+                assert positive == (radius < 1), (delay, wall, plant)
+                both.add(positive)
+        assert both == {True, False}
+
+
+def test_many_digits():
+    """n1 of a free mass with damping 1e-30 is 1/2 - delta/6 + delta^2/24, the power series."""
+    with mpmath.workdps(50):
+        n1, n0, a, _ = lambdify("discretize", modules="mpmath")(0, mpmath.mpf("1e-30"))
+        delta = mpmath.mpf("1e-30")
+        assert abs(n1 - (0.5 - delta / 6)) < mpmath.mpf("1e-49")
+        assert abs(n0 - (0.5 - delta / 3)) < mpmath.mpf("1e-49")
+        assert abs(a - (2 - delta)) < mpmath.mpf("1e-48")
+
+
+@pytest.mark.parametrize("library", ["torch", "jax"])
+def test_other_array_libraries(library):
+    module = pytest.importorskip(library, reason=f"no {library} here: its arrays are not tried")
+    if library == "jax":
+        module.config.update("jax_enable_x64", True)
+        module = pytest.importorskip("jax.numpy")
+    function = lambdify("discretize", modules=library)
+    if library == "jax":
+        function = pytest.importorskip("jax").jit(function)
+    gamma, delta = np.random.default_rng(7).uniform(0, 6, (2, 100))
+    found = function(module.asarray(gamma), module.asarray(delta))
+    for ours, numpys in zip(found, lambdify("discretize")(gamma, delta), strict=True):
+        assert type(ours).__module__.startswith(library)
+        assert np.asarray(ours) == pytest.approx(numpys, rel=1e-13)
+
+
+def test_single_precision_on_its_own_scale():
+    gamma, delta = np.random.default_rng(8).uniform(0, 12, (2, 2000)).astype(np.float32)
+    exact = lambdify("discretize")(gamma.astype(float), delta.astype(float))
+    for ours, double in zip(lambdify("discretize")(gamma, delta), exact, strict=True):
+        assert ours.dtype == np.float32
+        assert np.abs(ours - double).max() < 4 * np.finfo(np.float32).eps
+
+
+def test_printed_and_derived_forms(monkeypatch):
+    """(11) at b = T = 1 and d = 1: tan(pi/8) = sqrt 2 - 1, by hand; symbols by their names."""
+    chapter = folder() / "s3c_stiffness_maximum.py"
+    settled = {
+        id: (found.settlement.derived, found.verdict)
+        for id, found in run(chapter).page.settled.items()
+    }
+    monkeypatch.setattr(formulas, "_settled", lambda: settled)
+    for form in ("printed", "derived"):
+        stiffness, damping = np.ravel(lambdify("eq11", form=form)(1.0, 1.0, 1.0))
+        assert float(stiffness) == pytest.approx(2 * (2**0.5 - 1))
+        assert float(damping) == pytest.approx(1 - 0.5**0.5)  # (sin(pi/4) - 1/2)/sin(pi/4)
+
+
+def test_a_scene_leaves_arguments_out():
+    scene = Scene(mass=0.1, sampling_period=0.001, damping=0.5)
+    assert lambdify("linear_limit", scene=scene)(0.0, 0.02) == pytest.approx(0.04)
+    free = lambdify("discretize", scene=Parts(stiffness=False, damping=False))
+    assert [float(x) for x in free()] == [0.5, 0.5, 2.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        ({"id": "eq99"}, "eq99"),
+        ({"id": "eq11", "form": "best"}, "form: 'best'"),
+        ({"id": "eq11", "modules": "pandas"}, "modules: 'pandas'"),
+        ({"id": "eq11", "form": "printed", "scene": Parts()}, "scene"),
+        ({"id": "eq11", "scene": Parts(damping=False)}, "without damping"),
+    ],
+)
+def test_what_is_not_known_is_named(arguments, named):
+    with pytest.raises(ValueError, match=named):
+        lambdify(**arguments)
+
+
+def test_counted_roots_are_those_of_the_kernel_and_of_the_matrix():
+    """Any whole delay: beside eigenvalues of the loop's matrix, and beside the kernel's count."""
+    rng = np.random.default_rng(9)
+    count = lambdify("is_stable")
+    size = 3000
+    delay = np.where(rng.random(size) < 0.7, rng.integers(0, 9, size), rng.integers(0, 10**6, size))
+    wall = rng.normal(0, 1, (2, size)) * 10 ** rng.uniform(-4, 1, size) / (delay + 1)
+    plant = 10 ** rng.uniform(-6, 1.2, (2, size))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        outside, stable_ = count(*wall, *plant, delay.astype(float))
+    assert np.array_equal(outside, symhaptic.unstable_roots(*wall, *plant, delay))
+    assert np.array_equal(stable_ > 0, symhaptic.is_stable(*wall, *plant, delay))
+    some = delay < 9
+    sizes = [oracle.moduli(*wall[:, k], *plant[:, k], int(delay[k])) for k in np.flatnonzero(some)]
+    clear = np.array([np.abs(s - 1).min() > 1e-7 for s in sizes])
+    true = np.array([(s > 1).sum() for s in sizes])
+    assert np.array_equal(outside[some][clear], true[clear])
+    assert clear.mean() > 0.9
+
+
+def test_a_loop_that_nothing_stabilises():
+    count = lambdify("is_stable")
+    assert count(0.0, 0.0, 0.3, 0.0, 2.0)[1] == 0  # it keeps on swinging
+    assert count(0.0, 0.0, 0.3, 0.1, 2.0)[1] == 1
+    assert count(-0.3, 0.1, 0.3, 0.5, 1.0)[1] == 0  # a root at 1
+    assert count(0.1, 0.1, np.pi**2, 0.0, 0.0)[1] == 0  # whole half swings in a period
