@@ -67,7 +67,8 @@ def largest_undelayed(device: Sampled) -> Expr:
 
     (n1 + n0 - sqrt(n0 r))^2/(n0 n1^2) - gamma with r = n0 + e n1 - gamma n0 n1 and
     gamma = (1 - a + e)/(n1 + n0), a supremum over all beta; derived in
-    derivations/s4d_mass_with_damper.py and, with a spring, in s5b_stiffest_undelayed.py.
+    derivations/s4d_mass_with_damper.py and, with a spring, in s5b_stiffest_undelayed.py, for
+    gamma <= 0.01 and delta <= 0.1.  It is too large for heavy damping, delta above about 3.5.
 
     >>> from symhaptic.scene import Parts
     >>> from symhaptic.model import plant
