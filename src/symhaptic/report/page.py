@@ -136,7 +136,7 @@ def _table(block: Block) -> list[str]:
         head,
         "\\midrule",
         *rows,
-        f"\\bottomrule\\end{{tabular}}\\\\[4pt]{{\\footnotesize {prose(block.text)}\\par}}",
+        f"\\bottomrule\\end{{tabular}}\\\\*[4pt]{{\\footnotesize {prose(block.text)}\\par}}",
         "\\end{center}",
         "",
     ]
