@@ -6,12 +6,12 @@ companion matrices; none of it is the package's code.
 
 import dataclasses
 import itertools
-from functools import cache
 
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from chapters import chapter
 from scipy.optimize import minimize_scalar
 from scipy.signal import cont2discrete
 
@@ -33,11 +33,6 @@ CHAPTERS = [
     "s4d_mass_with_damper",
     "s4d_scaling",
 ]
-
-
-@cache
-def chapter(name):
-    return run(folder() / f"{name}.py")
 
 
 def shown(name, title):

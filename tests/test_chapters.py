@@ -1,10 +1,9 @@
 """Each derivation runs and gives the expected verdicts."""
 
-from functools import cache
-
 import pytest
+from chapters import chapter
 
-from symhaptic.library import folder, run, shipped
+from symhaptic.library import shipped
 from symhaptic.paper import STATEMENTS
 
 LONGEST = 150  # lines of a chapter
@@ -179,12 +178,6 @@ EXPECTED = {
     for id in ids
 }
 CHAPTERS = [path.stem for path in shipped()]
-
-
-@cache
-def chapter(name):
-    """A derivation by the name of its file, run once per process."""
-    return run(folder() / f"{name}.py")
 
 
 @pytest.mark.parametrize("name", CHAPTERS)

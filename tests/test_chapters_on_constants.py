@@ -7,6 +7,7 @@ import mpmath
 import numpy as np
 import oracle
 import pytest
+from chapters import chapter
 from flint import arb, ctx
 from sympy import Rational, S, pi, symbols, tan
 
@@ -21,7 +22,7 @@ STIFF, DAMPED = Rational(1, 1000), Rational(1, 50)
 
 @cache
 def settled(name):
-    return run(folder() / f"{name}.py").page.settled
+    return chapter(name).page.settled
 
 
 # -- the largest stable stiffness -------------------------------------------------------------

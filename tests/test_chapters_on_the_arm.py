@@ -9,13 +9,13 @@ import warnings
 from dataclasses import replace
 from decimal import ROUND_CEILING, Decimal
 from fractions import Fraction
-from functools import cache
 
 import matplotlib as mpl
 import mpmath
 import numpy as np
 import pytest
 import scipy.constants as si
+from chapters import chapter
 from oracle import certified
 from scipy.integrate import solve_ivp
 from scipy.optimize import linprog
@@ -45,11 +45,6 @@ ARMS = """
 """
 ROWS = [line.split() for line in ARMS.split("\n") if line]
 WRIST = "24"  # Kuchenbecker et al., which (21) leaves out
-
-
-@cache
-def chapter(name):
-    return run(folder() / f"{name}.py")
 
 
 def verdict(name, id):

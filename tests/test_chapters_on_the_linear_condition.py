@@ -4,7 +4,6 @@ Routh's condition by the eigenvalues of the lag loop, the boundary by SciPy's ze
 points of Fig. 10 by mpmath, stability by certified roots (``oracle``).
 """
 
-from functools import cache
 from pathlib import Path
 
 import mpmath
@@ -12,6 +11,7 @@ import numpy as np
 import oracle
 import pytest
 import sympy as sp
+from chapters import chapter
 from flint import arb, ctx
 from scipy.signal import cont2discrete
 
@@ -313,11 +313,6 @@ def test_between_decimals_wants_a_change_of_sign():
 
 
 # -- mutants ---------------------------------------------------------------------------------
-
-
-@cache
-def chapter(name):
-    return run(folder() / f"{name}.py")
 
 
 ACCEPTED = {"proved", "definition", "enclosed", "qualified"}

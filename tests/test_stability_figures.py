@@ -2,13 +2,13 @@
 
 import itertools
 import warnings
-from functools import cache
 
 import matplotlib as mpl
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from chapters import chapter
 from oracle import moduli, radius
 from scipy.signal import cont2discrete
 
@@ -29,11 +29,6 @@ CHAPTERS = [
     "s5c_robust_figure",
 ]
 RNG = np.random.default_rng(13)
-
-
-@cache
-def chapter(name):
-    return run(folder() / f"{name}.py")
 
 
 @pytest.fixture

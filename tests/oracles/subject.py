@@ -4,16 +4,14 @@ from functools import cache
 
 import mpmath
 import sympy as sp
-
-from symhaptic.library import folder, run
+from chapters import chapter
 
 DIGITS = 60
 
 
-@cache
-def page(chapter):
+def page(name):
     """The page of a chapter, run once per process."""
-    return run(folder() / f"{chapter}.py").page
+    return chapter(name).page
 
 
 def shown(chapter, title, which=0):

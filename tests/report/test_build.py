@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from chapters import chapter
 
 from symhaptic.library import run, shipped
 from symhaptic.paper import STATEMENTS
@@ -16,7 +17,7 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.fixture(scope="module")
 def chapters():
-    return [run(path) for path in shipped()]
+    return [chapter(path.stem) for path in shipped()]
 
 
 @pytest.fixture(scope="module")
@@ -25,9 +26,9 @@ def files(chapters):
 
 
 def test_one_tex_file_per_chapter_and_a_book_that_includes_them(chapters, files):
-    for chapter in chapters:
-        assert f"{chapter.name}.tex" in files
-        assert rf"\input{{{chapter.name}}}" in files["book.tex"]
+    for one in chapters:
+        assert f"{one.name}.tex" in files
+        assert rf"\input{{{one.name}}}" in files["book.tex"]
 
 
 def test_every_statement_is_in_the_ledger(files):

@@ -3,11 +3,11 @@
 from dataclasses import replace
 
 import pytest
+from chapters import chapter
 
 from symhaptic.consequences import CONSEQUENCES
-from symhaptic.ledger import ledger
+from symhaptic.ledger import ledger, of_chapter
 from symhaptic.library import shipped
-from symhaptic.parallel import settled
 from symhaptic.proof.verdict import Kind
 from symhaptic.report.errata import errata
 
@@ -16,7 +16,7 @@ WRONG = {Kind.QUALIFIED, Kind.MISPRINT, Kind.REFUTED}
 
 @pytest.fixture(scope="module")
 def entries():
-    return ledger(settled(shipped(), 1))
+    return ledger(e for path in shipped() for e in of_chapter(chapter(path.stem)))
 
 
 @pytest.fixture(scope="module")
