@@ -249,3 +249,28 @@ def test_a_killed_report_leaves_the_old_one_whole(tmp_path):
 def test_help_and_version():
     assert "verify" in symhaptic("--help").stdout
     assert symhaptic("--version").stdout.startswith("symhaptic ")
+
+
+@pytest.mark.parametrize("command", ["verify", "mutants"])
+def test_a_place_that_is_none_is_told_before_the_work(command, tmp_path):
+    for place in (tmp_path, tmp_path / "no" / "file.json"):
+        begin = time.monotonic()
+        ran = symhaptic(command, "-o", place)
+        assert ran.returncode == 2
+        assert "cannot write there" in ran.stderr
+        assert ran.stderr.count("\n") == 1
+        assert time.monotonic() - begin < 10
+
+
+def test_a_pipe_is_written_to_and_a_link_stays_one(tmp_path):
+    # os.replace() would put a plain file in the place of both
+    pipe, link, there = tmp_path / "pipe", tmp_path / "link", tmp_path / "there"
+    os.mkfifo(pipe)
+    link.symlink_to(there)
+    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE, text=True) as reader:
+        assert symhaptic("verify", "eq1", "-o", pipe).returncode == 0
+        assert reader.communicate(timeout=60)[0].startswith("eq1")
+    assert pipe.is_fifo()
+    assert symhaptic("verify", "eq1", "-o", link).returncode == 0
+    assert link.is_symlink()
+    assert there.read_text().startswith("eq1")

@@ -150,6 +150,7 @@ def verify(
     from symhaptic import ledger, library, listing, parallel
     from symhaptic.paper import STATEMENTS
 
+    _writable(output)
     own = derivation or []
     wanted = ids or []
     if not own:
@@ -231,6 +232,7 @@ def mutants(
     """Change every statement and step in one place; fail where a wrong one is not refused."""
     from symhaptic import library, listing, mutation
 
+    _writable(output)
     found = []
     for trial in mutation.trials(library.shipped(), workers):
         found.append(trial)
@@ -354,16 +356,24 @@ def _number(name: str, text: str) -> float:
     _usage(f"--{name}: {text!r} is not allowed; a number is")
 
 
+def _writable(output: Path | None) -> None:
+    """Say before the work is done that its result has no place."""
+    if output is not None and (output.is_dir() or not output.parent.is_dir()):
+        reason = "Is a directory" if output.is_dir() else "No such file or directory"
+        _unwritable(output, reason)
+
+
+def _unwritable(output: Path, reason: str | None) -> NoReturn:
+    _usage(f"-o {output}: cannot write there ({reason}); a file in a folder that exists is allowed")
+
+
 def _replace(
     replace: Callable[[Path, str | bytes], None], output: Path, content: str | bytes
 ) -> None:
     try:
         replace(output, content)
     except OSError as wrong:
-        _usage(
-            f"-o {output}: cannot write there ({wrong.strerror}); a file in a folder that exists "
-            "is allowed"
-        )
+        _unwritable(output, wrong.strerror)
 
 
 def _close(id: str, known: Iterable[str]) -> str:

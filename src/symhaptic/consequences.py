@@ -14,7 +14,8 @@ CONSEQUENCES: dict[str, str] = {
     "eq6": "None in practice: walls on the border are passive, so $\\ge$ will do for $K\\ge0$.",
     "eq7": "Plot it up to $\\omega T=\\pi/(d+1)$ only; what the curve does beyond is no boundary. "
     "Without delay use (6).",
-    "eq8": "For half a period of delay a wall on this line is not passive. Round the delay up.",
+    "eq8": "For half a period of delay no wall with $K>0$ on this line is passive. Round the "
+    "delay up.",
     "eq9": "The same line as (8): round a fractional delay up, and keep inside the range of "
     "damping that is printed.",
     "eq10": "Do not use it for more virtual damping than $B=bd/(2d+3)$. Without delay that is none "
@@ -22,8 +23,8 @@ CONSEQUENCES: dict[str, str] = {
     "eq11": "For a fractional delay this wall can give energy away, and it is not the stiffest "
     "passive one: at half a period that is 1.8\\,\\% stiffer, with another damping.",
     "s3a-undelayed": "None in practice; see (6).",
-    "s3b-linear-in-T": "Halving the period doubles the passive stiffness. Taken literally, one "
-    "would slow the loop down to stiffen the wall.",
+    "s3b-linear-in-T": "Halving the period, and the delay with it, doubles the passive "
+    "stiffness. Taken literally, one would slow the loop down to stiffen the wall.",
     "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
     "s3c-bmax-frequency": "Without delay the frequency is the Nyquist frequency, which (5) leaves "
     "out; the bound $b\\ge KT/2+B$ holds all the same.",
@@ -38,8 +39,8 @@ CONSEQUENCES: dict[str, str] = {
     # -- the loop ---------------------------------------------------------------------------
     "s2c-rational-delay": "With a fractional delay, a loop that was tuned by the substitution can "
     "be unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",
-    "eq12": "A transfer function typed in from (12) is wrong unless $m=T$ in the units used. With "
-    "the factor $m/T$ it is exact.",
+    "eq12": "For a damped device a transfer function typed in from (12) is wrong unless $m=T$ in "
+    "the units used. With the factor $m/T$ it is exact.",
     "eq14": "Code typed in from (14) divides zero by zero for a device that nobody holds and at "
     "critical damping, and loses digits near both. Use the entire forms (\\texttt{discretize}).",
     "eq16": "As (14).",
@@ -55,15 +56,17 @@ CONSEQUENCES: dict[str, str] = {
     # -- arm and device ---------------------------------------------------------------------
     "eq20": "None: for an arm that does not pull both sides are zero.",
     "s4c-extension-30": "The range of $\\gamma$ has more reserve than the text says, that of "
-    "$\\delta$ just the 30\\,\\%. A grip a third stiffer than any in Table II is still inside.",
+    "$\\delta$ just the 30\\,\\%. At $T=1$ ms a stiffness per mass a third above the "
+    "$710\\,\\mathrm{s}^{-2}$ of (21) is still inside; the arm that the paper leaves out is not.",
     "s4c-et-al": "None.",
     # -- stability --------------------------------------------------------------------------
     "s4d-explicit-only-undelayed": "No grid is needed: the boundary is explicit for every plant "
     "and delay (\\texttt{stability\\_boundary}).",
     "s4d-left-bound": "With delay and a stiff grip, softening the wall can destabilise it: some "
     "springs are stable with a wall of a certain stiffness only.",
-    "s4d-quadratic-in-period": "Somebody who doubles the sampling rate of the same device and asks "
-    "for four times the stiffness gets an unstable wall if it was tuned to the limit.",
+    "s4d-quadratic-in-period": "Somebody who doubles the sampling rate of the same device, "
+    "halves the delay with it and asks for four times the stiffness can get an unstable wall if "
+    "it was tuned to the limit.",
     "s4d-damping-bound": "The same for the damping: twice the rate does not give quite twice.",
     "s4d-delta-grows": "Inside (23) without delay a more damped device is never worse. With a very "
     "stiff grip it can be: do not count on added damping there.",
@@ -82,20 +85,22 @@ CONSEQUENCES: dict[str, str] = {
     "2\\,\\% at $\\delta=0.0148$ already. Do not read 0.015 as a threshold.",
     "s4e-passive-range": "Count the damping of the device only. With that of the arm in $b$, walls "
     "on the line give energy away when the hand lets go.",
-    "s6-linear-dissipation": "A device that trades its damper for virtual damping one to one ends "
-    "up unstable near the limit. The damper is worth more, the more so with delay.",
+    "s6-linear-dissipation": "A device that trades its damper for virtual damping one to one can "
+    "end up unstable near the limit. The damper is worth more, the more so with delay.",
     # -- passivity and stability --------------------------------------------------------------
     "eq27": "As (7).",
-    "s5a-subset": "Passive walls are stable if $K\\ge0$, the device is damped, and the delay is "
-    "that of the passivity condition. For a fractional delay the exact condition is needed.",
-    "s5c-robust-subset": "An undamped device has no passive wall but none at all; a wall that is "
-    "stable there has no reserve.",
+    "s5a-subset": "Passive walls are stable if $K\\ge0$, $K+k>0$, the device is damped, and the "
+    "delay is that of the passivity condition. For a fractional delay the exact condition is "
+    "needed.",
+    "s5c-robust-subset": "Without damping no wall but $K=B=0$ is passive, and for none is every "
+    "spring of the hand harmless. Do not rely on a device without damping.",
     "s6-sampling": "As for four times the stiffness: true for a free mass.",
     "s6-mass": "Doubling the mass doubles the limit only if damping and grip are doubled too.",
     "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
-    "delay, softening the wall alone can destabilise it: lower $B$ with $K$.",
+    "delay, softening the wall alone can destabilise it. Lower $B$ with $K$: a passive wall with "
+    "$K\\ge0$ stays passive that way.",
     "s5a-smaller-delta": "With little damping passivity gives away more and more stiffness, for "
-    "ordinary delays. For very long ones it is the other way round.",
+    "ordinary delays. For very long ones it can be the other way round.",
     "s5b-eta-grows": "No delay makes the passive wall the stiffest stable one. For long delays "
     "with a spring in the hand the stable limit is far above (11) again.",
     "s5b-ratio-panels": "None: read (b) and (c).",
@@ -105,8 +110,9 @@ CONSEQUENCES: dict[str, str] = {
     "s1-conclusion": "None.",
     "s6-human-10000": "Compare stiffness per mass. Against the arm alone the spring of Example 5.1 "
     "is 1740 times as stiff.",
-    "s6-damping-marginal": "With delay the damper matters: 7\\,\\% of the stiffness at one period, "
-    "a third at eight, nearly all of it at forty with a spring. Do not give it away.",
+    "s6-damping-marginal": "With delay the damper matters: a $\\delta$ of 0.02 adds 7\\,\\% of "
+    "stiffness at one period and a third at eight. At forty, with a spring, 0.02 bears eleven "
+    "times what 0.001 does. Do not give it away.",
     "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a "
     "free device to (23) changes the limit many times over.",
     "s6-faster-sampling": "Sampling faster still pays until the delay is some ten periods long.",

@@ -104,7 +104,14 @@ def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
 
 
 def replace(path: Path, content: str | bytes) -> None:
-    """Write a file whole or not at all: beside its place first, then moved there."""
+    """Write a file whole or not at all: beside its place first, then moved there.
+
+    A link stays one, and a device or a pipe, such as /dev/stdout, is written to, not replaced.
+    """
+    path = path.resolve()
+    if path.exists() and not path.is_file():
+        path.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
+        return
     descriptor, draft = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
     try:
         with os.fdopen(descriptor, "wb") as stream:

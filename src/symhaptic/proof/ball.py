@@ -163,6 +163,22 @@ def differs_from_zero(expr: Expr, at: Mapping[Expr, Expr] | None = None) -> bool
     return None
 
 
+def is_real(expr: Expr) -> bool:
+    """Whether the normal form shows that a value is real wherever the symbols are.
+
+    The expression is its own mirror image, and no root in it may be one of a negative number.
+
+    >>> x = sp.Symbol("x")
+    >>> is_real(sp.exp(sp.I*x) + sp.exp(-sp.I*x)), is_real(sp.exp(sp.I*x)), is_real(sp.sqrt(x))
+    (True, False, False)
+    """
+    for power in expr.atoms(sp.Pow):
+        if not (power.exp.is_Integer or (power.base.is_Rational and power.base.is_positive)):
+            return False
+    mirrored = expr.xreplace({sp.I: -sp.I})
+    return bool(mirrored == expr) or is_zero(expr - mirrored)
+
+
 def sign(expr: Expr) -> int | None:
     """The sign of a real number given by an expression without symbols, or None if undecided.
 
@@ -172,7 +188,7 @@ def sign(expr: Expr) -> int | None:
     (0, 1)
     """
     expr = sp.sympify(expr)
-    real = expr.xreplace({sp.I: -sp.I}) == expr or is_zero(expr - expr.xreplace({sp.I: -sp.I}))
+    real = is_real(expr)
     for bits in PRECISIONS:
         value = ball(expr, None, bits)
         if value.is_finite() and (real or value.imag.is_zero()):

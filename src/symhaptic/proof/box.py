@@ -17,7 +17,7 @@ import sympy as sp
 from flint import acb, arb, ctx
 from sympy import Expr
 
-from symhaptic.proof.ball import ball
+from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.points import Point
 from symhaptic.proof.sign import Fact, NotShown, rule
@@ -27,6 +27,11 @@ _BITS = 96
 
 _PIECES = 100_000
 """So many are tried before giving up."""
+
+_SYMBOLS = 10
+"""So many have a digit in a certificate."""
+
+_NOT_ANALYTIC = (sp.Abs, sp.re, sp.im, sp.conjugate)
 
 _PATIENCE = 32
 """So many pieces are halved before the slopes, which are dear, are asked."""
@@ -54,8 +59,8 @@ def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
 
     Raises :class:`NotShown` where a piece has a value that is not positive, or where the pieces
     become too many.  The expression must be so written that balls see its values: an interval may
-    not meet a division by zero, removable or not, and where no imaginary unit is written, no root
-    of a negative number.
+    not meet a division by zero, removable or not, and no root of a negative number; one with an
+    imaginary unit is real by its normal form.
 
     >>> x = sp.Symbol("x")
     >>> positive(x**2 - x + sp.Rational(1, 2), {x: (0, 1)}).reason
@@ -91,7 +96,7 @@ def search(expr: Expr, box: Box, given: Given | None = None) -> Positive | Denie
             if tried >= _PATIENCE and there + _away(piece, middle, slopes) > 0:
                 cuts += ":"
                 continue
-            if there <= 0:
+            if there <= 0 and _inside(box, middle):
                 point = dict(zip(box, map(_exact, middle), strict=True))
                 return Denied(point, touches=not there < 0)
             tried += 1
@@ -126,7 +131,7 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
             for piece in pieces:
                 middle = [_middle(interval) for interval in piece]
                 there = value(middle)
-                if there.lower() > best:
+                if there.lower() > best and _inside(box, middle):
                     best, where = there.lower(), middle
                 above = value(_wide(piece)).upper()
                 if count >= _PATIENCE and not above <= best + near:
@@ -154,7 +159,11 @@ def _values(expr: Expr, box: Box, given: Given | None) -> Value:
     if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
 
+    if len(box) > _SYMBOLS:
+        raise NotShown(f"a box of {len(box)} symbols; at most {_SYMBOLS} are allowed")
     complex_parts = expr.has(sp.I)
+    if complex_parts and not is_real(expr):
+        raise NotShown(f"{expr} is not shown to be real")
 
     def value(at: Sequence[arb]) -> arb:
         values = dict(zip(box, map(acb, at), strict=True))
@@ -172,7 +181,7 @@ def _slopes(expr: Expr, box: Box, given: Given | None) -> Callable[[], list[Valu
     def slopes() -> list[Value]:
         return [_values(sp.diff(expr, s), box, None) for s in box]
 
-    return (lambda: []) if given else slopes
+    return (lambda: []) if given or expr.has(*_NOT_ANALYTIC) else slopes
 
 
 def _away(piece: Piece, middle: Sequence[arb], slopes: Callable[[], list[Value]]) -> arb:
@@ -215,6 +224,12 @@ def _halved(piece: Piece, across: int, middle: arb) -> list[Piece]:
 
 def _middle(interval: Interval) -> arb:
     return ((interval[0] + interval[1]) / 2).mid()
+
+
+def _inside(box: Box, point: Sequence[arb]) -> bool:
+    """Whether a point lies in the box, whose ends may be known in balls only."""
+    ends = _whole(box)
+    return all(bool(low <= x <= high) for x, (low, high) in zip(point, ends, strict=True))
 
 
 def _exact(number: arb) -> Expr:

@@ -7,10 +7,11 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.proof import box as boxes
-from symhaptic.proof.ball import ball
+from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Largest
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.prove import Ends, checked
+from symhaptic.proof.rewriting import Undefined
 
 _LIMIT = 100_000
 """Most digits that may be asked for."""
@@ -40,10 +41,17 @@ def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
         value = ball(expr, None, bits)
         with ctx.workprec(bits):
             if value.is_finite() and value.rad() < abs(value).lower() * arb(10) ** -digits:
-                return value.real if value.imag.is_zero() else value
-        if value.contains(acb(0)) and bits == need + 32 and is_zero(expr):
+                return value.real if value.imag.is_zero() or is_real(expr) else value
+        if value.contains(acb(0)) and bits == need + 32 and _is_zero(expr):
             return arb(0)
     raise ValueError(f"enclose: expr: {expr} is not known to {digits} digits at {bits} bits")
+
+
+def _is_zero(expr: Expr) -> bool:
+    try:
+        return is_zero(expr)
+    except Undefined as wrong:
+        raise ValueError(f"enclose: expr: {expr} is undefined: {wrong}") from wrong
 
 
 def enclose_maximum(expr: Expr, box: Ends, digits: int = 6) -> Largest:
@@ -58,6 +66,8 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6) -> Largest:
     True
     """
     expr = sp.sympify(expr)
+    if not isinstance(expr, Expr) or expr.has(sp.Float):
+        raise ValueError(f"enclose_maximum: expr: {expr} is no formula with exact numbers")
     inside = checked("enclose_maximum", box)
     missing = ", ".join(sorted(map(str, expr.free_symbols - set(inside))))
     if missing:

@@ -88,6 +88,8 @@ def _on_box(relation: Form, ends: Ends) -> Verdict:
 
 def checked(caller: str, ends: Ends) -> Box:
     """A box with exact ends; :class:`ValueError` names what is wrong with it."""
+    if not isinstance(ends, Mapping):
+        raise TypeError(f"{caller}: box: {ends!r} is no mapping of symbols to intervals")
     box: dict[sp.Symbol, tuple[Expr, Expr]] = {}
     for symbol, pair in ends.items():
         if not isinstance(symbol, sp.Symbol):
@@ -96,12 +98,25 @@ def checked(caller: str, ends: Ends) -> Box:
             raise ValueError(f"{caller}: box: {pair!r} of {symbol} is no pair (lower, upper)")
         low, high = (sp.sympify(end) for end in pair)
         for end in (low, high):
-            if end.free_symbols or end.has(sp.Float) or not end.is_finite or not end.is_real:
+            if (
+                not isinstance(end, Expr)
+                or end.free_symbols
+                or end.has(sp.Float)
+                or not end.is_finite
+                or not end.is_real
+            ):
                 raise ValueError(
                     f"{caller}: box: {end} of {symbol} is not allowed; an exact real number is, "
                     "such as Rational(1, 10)"
                 )
         if (high - low).is_negative:
             raise ValueError(f"{caller}: box: ({low}, {high}) of {symbol} is empty")
+        beyond = (low.is_negative and symbol.is_extended_nonnegative) or (
+            high.is_positive and symbol.is_extended_nonpositive
+        )
+        if beyond or symbol.is_integer or symbol.is_real is False:
+            raise ValueError(
+                f"{caller}: box: ({low}, {high}) has numbers that {symbol} is assumed not to be"
+            )
         box[symbol] = (low, high)
     return box

@@ -16,6 +16,7 @@ import sympy as sp
 from flint import acb, acb_series, arb, ctx, fmpq
 from sympy import Expr
 
+from symhaptic.proof.ball import is_real
 from symhaptic.proof.certificate import Balls, Certificate, Given, Largest, Positive, Zero
 
 
@@ -50,9 +51,13 @@ def recheck(certificate: Certificate) -> bool:
             return _zero(certificate)
         case Largest():
             return _largest(certificate)
+    raise TypeError(f"recheck: {certificate!r} is no certificate")
 
 
 def _positive(claim: Positive) -> bool:
+    known = set(claim.box) | set(claim.given.meanings if claim.given else ())
+    if not claim.expr.free_symbols <= known or (claim.expr.has(sp.I) and not is_real(claim.expr)):
+        return False
     with ctx.workprec(claim.bits):
         value = _on(claim)
         pieces = [[(_number(low), _number(high)) for low, high in claim.box.values()]]
@@ -66,12 +71,14 @@ def _positive(claim: Positive) -> bool:
             elif cut == ":":
                 if claim.given is not None or not _by_slopes(claim, value, piece) > 0:
                     return False
-            else:
+            elif cut.isdecimal() and int(cut) < len(piece):
                 i = int(cut)
                 low, high = piece[i]
                 middle = ((low + high) / 2).mid()
                 pieces.append([*piece[:i], (middle, high), *piece[i + 1 :]])
                 pieces.append([*piece[:i], (low, middle), *piece[i + 1 :]])
+            else:
+                return False
     return not pieces
 
 
@@ -132,7 +139,10 @@ def _zero(claim: Zero) -> bool:
         found = claim.ball
         if not (found.lower() >= low.upper() and found.upper() <= high.lower()):
             return False
-        ends = [run(acb(end), *others).real for end in (found.lower(), found.upper())]
+        values = [run(acb(end), *others) for end in (found.lower(), found.upper())]
+        if not all(value.imag.is_zero() for value in values):
+            return False
+        ends = [value.real for value in values]
         if not ((ends[0] > 0 and ends[1] < 0) or (ends[0] < 0 and ends[1] > 0)):
             return False
         still = [acb_series([x], 2) for x in others]
@@ -172,11 +182,34 @@ def _product(*factors: Ball) -> Ball:
 
 
 def _sinh(x: Ball) -> Ball:
-    return (x.exp() - (-x).exp()) / 2
+    return x.sinh() if isinstance(x, acb) else (x.exp() - (-x).exp()) / 2
 
 
 def _cosh(x: Ball) -> Ball:
-    return (x.exp() + (-x).exp()) / 2
+    return x.cosh() if isinstance(x, acb) else (x.exp() + (-x).exp()) / 2
+
+
+def _tanh(x: Ball) -> Ball:
+    return x.tanh() if isinstance(x, acb) else _sinh(x) / _cosh(x)
+
+
+def _cot(x: Ball) -> Ball:
+    return x.cot() if isinstance(x, acb) else x.cos() / x.sin()
+
+
+def _power(x: Ball, y: Ball) -> Ball:
+    return x.pow(y) if isinstance(x, acb) and isinstance(y, acb) else (x.log() * y).exp()
+
+
+def _plain(function: Callable[[acb], acb]) -> Callable[[Ball], Ball]:
+    """A function that has no series."""
+
+    def apply(x: Ball) -> Ball:
+        if not isinstance(x, acb):
+            raise Uncheckable("a slope of a function that has none")
+        return function(x)
+
+    return apply
 
 
 _CALLS: dict[type, Callable[..., Ball]] = {
@@ -186,10 +219,14 @@ _CALLS: dict[type, Callable[..., Ball]] = {
     sp.sin: lambda x: x.sin(),
     sp.cos: lambda x: x.cos(),
     sp.tan: lambda x: x.tan(),
-    sp.cot: lambda x: 1 / x.tan(),
+    sp.cot: _cot,
     sp.sinh: _sinh,
     sp.cosh: _cosh,
-    sp.tanh: lambda x: _sinh(x) / _cosh(x),
+    sp.tanh: _tanh,
+    sp.Abs: _plain(lambda x: acb(abs(x))),
+    sp.re: _plain(lambda x: acb(x.real)),
+    sp.im: _plain(lambda x: acb(x.imag)),
+    sp.conjugate: _plain(lambda x: acb(x.real, -x.imag)),
 }
 
 
@@ -247,6 +284,9 @@ def _operation(part: Expr) -> tuple[Callable[..., Ball], tuple[Expr, ...]]:
     if part is sp.pi:
         pi = acb(arb.pi())
         return lambda: pi, ()
+    if part is sp.E:
+        number = acb(1).exp()
+        return lambda: number, ()
     if part is sp.I:
         return (lambda: acb(0, 1)), ()
     if part.is_Pow and part.args[1].is_Integer:
@@ -254,6 +294,8 @@ def _operation(part: Expr) -> tuple[Callable[..., Ball], tuple[Expr, ...]]:
         return (lambda x: x**power), (part.args[0],)
     if part.is_Pow and part.args[1] == sp.Rational(1, 2):
         return (lambda x: x.sqrt()), (part.args[0],)
+    if part.is_Pow:
+        return _power, part.args
     if part.func in _CALLS:
         return _CALLS[part.func], part.args
     raise Uncheckable(f"no program for {type(part).__name__}: {part}")

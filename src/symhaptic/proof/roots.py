@@ -95,6 +95,8 @@ def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | Non
         middle = wide.mid()
         value = ball(expr, {**known, variable: middle}, BITS)
         rises = ball(slope, {**known, variable: wide}, BITS)
+        if not value.imag.is_zero():
+            raise NoSuchRoot(f"{expr} is not shown to be real")
         return middle - value.real / rises.real
 
     with ctx.workprec(BITS):

@@ -22,6 +22,9 @@ KINDS = {
 """Kinds of change, in the order of the columns."""
 
 
+TOGETHER = 12
+"""So many changes stand in a row of the table: no row is longer than a page."""
+
 BREAK = r"\allowbreak{}"
 _BREAKS = r"[-+*/ ,=()_]"
 
@@ -41,10 +44,11 @@ def mutants_listed(path: Path) -> dict[str, Any]:
         survivors += [
             {
                 "of": _name(of, record),
-                "changes": "; ".join(map(_code, changes)),
+                "changes": "; ".join(map(_code, changes[at : at + TOGETHER])),
                 "why": prose(why or "DEFECT"),
             }
             for (of, why), changes in _grouped(record["survivors"]).items()
+            for at in range(0, len(changes), TOGETHER)
         ]
     return {
         "kinds": [(kind, meaning, total[kind]) for kind, meaning in KINDS.items()],
