@@ -10,7 +10,7 @@ test: .venv/ready
 	$(BIN)/ruff check
 	$(BIN)/mypy
 	$(BIN)/symhaptic verify --strict
-	$(BIN)/pytest -n 2
+	$(BIN)/pytest -n 2 --dist worksteal --durations 12
 
 bench: .venv/ready
 	$(BIN)/pytest benchmarks --benchmark-only

@@ -33,6 +33,9 @@ _SYMBOLS = 10
 
 _NOT_ANALYTIC = (sp.Abs, sp.re, sp.im, sp.conjugate)
 
+_WORK = 10_000_000
+"""So many operations are done before giving up, whatever the number of pieces."""
+
 _PATIENCE = 32
 """So many pieces are halved before the slopes, which are dear, are asked."""
 
@@ -42,6 +45,22 @@ Piece = tuple[Interval, ...]
 
 Value = Callable[[Sequence[arb]], arb]
 """Balls of an expression's values, from balls of the box's symbols."""
+
+
+class Exhausted(NotShown):
+    """Too many pieces, or too much work."""
+
+
+@dataclass
+class _Work:
+    """Counts what is done for one question."""
+
+    left: int
+
+    def spend(self, operations: int) -> None:
+        self.left -= operations
+        if self.left < 0:
+            raise Exhausted("too much work")
 
 
 @dataclass(frozen=True)
@@ -68,7 +87,7 @@ def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
     """
     found = search(expr, box, given)
     if found is None:
-        raise NotShown(f"{expr}: undecided after {_PIECES} pieces")
+        raise NotShown(f"{expr}: undecided, for it needs too many pieces")
     if isinstance(found, Denied):
         near = ", ".join(f"{s} = {float(v):.6g}" for s, v in found.point.items())
         raise NotShown(f"{expr} is not positive for {near}")
@@ -81,9 +100,16 @@ def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
 
 def search(expr: Expr, box: Box, given: Given | None = None) -> Positive | Denied | None:
     """A certificate that ``expr > 0`` on the box, a point that denies it, or neither."""
-    expr = sp.sympify(expr)
+    try:
+        return _search(sp.sympify(expr), box, given)
+    except Exhausted:
+        return None
+
+
+def _search(expr: Expr, box: Box, given: Given | None) -> Positive | Denied:
     with ctx.workprec(_BITS):
-        value, slopes = _values(expr, box, given), _slopes(expr, box, given)
+        work = _Work(_WORK)
+        value, slopes = _values(expr, box, given, work), _slopes(expr, box, given, work)
         pieces, cuts, tried = [_whole(box)], "", 0
         while pieces:
             piece = pieces.pop()
@@ -101,7 +127,7 @@ def search(expr: Expr, box: Box, given: Given | None = None) -> Positive | Denie
                 return Denied(point, touches=not there < 0)
             tried += 1
             if tried >= _PIECES:
-                return None
+                raise Exhausted("too many pieces")
             across = _best(piece, middle, value)
             cuts += str(across)
             pieces += reversed(_halved(piece, across, middle[across]))
@@ -122,7 +148,8 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
     """
     expr = sp.sympify(expr)
     with ctx.workprec(_BITS):
-        value, slopes = _values(expr, box, given), _slopes(expr, box, given)
+        work = _Work(_WORK)
+        value, slopes = _values(expr, box, given, work), _slopes(expr, box, given, work)
         near = ball(sp.sympify(radius), None, _BITS).real / 2
         best, where = arb("-inf"), [_middle(interval) for interval in _whole(box)]
         heap: list[tuple[float, int, Piece]] = []
@@ -154,7 +181,7 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
     return Largest(expr, below, dict(zip(box, map(_exact, where), strict=True)), lower, upper)
 
 
-def _values(expr: Expr, box: Box, given: Given | None) -> Value:
+def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     unbound = expr.free_symbols - set(box)
     if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
@@ -165,7 +192,10 @@ def _values(expr: Expr, box: Box, given: Given | None) -> Value:
     if complex_parts and not is_real(expr):
         raise NotShown(f"{expr} is not shown to be real")
 
+    size = sum(1 for _ in sp.preorder_traversal(expr))
+
     def value(at: Sequence[arb]) -> arb:
+        work.spend(size)
         values = dict(zip(box, map(acb, at), strict=True))
         found = ball(expr, {**values, **(given(values) if given else {})}, _BITS)
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
@@ -174,12 +204,12 @@ def _values(expr: Expr, box: Box, given: Given | None) -> Value:
     return value
 
 
-def _slopes(expr: Expr, box: Box, given: Given | None) -> Callable[[], list[Value]]:
+def _slopes(expr: Expr, box: Box, given: Given | None, work: _Work) -> Callable[[], list[Value]]:
     """The derivatives, found when they are first asked for."""
 
     @cache
     def slopes() -> list[Value]:
-        return [_values(sp.diff(expr, s), box, None) for s in box]
+        return [_values(sp.diff(expr, s), box, None, work) for s in box]
 
     return (lambda: []) if given or expr.has(*_NOT_ANALYTIC) else slopes
 
