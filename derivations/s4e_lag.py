@@ -58,7 +58,7 @@ def derive(page):
     page.settle(
         "eq24",
         linear.subs(effective) > K,
-        provided="b=0",
+        provided=r"b=0,\ \text{for the lag}",
         unless={m: S.One, T: S.One, t_d: HALF, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF},
         truth=whole.subs(effective) > 0,
         shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",

@@ -52,7 +52,7 @@ def stiffness(page, whole):
     page.settle(
         "s4e-stiffness-free",
         undamped,
-        provided="b=0",
+        provided=r"b=0,\ \text{for the lag}",
         unless={m: S.One, t_e: S.One, b: S.One, k: S.One, B: S.Zero},
         truth=Eq(bound, bound.subs(k, 0)),
         shows=r"$m=b=t_e=k=1$, $B=0$: Routh allows $K<3$, and $K<2$ without the spring",
@@ -85,7 +85,7 @@ def plane(page, kept, whole):
     page.settle(
         "eq25",
         line > 0,
-        provided=r"\delta=0",
+        provided=r"\delta=0,\ \text{for the lag}",
         unless={alpha: 3 * HALF, beta: S.Zero, gamma: S.Zero, delta: S.One, d: HALF},
         truth=routh > 0,
         shows=r"$\delta=1$, $d=\tfrac12$, $\beta=\gamma=0$: Routh allows $\alpha<2$, (25) only "
