@@ -1,36 +1,29 @@
 """Exported C beside exact values in ball arithmetic: no result is farther off than recorded."""
 
-import importlib.util
 import shutil
-from pathlib import Path
 
 import pytest
 
+from symhaptic.bench.error import measure
+from symhaptic.bench.exact import EXACT
 from symhaptic.export import request
 from symhaptic.export.accuracy import MEASURED
 
-SCRIPT = Path(__file__).parents[2] / "benchmarks" / "accuracy.py"
+needs_gcc = pytest.mark.skipif(
+    shutil.which("gcc") is None, reason="no gcc here: exported C is not measured"
+)
 
 
-@pytest.fixture(scope="module")
-def script():
-    if shutil.which("gcc") is None:
-        pytest.skip("no gcc here: exported C is not measured")
-    spec = importlib.util.spec_from_file_location("accuracy", SCRIPT)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
+@needs_gcc
 @pytest.mark.parametrize("name", MEASURED)
-def test_no_error_is_larger_than_the_recorded_one(name, script):
+def test_no_error_is_larger_than_the_recorded_one(name):
     """All hard cases and some ordinary ones; the record is that of 10^5 points."""
     (form,) = request.chosen([name])
-    for result, (error, point) in script.measure(form, 1200, seed=2).items():
+    for result, (error, point) in measure(form, 1200, seed=2).items():
         assert error <= MEASURED[name], (result, point)
 
 
-def test_every_function_of_numbers_is_measured(script):
-    assert set(MEASURED) == set(script.EXACT)
+def test_every_function_of_numbers_is_measured():
+    assert set(MEASURED) == set(EXACT)
     names = {form.name for form in request.chosen([])}
     assert names - set(MEASURED) == {"is_stable", "stability_conditions"}

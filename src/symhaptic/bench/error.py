@@ -1,0 +1,94 @@
+"""How far exported C is off, in units in the last place of the largest term of the stable form."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import subprocess
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import flint
+import numpy as np
+from flint import arb
+
+from symhaptic.bench.exact import EXACT, bits
+from symhaptic.bench.points import Array, columns
+from symhaptic.bench.terms import sized
+from symhaptic.export import request
+from symhaptic.export.targets import TARGETS
+from symhaptic.model.stable import Form
+
+Worst = dict[str, tuple[float, tuple[float, ...]]]
+"""For each result its largest error and the arguments there."""
+
+
+def compiled(form: Form, folder: Path) -> Callable[[list[Array]], Array]:
+    """The exported C function on arrays, in a loop that is compiled with it."""
+    made, files = request.built(TARGETS["c"], [form])
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    routine = made.public[0]
+    many = len(routine.results)
+    inner = ", ".join(f"x{i}[k]" for i in range(len(form.arguments)))
+    outs = ", ".join(f"y{i} + k" for i in range(many))
+    call = (
+        f"y0[k] = haptic_{form.name}({inner})" if many == 1
+        else f"haptic_{form.name}({inner}, {outs})"
+    )  # fmt: skip
+    args = [f"const double *x{i}" for i in range(len(form.arguments))]
+    args += [f"double *y{i}" for i in range(many)]
+    (folder / "loop.c").write_text(
+        f'#include "haptic.h"\nvoid all(long n, {", ".join(args)}) {{\n'
+        f"  for (long k = 0; k < n; ++k) {call};\n}}\n"
+    )
+    library = folder / f"{form.name}.so"
+    subprocess.run(
+        ["gcc", "-std=c99", "-O2", "-shared", "-fPIC", "-o", library, folder / "loop.c",
+         folder / "haptic.c", "-lm"],
+        check=True,
+    )  # fmt: skip
+    function = ctypes.CDLL(str(library)).all
+
+    def run(arrays: list[Array]) -> Array:
+        found = np.empty((many, arrays[0].size))
+        pointers = [ctypes.c_void_p(a.ctypes.data) for a in (*arrays, *found)]
+        function(ctypes.c_long(arrays[0].size), *pointers)
+        return found
+
+    return run
+
+
+def functions(form: Form) -> Any:
+    """The routines of the array export, to find the sizes of terms with."""
+    _, files = request.built(TARGETS["numpy"], [form], "terms")
+    space: dict[str, Any] = {}
+    exec(compile(files["terms.py"], "terms.py", "exec"), space)
+    return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})
+
+
+def measure(form: Form, count: int, seed: int = 1) -> Worst:
+    """The worst error of each result, with its arguments; NaN counts as infinitely wrong."""
+    arrays = columns(form, np.random.default_rng(seed), count)
+    with tempfile.TemporaryDirectory() as place:
+        found = compiled(form, Path(place))(arrays)
+    at = {s.name: a for s, a in zip(form.arguments, arrays, strict=True)}
+    helpers = functions(form)
+    with np.errstate(all="ignore"):
+        sizes = [np.broadcast_to(sized(e, at, helpers)[1], count) for e in form.expressions]
+    worst: Worst = {name: (0.0, ()) for name, _ in form.results}
+    for k in range(count):
+        point = [float(a[k]) for a in arrays]
+        with flint.ctx.workprec(bits(point)):
+            exact = EXACT[form.name](*point)
+            for i, (name, _) in enumerate(form.results):
+                size = float(sizes[i][k])
+                if not math.isfinite(size) or size < 1e-290 or not exact[i].is_finite():
+                    continue
+                off = float(abs(arb(float(found[i][k])) - exact[i])) / math.ulp(size)
+                off = math.inf if off != off else off
+                if off > worst[name][0]:
+                    worst[name] = (off, tuple(point))
+    return worst

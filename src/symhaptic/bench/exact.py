@@ -1,0 +1,89 @@
+"""Exact values in ball arithmetic, from matrix exponentials and textbook formulas.
+
+Nothing here comes from the package's own forms: it is what they are measured by.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import flint
+from flint import acb, arb
+
+
+def device(gamma: float, delta: float) -> tuple[Any, ...]:
+    """n1, n0, a and e, from the exponential of the device's matrix."""
+    g, d = arb(gamma), arb(delta)
+    moved = flint.arb_mat([[0, 1, 0], [-g, -d, 1], [0, 0, 0]]).exp()
+    n1, trace = moved[0, 2], moved[0, 0] + moved[1, 1]
+    return n1, moved[0, 1] * moved[1, 2] - moved[1, 1] * n1, trace, (-d).exp()
+
+
+def polynomial(alpha: float, beta: float, gamma: float, delta: float) -> tuple[Any, ...]:
+    """Coefficients for a delay of one period."""
+    n1, n0, a, e = device(gamma, delta)
+    al, be = arb(alpha), arb(beta)
+    return arb(1), -a, e + n1 * (al + be), n0 * (al + be) - n1 * be, -n0 * be
+
+
+def boundary(theta: float, gamma: float, delta: float, d: float) -> tuple[Any, ...]:
+    """-z^d A/(n1 z + n0) on the unit circle."""
+    n1, n0, a, e = device(gamma, delta)
+    t = arb(theta)
+    z = acb(t.cos(), t.sin())
+    turn = (arb(d) + 1) * t
+    q = -acb(turn.cos(), turn.sin()) / z * (z * z - a * z + e) / (n1 * z + n0)
+    beta = q.imag / t.sin()
+    return q.real - beta * (1 - t.cos()), beta
+
+
+def margin(theta: float, alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
+    """(5) of the paper in half angles."""
+    t, n = arb(theta), arb(d) + 1
+    kernel = ((n - arb(1) / 2) * t).sin() / (2 * (t / 2).sin())
+    return (arb(delta) - arb(alpha) * kernel + arb(beta) * (n * t).cos(),)
+
+
+def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
+    """Where the margin and its slope vanish: two linear equations."""
+    t, n = arb(theta), arb(d) + 1
+    up, half = (n - arb(1) / 2) * t, t / 2
+    k = up.sin() / (2 * half.sin())
+    k1 = (n - arb(1) / 2) * up.cos() / (2 * half.sin())
+    k1 -= up.sin() * half.cos() / 4 / half.sin() ** 2
+    c, c1 = -(n * t).cos(), n * (n * t).sin()
+    det = k * c1 - k1 * c
+    return arb(delta) * c1 / det, -arb(delta) * k1 / det
+
+
+def stiffest(delta: float, d: float) -> tuple[Any, ...]:
+    """(11) of the paper."""
+    n = arb(d) + 1
+    angle = arb.pi() / (2 * n)
+    beta = ((angle * arb(d)).sin() - arb(d) / n) / angle.sin()
+    return 2 * arb(delta) * (angle / 2).tan(), arb(delta) * beta, angle
+
+
+def line(beta: float, delta: float, d: float) -> tuple[Any, ...]:
+    """(25) of the paper."""
+    return ((arb(beta) + arb(delta)) / (arb(d) + arb(1) / 2),)
+
+
+EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
+    "discretize": device,
+    "characteristic_polynomial": polynomial,
+    "stability_boundary": boundary,
+    "passivity_margin": margin,
+    "passivity_boundary": envelope,
+    "max_passive_stiffness": stiffest,
+    "linear_limit": line,
+}
+
+
+def bits(point: Sequence[float]) -> int:
+    """Enough for exponentials of the largest and cubes of the smallest argument."""
+    small = max([0.0, *(-math.log2(abs(v)) for v in point if v)])
+    large = max(min(abs(v), 700.0) for v in point)
+    return int(200 + 3 * small + 7 * large)

@@ -1,0 +1,60 @@
+"""Where functions are measured: hard cases first, then ordinary, wide, critical and stiff ones."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symhaptic.model.stable import Form
+
+Array = NDArray[np.float64]
+
+HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
+DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]
+
+
+def plants(rng: np.random.Generator, count: int) -> Array:
+    """gamma and delta: hard cases first, then ordinary, wide, critical and stiff ones."""
+    found: list[tuple[float, float]] = [(g, d) for g in HARD for d in HARD]
+    for d in (1e-8, 0.1, 1.0, 2.0, 3.0, 3.9999, 4.0, 4.5, 5.0, 7.0, 20.0, 100.0, 700.0):
+        g = (d / 2) ** 2
+        found += [(v, d) for v in (g, np.nextafter(g, 0), np.nextafter(g, 1e9), g * (1 + 1e-15))]
+        found += [(g * (1 - 1e-12), d), (g * (1 + 1e-8), d)]
+    found += [(math.pi**2, 0.0), (math.pi**2, 0.02), (39.47841760435743, 0.0)]
+    while len(found) < count:
+        d = 10 ** rng.uniform(-3, 2.8)
+        near = rng.choice([0, 1e-15, -1e-15, 1e-12, -1e-8, 1e-4, -1e-3])
+        found += [
+            (rng.uniform(0, 1e-3), rng.uniform(0, 0.02)),
+            (rng.uniform(0, 10), rng.uniform(0, 6)),
+            (10 ** rng.uniform(-12, 3), 10 ** rng.uniform(-12, 2.85)),
+            ((d / 2) ** 2 * (1 + near), d),
+            (rng.uniform(0, 700), rng.uniform(0, 60)),
+            (0.0, 10 ** rng.uniform(-12, 2.85)),
+        ]
+    return np.array(found[:count])
+
+
+def columns(form: Form, rng: np.random.Generator, count: int) -> list[Array]:
+    """Arguments of a form, one array each."""
+    both = plants(rng, count)
+    if "gamma" not in {s.name for s in form.arguments}:
+        rng.shuffle(both)
+    signs = rng.choice([-1.0, 1.0], count)
+    delay = rng.choice(DELAYS, count)
+    some = rng.random(count) < 0.5
+    delay = np.where(some, delay, np.floor(10 ** rng.uniform(0, 6, count)))
+    most = np.pi / (delay + 1) if form.name == "passivity_boundary" else np.full(count, np.pi)
+    theta = most * np.where(some, rng.uniform(0, 1, count), 10 ** rng.uniform(-6, 0, count))
+    theta = np.where(rng.random(count) < 0.1, most * (1 - 10 ** rng.uniform(-12, -1, count)), theta)
+    values = {
+        "gamma": both[:, 0],
+        "delta": both[:, 1],
+        "alpha": signs * 10 ** rng.uniform(-6, 2, count),
+        "beta": rng.choice([-1.0, 1.0], count) * 10 ** rng.uniform(-6, 2, count),
+        "d": delay,
+        "theta": np.minimum(theta, 3.14159265),
+    }
+    return [np.ascontiguousarray(values[s.name], dtype=float) for s in form.arguments]

@@ -1,0 +1,52 @@
+"""The largest term of a stable form, on arrays: what a last place is measured by."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.export.target import code_name
+from symhaptic.model.entire import C, Entire, S
+from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
+
+
+def sized(expr: Expr, at: dict[str, Any], functions: Any) -> tuple[Any, Any]:
+    """Values and largest terms, as in symhaptic.export.vectors but in floats, on arrays."""
+    if expr.is_Symbol:
+        return at[expr.name], np.abs(at[expr.name])
+    if expr.is_number:
+        return float(expr), abs(float(expr))
+    parts = [sized(a, at, functions) for a in expr.args]
+    if isinstance(expr, Entire):
+        value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
+        return value, np.maximum(np.abs(value), swing(expr, [v for v, _ in parts]))
+    if expr.is_Add:
+        total = sum(v for v, _ in parts)
+        terms = np.broadcast_arrays(np.abs(total), *(size for _, size in parts))
+        return total, np.max(terms, axis=0)
+    if expr.is_Mul:
+        return math.prod(v for v, _ in parts), math.prod(s for _, s in parts)
+    if expr.is_Pow:
+        power = int(expr.args[1])
+        base, size = parts[0]
+        return base**power, size**power if power > 0 else np.abs(base**power)
+    value = {sp.exp: np.exp, sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan}[expr.func](parts[0][0])
+    return value, np.abs(value)
+
+
+def swing(expr: Expr, args: list[Any]) -> Any:
+    """The size of sines and cosines in functions that swing through zero."""
+    if isinstance(expr, (C, S)):
+        w = np.minimum(args[0], -1)
+        return np.where(args[0] < -1, 1 if isinstance(expr, C) else 1 / np.sqrt(-w), 0)
+    if not isinstance(expr, (Rise, Fall, Swing, Apart)):
+        return 0.0
+    g, d = args
+    swings = (g >= 4) & (d * d < 4 * g)
+    decayed, g = np.exp(-d / 2), np.maximum(g, 4)
+    size = {Swing: 2 * decayed, Apart: 1 / g / np.maximum(d, 1), Rise: 1 / g, Fall: decayed / g}
+    return np.where(swings, size[type(expr)], 0.0)
