@@ -7,13 +7,12 @@ region around it is smaller. How much?
 
 from sympy import Rational, S, cancel, cos, pi, sin
 
+from symhaptic.arm import DAMPED, STIFF
 from symhaptic.model import plant
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, alpha, beta, d, e, gamma, n_0, n_1, theta, z
 from symhaptic.proof.box import positive
 from symhaptic.report.stability_figures import delayed
-
-SOFT, DAMPED = Rational(1, 1000), Rational(1, 50)
 
 
 def derive(page):
@@ -37,7 +36,7 @@ def derive(page):
     )
     facts = []
     for late, bound in ((1, Rational(17, 100)), (2, Rational(8, 100))):
-        for gam in (S.Zero, SOFT):
+        for gam in (S.Zero, STIFF):
             device = plant.numbers(gam, DAMPED)
             slack = (bound * size * cos(theta / 2) - along).subs({d: late, **device})
             facts.append(
@@ -57,7 +56,7 @@ def derive(page):
     )
     line = polynomial.subs({d: 2, alpha: -gamma}).subs(a, 1 + e - gamma * (n_1 + n_0))
     others, inside = cancel(line / (z - 1)), []
-    for gam, fall in ((S.Zero, S.Zero), (S.Zero, DAMPED), (SOFT, S.Zero), (SOFT, DAMPED)):
+    for gam, fall in ((S.Zero, S.Zero), (S.Zero, DAMPED), (STIFF, S.Zero), (STIFF, DAMPED)):
         title = f"$\\gamma={float(gam):g}$, $\\delta={float(fall):g}$"
         point, given = {gamma: gam, beta: Rational(1, 4)}, plant.numbers(gam, fall)
         inside.append(page.inside(title, others, point, given))

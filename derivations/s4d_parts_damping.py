@@ -7,15 +7,11 @@ paper's ranges (23) this is one inequality in three variables.
 
 from sympy import Poly, Rational, S, diff, symbols
 
+from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import circle, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
 from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, SLOPES, TOGETHER, named
 from symhaptic.proof import box
-
-RANGES = {gamma: (0, Rational(1, 1000)), delta: (0, Rational(1, 50))}
-"""The paper's (23)."""
-
-INSIDE = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
 
 
 def derive(page):
@@ -61,7 +57,7 @@ def derive(page):
     fact = page.positive(
         "The pull inside (23)",
         positive(pull, y, (0, end)),
-        on=rf"0\le y\le\tfrac{{11}}5,\ {INSIDE}",
+        on=rf"0\le y\le\tfrac{{11}}5,\ {IN_23}",
         name="G(y)",
         because="the plant's numbers in balls, from the exponential of its matrix",
     )
@@ -71,7 +67,7 @@ def derive(page):
     page.positive(
         "The rest of the curve",
         positive(left, y, (end, 4)),
-        on=rf"\tfrac{{11}}5\le y\le4,\ {INSIDE}",
+        on=rf"\tfrac{{11}}5\le y\le4,\ {IN_23}",
         name=r"-(\alpha+\gamma)|N|^2",
         because="there the boundary lies left of $\\alpha=-\\gamma$, where no wall is stable",
     )
@@ -93,7 +89,7 @@ def derive(page):
     page.settle(
         "s4d-delta-grows",
         fact,
-        provided=rf"d=0,\ {INSIDE}",
+        provided=rf"d=0,\ {IN_23}",
         unless=much,
         truth=witness,
         shows=r"a wall that is stable for $\delta=1.2$ and not for $\delta=1.5$",

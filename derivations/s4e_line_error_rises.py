@@ -6,7 +6,8 @@ We show that it rises as long as the virtual damping is negative, and is below 2
 
 from sympy import Rational, cancel, diff, expand
 
-from symhaptic.linear_points import RANGES, SHAPE
+from symhaptic.arm import RANGES
+from symhaptic.linear_points import SHAPE
 from symhaptic.model import linear
 from symhaptic.proof.box import positive
 

@@ -7,7 +7,8 @@ that push, $\alpha\ge0$.
 
 from sympy import Rational, S, diff, tanh
 
-from symhaptic.linear_points import RANGES, SHAPE, by_damping, error_without_stiffness
+from symhaptic.arm import RANGES, STIFF
+from symhaptic.linear_points import SHAPE, by_damping, error_without_stiffness
 from symhaptic.model import linear
 from symhaptic.notation import d, delta, gamma, nu
 from symhaptic.proof.ball import ball
@@ -15,7 +16,6 @@ from symhaptic.proof.box import positive
 from symhaptic.proof.roots import BITS, between_decimals
 
 HALF, LEVEL = Rational(1, 2), Rational(2, 100)
-SPRING = Rational(1, 1000)
 Y = linear.CHORD
 
 
@@ -35,7 +35,7 @@ def derive(page):
     found = [
         (rf"\delta\quad(d={delay},\ \gamma={name})", threshold(spring, delay))
         for delay in (0, 1)
-        for spring, name in ((S.Zero, "0"), (SPRING, "0.001"))
+        for spring, name in ((S.Zero, "0"), (STIFF, "0.001"))
     ]
     page.enclosed("Thresholds", found, places=22)
     case = witnesses(page)
@@ -68,7 +68,7 @@ def falls(page, delay):
     one = arc.right - gamma * arc.size
     two = arc.above + LEVEL * (delay + HALF) * arc.right
     low, high = Rational(95, 10**5), Rational(101, 10**5)
-    arm = {gamma: (SPRING, SPRING), delta: RANGES[delta]}
+    arm = {gamma: (STIFF, STIFF), delta: RANGES[delta]}
     turn = by_damping(one) * diff(two, Y) - by_damping(two) * diff(one, Y)
     soft = positive(by_damping(start), {gamma: (0, 0), delta: RANGES[delta]}, SHAPE)
     narrow = rf"0.00095\le y\le0.00101,\ d={delay}"
@@ -107,7 +107,7 @@ def witnesses(page):
     """For d = 1 and all dampings from 0.015 on, a wall with alpha > 0 > beta and more than 2 %."""
     arc = linear.arc(1)
     least, later = Rational(15, 1000), r"\in[0.015,0.02]"
-    first = {gamma: (SPRING, SPRING), delta: (least, least)}
+    first = {gamma: (STIFF, STIFF), delta: (least, least)}
     arm = {**first, delta: (least, Rational(20, 1000))}
     error = arc.above + LEVEL * (1 + HALF) * arc.right
     rows = [

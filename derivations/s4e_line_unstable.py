@@ -6,7 +6,8 @@ ask whether there is one crossing only, for every spring and damping of the rang
 
 from sympy import Rational, S
 
-from symhaptic.linear_points import RANGES, SHAPE
+from symhaptic.arm import RANGES
+from symhaptic.linear_points import SHAPE
 from symhaptic.model import linear, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, nu, s_1, s_2
 from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named

@@ -7,7 +7,8 @@ inside the ranges (23).
 
 from sympy import Rational, S, diff
 
-from symhaptic.linear_points import RANGES, SHAPE
+from symhaptic.arm import RANGES
+from symhaptic.linear_points import SHAPE
 from symhaptic.model import linear, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.proof.box import positive

@@ -6,21 +6,17 @@ closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whol
 
 from sympy import Rational, S, sqrt
 
+from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import boundary, jury, plant
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, x
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named
+from symhaptic.plant_balls import BALLS, LATE, NUMBERS, named
 from symhaptic.proof import box
 from symhaptic.wall_balls import most, over, passive
 
 RISE = n_1 + n_0
 WIDE = {gamma: (0, Rational(1, 100)), delta: (0, Rational(1, 10))}
-RANGES = {gamma: (0, Rational(1, 1000)), delta: (0, Rational(1, 50))}
-"""The paper's (23)."""
 
 IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
-IN_23 = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
-BALLS = {n_1: TOGETHER - LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
-"""The plant's numbers by those that are known in balls."""
 
 GIVEN = named({s: s for s in NUMBERS})
 

@@ -10,7 +10,7 @@ from sympy import Rational, cos, diff, pi, tan
 
 from symhaptic.model import boundary, circle
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, phi, t, theta, y, z
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named
+from symhaptic.plant_balls import BALLS, NUMBERS, named
 from symhaptic.proof import box
 from symhaptic.wall_balls import DEVICE, STIFFNESS
 
@@ -68,7 +68,6 @@ def sizes(page):
         because="smaller than $1-a_0^2$, and $|a_0|<1$ for $a_0=-n_0\\beta$: one step of Schur's "
         "reduction, which keeps roots inside. So $n_0^2\\alpha<n_1+an_0$",
     )
-    balls = {n_1: TOGETHER - LATE, a: 2 - LOSS - AT_ONE, e: 1 - LOSS}
     size = n_1 + (a + 2) * n_0
     inequalities = (
         n_0**2 * (1 + a + e) - (n_1 - n_0) * size,
@@ -84,7 +83,7 @@ def sizes(page):
     )
     facts = []
     for text, expr in zip(texts, inequalities, strict=True):
-        fact = box.positive(expr.subs(balls), RANGES, named({s: s for s in NUMBERS}))
+        fact = box.positive(expr.subs(BALLS), RANGES, named({s: s for s in NUMBERS}))
         facts.append(page.positive("For soft springs", fact, WIDE, name=text))
     page.say(
         "By the first, the plant outweighs every stable wall at $z=-1$. By the second it outweighs "

@@ -6,6 +6,7 @@ one, and what it tends to, for $\delta=0.02$ with and without a spring.
 
 from sympy import Rational, S, cos, pi, sin, symbols, tan
 
+from symhaptic.arm import DAMPED, STIFF
 from symhaptic.model import loop
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, h, kappa, n_0, n_1, phi, t
 from symhaptic.proof import box
@@ -14,7 +15,6 @@ from symhaptic.proof.certificate import Known
 from symhaptic.proof.roots import BITS, zero_between
 from symhaptic.wall_balls import STIFFNESS, most, numbers, over, passive
 
-STIFF, DAMPED = Rational(1, 1000), Rational(1, 50)
 ARM = loop.numbers()
 ETA = {n: symbols(f"eta_{n}") for n in (*range(119, 126), 1000)}
 SPRUNG = symbols("eta_40")

@@ -6,17 +6,13 @@ terms of the largest stiffness that asks whether $\alpha_{\max}/\delta$ falls as
 
 from sympy import Rational, S, diff, symbols, tan
 
+from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import boundary
-from symhaptic.notation import a, d, delta, e, gamma, n_1, phi, t
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, SLOPES, TOGETHER, named
+from symhaptic.notation import d, delta, gamma, phi, t
+from symhaptic.plant_balls import BALLS, NUMBERS, SLOPES, named
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
-
-RANGES = {gamma: (0, Rational(1, 1000)), delta: (0, Rational(1, 50))}
-IN_23 = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
-BALLS = {n_1: TOGETHER - LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
-"""The plant's numbers by those that are known in balls."""
 
 GIVEN = named({s: s for s in (*NUMBERS, *SLOPES)})
 LOW, HIGH, NEAR = Rational(1, 2), Rational(3, 2), Rational(11, 10)

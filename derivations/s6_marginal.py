@@ -6,19 +6,14 @@ stiffness with and without them.
 
 from sympy import Rational, S, symbols
 
+from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.model import boundary
-from symhaptic.notation import a, alpha, d, delta, e, gamma, n_1
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named
+from symhaptic.notation import alpha, d, delta, gamma
+from symhaptic.plant_balls import BALLS, NUMBERS, named
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.roots import decimals
 from symhaptic.wall_balls import DEVICE, most, over
-
-STIFF, DAMPED = Rational(1, 1000), Rational(1, 50)
-RANGES = {gamma: (0, STIFF), delta: (0, DAMPED)}
-IN_23 = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
-BALLS = {n_1: TOGETHER - LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
-"""The plant's numbers by those that are known in balls."""
 
 GIVEN = named({s: s for s in NUMBERS})
 MOST = boundary.largest_undelayed(DEVICE).subs(BALLS)

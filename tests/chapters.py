@@ -1,7 +1,8 @@
-"""The chapters, each run once per process, for all tests that only look at them."""
+"""The chapters, each run once per process for tests that only look at them, and altered ones."""
 
 from functools import cache
 
+from symhaptic.chapter import Page
 from symhaptic.library import folder, run
 
 
@@ -9,3 +10,26 @@ from symhaptic.library import folder, run
 def chapter(name):
     """A derivation by the name of its file."""
     return run(folder() / f"{name}.py")
+
+
+def run_altered(name, old, new, place):
+    """The same with something else written in place of a text that must be there."""
+    text = (folder() / f"{name}.py").read_text(encoding="utf-8")
+    assert old in text
+    path = place / f"{name}.py"
+    path.write_text(text.replace(old, new), encoding="utf-8")
+    return run(path)
+
+
+def equalities(name, monkeypatch):
+    """Title and both sides of every equality that a derivation proves on its way."""
+    found = []
+    proved = Page._proved
+
+    def recorded(page, title, left, right):
+        found.append((title, left, right))
+        return proved(page, title, left, right)
+
+    monkeypatch.setattr(Page, "_proved", recorded)
+    run(folder() / f"{name}.py")
+    return found

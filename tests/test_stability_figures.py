@@ -8,12 +8,11 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from chapters import chapter
+from chapters import chapter, equalities, run_altered
 from oracle import moduli, radius
 from scipy.signal import cont2discrete
 
-from symhaptic.chapter import Page
-from symhaptic.library import BadChapter, folder, run
+from symhaptic.library import BadChapter
 from symhaptic.proof.decide import compare
 from symhaptic.proof.mutants import wrong
 from symhaptic.report import stability_figures as drawn
@@ -259,17 +258,8 @@ def test_roots_leave_where_the_wall_stops_to_lead():
 
 @pytest.mark.parametrize("name", CHAPTERS)
 def test_no_wrong_variant_of_a_step_is_proved(name, monkeypatch, record_property):
-    steps = []
-    proved = Page._proved
-
-    def recorded(page, title, left, right):
-        steps.append((title, left, right))
-        return proved(page, title, left, right)
-
-    monkeypatch.setattr(Page, "_proved", recorded)
-    run(folder() / f"{name}.py")
     count = 0
-    for title, left, right in steps:
+    for title, left, right in equalities(name, monkeypatch):
         if isinstance(right, sp.Expr):
             for mutant in itertools.islice(wrong((right,)), 2):
                 count += 1
@@ -299,9 +289,5 @@ CHANGES = [
 
 @pytest.mark.parametrize(("name", "right", "false"), CHANGES)
 def test_a_chapter_with_something_false_stops(name, right, false, tmp_path):
-    source = (folder() / f"{name}.py").read_text(encoding="utf-8")
-    assert right in source
-    changed = tmp_path / "changed.py"
-    changed.write_text(source.replace(right, false), encoding="utf-8")
     with pytest.raises(BadChapter, match=r"not positive|undecided|false|not shown"):
-        run(changed)
+        run_altered(name, right, false, tmp_path)

@@ -20,9 +20,6 @@ from symhaptic.proof.roots import BITS, NoSuchRoot, real_roots
 
 HALF = sp.Rational(1, 2)
 
-RANGES = {gamma: (0, sp.Rational(1, 1000)), delta: (0, sp.Rational(1, 50))}
-"""The paper's (23)."""
-
 NUMBERS = (nu, s_1, s_2)
 SLOPES = sp.symbols("nu' s_1' s_2'")
 """Derivatives of the arm's numbers with respect to delta."""

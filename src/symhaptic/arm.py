@@ -1,0 +1,17 @@
+"""The arms and devices of the paper's (23): 0 <= gamma <= 0.001, 0 <= delta <= 0.02."""
+
+from sympy import Rational, S
+
+from symhaptic.notation import delta, gamma
+
+STIFF = Rational(1, 1000)
+"""The largest gamma."""
+
+DAMPED = Rational(1, 50)
+"""The largest delta."""
+
+RANGES = {gamma: (S.Zero, STIFF), delta: (S.Zero, DAMPED)}
+"""Both parameters with the ends of their ranges."""
+
+IN_23 = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
+"""The same as LaTeX."""
