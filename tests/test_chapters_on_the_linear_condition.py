@@ -4,7 +4,6 @@ Routh's condition by the eigenvalues of the lag loop, the boundary by SciPy's ze
 points of Fig. 10 by mpmath, stability by certified roots (``oracle``).
 """
 
-
 import mpmath
 import numpy as np
 import oracle

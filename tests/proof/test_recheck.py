@@ -11,7 +11,8 @@ from sympy import Rational, S
 from symhaptic.notation import delta, gamma
 from symhaptic.plant_balls import LOSS, TOGETHER, named
 from symhaptic.proof import box
-from symhaptic.proof.recheck import Uncheckable, program, recheck
+from symhaptic.proof.program import Uncheckable, program
+from symhaptic.proof.recheck import recheck
 from symhaptic.proof.roots import zero
 
 x, y, h = sp.symbols("x y h")

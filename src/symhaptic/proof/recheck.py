@@ -6,22 +6,18 @@ Nothing is searched for, and nothing is shared with the search but the ball arit
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import replace
-from functools import lru_cache, reduce
-from operator import add, mul
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, acb_series, arb, ctx, fmpq
-from sympy import Expr
+from flint import acb, acb_series, arb, ctx
 
 from symhaptic.proof.ball import is_real
 from symhaptic.proof.certificate import Balls, Certificate, Given, Largest, Positive, Zero
+from symhaptic.proof.program import program, real, value
 
-
-class Uncheckable(ValueError):
-    """An expression for which there is no program."""
+Interval: TypeAlias = tuple[arb, arb]
 
 
 class Unconfirmed(ValueError):
@@ -60,7 +56,7 @@ def _positive(claim: Positive) -> bool:
         return False
     with ctx.workprec(claim.bits):
         value = _on(claim)
-        pieces = [[(_number(low), _number(high)) for low, high in claim.box.values()]]
+        pieces = [[(real(low), real(high)) for low, high in claim.box.values()]]
         for cut in claim.cuts:
             if not pieces:
                 return False
@@ -134,8 +130,8 @@ def _given(given: Given) -> Callable[[Balls], Balls]:
 def _zero(claim: Zero) -> bool:
     with ctx.workprec(claim.bits):
         run = program(claim.expr, [claim.variable, *claim.at])
-        others = [acb(x) if isinstance(x, (acb, arb)) else _value(x) for x in claim.at.values()]
-        low, high = (_number(end) for end in claim.between)
+        others = [acb(x) if isinstance(x, (acb, arb)) else value(x) for x in claim.at.values()]
+        low, high = (real(end) for end in claim.between)
         found = claim.ball
         if not (found.lower() >= low.upper() and found.upper() <= high.lower()):
             return False
@@ -156,146 +152,9 @@ def _largest(claim: Largest) -> bool:
     if below.expr != claim.upper - claim.expr or set(claim.where) != set(below.box):
         return False
     with ctx.workprec(below.bits):
-        point = [_number(claim.where[s]) for s in below.box]
+        point = [real(claim.where[s]) for s in below.box]
         for x, (low, high) in zip(point, below.box.values(), strict=True):
-            if not (x >= _number(low) and x <= _number(high)):
+            if not (x >= real(low) and x <= real(high)):
                 return False
         reached = _on(replace(below, expr=claim.expr))(point)
-        return bool(reached >= _number(claim.lower)) and _positive(below)
-
-
-# -- programs ------------------------------------------------------------------------------
-
-
-Interval: TypeAlias = tuple[arb, arb]
-
-Ball: TypeAlias = acb | acb_series
-"""A ball, or the first terms of a series with such coefficients."""
-
-
-def _sum(*terms: Ball) -> Ball:
-    return reduce(add, terms)
-
-
-def _product(*factors: Ball) -> Ball:
-    return reduce(mul, factors)
-
-
-def _sinh(x: Ball) -> Ball:
-    return x.sinh() if isinstance(x, acb) else (x.exp() - (-x).exp()) / 2
-
-
-def _cosh(x: Ball) -> Ball:
-    return x.cosh() if isinstance(x, acb) else (x.exp() + (-x).exp()) / 2
-
-
-def _tanh(x: Ball) -> Ball:
-    return x.tanh() if isinstance(x, acb) else _sinh(x) / _cosh(x)
-
-
-def _cot(x: Ball) -> Ball:
-    return x.cot() if isinstance(x, acb) else x.cos() / x.sin()
-
-
-def _power(x: Ball, y: Ball) -> Ball:
-    return x.pow(y) if isinstance(x, acb) and isinstance(y, acb) else (x.log() * y).exp()
-
-
-def _plain(function: Callable[[acb], acb]) -> Callable[[Ball], Ball]:
-    """A function that has no series."""
-
-    def apply(x: Ball) -> Ball:
-        if not isinstance(x, acb):
-            raise Uncheckable("a slope of a function that has none")
-        return function(x)
-
-    return apply
-
-
-_CALLS: dict[type, Callable[..., Ball]] = {
-    sp.Add: _sum,
-    sp.Mul: _product,
-    sp.exp: lambda x: x.exp(),
-    sp.sin: lambda x: x.sin(),
-    sp.cos: lambda x: x.cos(),
-    sp.tan: lambda x: x.tan(),
-    sp.cot: _cot,
-    sp.sinh: _sinh,
-    sp.cosh: _cosh,
-    sp.tanh: _tanh,
-    sp.Abs: _plain(lambda x: acb(abs(x))),
-    sp.re: _plain(lambda x: acb(x.real)),
-    sp.im: _plain(lambda x: acb(x.imag)),
-    sp.conjugate: _plain(lambda x: acb(x.real, -x.imag)),
-}
-
-
-def _value(number: Expr) -> acb:
-    """A number in a ball of the precision in force."""
-    found: acb = program(sp.sympify(number), [])()
-    return found
-
-
-def _number(number: Expr) -> arb:
-    """A real number in a ball."""
-    return _value(number).real
-
-
-def program(expr: Expr, symbols: Sequence[Expr]) -> Callable[..., Any]:
-    """A function of balls or of their series, each subexpression computed once.
-
-    >>> x = sp.Symbol("x")
-    >>> print(program(sp.sin(x)**2 + 1, [x])(acb(0)).real)
-    1.00000000000000
-    """
-    return _program(expr, tuple(symbols), ctx.prec)
-
-
-@lru_cache(maxsize=1024)
-def _program(expr: Expr, symbols: tuple[Expr, ...], bits: int) -> Callable[..., Any]:
-    """The same for the precision in force, in which its numbers are."""
-    place: dict[Expr, int] = {symbol: i for i, symbol in enumerate(symbols)}
-    steps: list[tuple[Callable[..., Ball], tuple[int, ...]]] = []
-
-    def put(part: Expr) -> int:
-        if part not in place:
-            operation, operands = _operation(part)
-            at = tuple(put(operand) for operand in operands)
-            place[part] = len(symbols) + len(steps)
-            steps.append((operation, at))
-        return place[part]
-
-    last = put(expr)
-
-    def run(*values: Ball) -> Ball:
-        known = list(values)
-        for operation, at in steps:
-            known.append(operation(*[known[i] for i in at]))
-        return known[last]
-
-    return run
-
-
-def _operation(part: Expr) -> tuple[Callable[..., Ball], tuple[Expr, ...]]:
-    """What is done, and to which parts."""
-    if part.is_Rational:
-        number = acb(fmpq(int(part.p), int(part.q)))
-        return lambda: number, ()
-    if part is sp.pi:
-        pi = acb(arb.pi())
-        return lambda: pi, ()
-    if part is sp.E:
-        number = acb(1).exp()
-        return lambda: number, ()
-    if part is sp.I:
-        return (lambda: acb(0, 1)), ()
-    if part.is_Pow and part.args[1].is_Integer:
-        power = int(part.args[1])
-        return (lambda x: x**power), (part.args[0],)
-    if part.is_Pow and part.args[1] == sp.Rational(1, 2):
-        return (lambda x: x.sqrt()), (part.args[0],)
-    if part.is_Pow:
-        return _power, part.args
-    if part.func in _CALLS:
-        return _CALLS[part.func], part.args
-    raise Uncheckable(f"no program for {type(part).__name__}: {part}")
+        return bool(reached >= real(claim.lower)) and _positive(below)

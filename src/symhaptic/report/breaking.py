@@ -11,7 +11,8 @@ import re
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.latex import factors, latex, ordered_terms
+from symhaptic.latex import latex
+from symhaptic.term_order import factors, ordered_terms
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[{}^_]|\d|[A-Za-z]|[^\s]")
 _COMMANDS = {
