@@ -6,10 +6,10 @@ boundary they are zeros of one polynomial of degree two or three, and all of the
 
 from sympy import S, expand
 
-from symhaptic.chapter import Evidence
 from symhaptic.model import linear
 from symhaptic.notation import delta, gamma, nu, s_1, z
 from symhaptic.proof.roots import rounded
+from symhaptic.record import Evidence
 from symhaptic.report.linear_figures import DAMPINGS, DELAYS, marks
 from symhaptic.report.linear_figures import linear as draw
 

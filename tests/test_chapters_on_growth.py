@@ -7,11 +7,12 @@ import pytest
 from scipy.signal import cont2discrete
 from sympy import Rational, S
 
-from symhaptic.chapter import FalseStep, Page
+from symhaptic.chapter import Page
 from symhaptic.library import folder, run
 from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.proof.settle import Unfounded, Witness
+from symhaptic.record import FalseStep
 
 RNG = np.random.default_rng(41)
 

@@ -11,11 +11,12 @@ import pytest
 import sympy as sp
 from scipy.linalg import expm
 
-from symhaptic.chapter import FalseStep, Page
+from symhaptic.chapter import Page
 from symhaptic.kernels.passivity import passivity_margin
 from symhaptic.library import BadChapter, folder, run
 from symhaptic.model import fractional, plant
 from symhaptic.proof import sign
+from symhaptic.record import FalseStep
 from symhaptic.report.breaking import pieces
 from symhaptic.scene import FULL
 

@@ -7,7 +7,7 @@ import sympy as sp
 from flint import acb, arb
 
 from symhaptic import mutation
-from symhaptic.chapter import FalseStep, Page
+from symhaptic.chapter import Page
 from symhaptic.claims import changes_of
 from symhaptic.library import folder, run
 from symhaptic.paper.quoted import Quoted
@@ -17,6 +17,7 @@ from symhaptic.proof.checks import Decimals, Free, Limit, Roots, Same, Sign, con
 from symhaptic.proof.condition import holds
 from symhaptic.proof.second import alike, says
 from symhaptic.proof.settle import Unfounded
+from symhaptic.record import FalseStep
 from symhaptic.tabulated import changes_of_tables
 
 x, y, z = sp.symbols("x y z")

@@ -9,9 +9,7 @@ in which :meth:`Page.show` writes what was proved just before, are not checked.
 from __future__ import annotations
 
 import itertools
-import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
@@ -22,78 +20,20 @@ from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
-from symhaptic.proof.certificate import Certificate, Zero
-from symhaptic.proof.checks import Check, Decimals, Free, Limit, Minimal, Roots, Same, Sign, Units
-from symhaptic.proof.decide import Form, compare, parts
+from symhaptic.proof.certificate import Zero
+from symhaptic.proof.checks import Check, Decimals, Free, Minimal, Roots, Sign, Units
+from symhaptic.proof.decide import Form, parts
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
-from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement, Truth, Witness
-from symhaptic.proof.sign import Fact, facts_below
+from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
+from symhaptic.record import Block, Evidence, FalseStep, Record
 
 
-class FalseStep(ValueError):
-    """A step that is not true, or that could not be proved."""
-
-
-@dataclass(frozen=True)
-class Evidence:
-    """An exact proof of something said in words."""
-
-    method: str
-    checks: tuple[Check, ...] = ()
-
-
-@dataclass(frozen=True)
-class Block:
-    """One element of a page: prose, an equation with its proof, a table or a figure."""
-
-    kind: str
-    title: str = ""
-    text: str = ""
-    lines: tuple[tuple[str, str, Any], ...] = ()
-    """Left side, relation sign and right side of each line; sides are SymPy or LaTeX."""
-    verdict: str = ""
-    method: str = ""
-    number: int = 0
-    boxed: bool = False
-    draw: Callable[..., None] | None = None
-    panels: tuple[int, int] = (1, 1)
-    height: float = 0.62
-    paper: str = ""
-    """Number of the paper's equation that this one stands for."""
-    rows: tuple[tuple[Any, ...], ...] = ()
-    """Cells of a table, its head first."""
-
-
-@dataclass
-class Settled:
-    """A statement with what settles it and how long that took."""
-
-    statement: Statement
-    settlement: Settlement
-    verdict: Verdict
-    seconds: float
-    grounds: tuple[Check, ...] = ()
-    """The checks that prove what it says in words."""
-
-
-@dataclass
-class Page:
+class Page(Record):
     """What a derivation writes on; see the module for what is proved."""
-
-    name: str
-    blocks: list[Block] = field(default_factory=list)
-    settled: dict[str, Settled] = field(default_factory=dict)
-    own: dict[str, Statement] = field(default_factory=dict)
-    certificates: list[Certificate] = field(default_factory=list)
-    """Of the balls that the chapter rests on; they are checked again when it has been run."""
-    checks: list[tuple[str, Check]] = field(default_factory=list)
-    """What was asked and confirmed, under its title, to be asked again with something changed."""
-    _count: int = 0
-    _since: float = field(default_factory=time.perf_counter)
 
     # -- prose and definitions ----------------------------------------------------------
 
@@ -407,69 +347,6 @@ class Page:
         derived = tuple(p for form in follows for p in parts(form))
         settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
         return self._record(statement, settlement)
-
-    # -- internals ----------------------------------------------------------------------
-
-    def _record(
-        self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
-    ) -> Verdict:
-        verdict = settlement.decide(statement.printed)
-        now = time.perf_counter()
-        seconds, self._since = now - self._since, now
-        self.settled[statement.id] = Settled(statement, settlement, verdict, seconds, grounds)
-        return verdict
-
-    def _keep(self, fact: Fact) -> None:
-        """The certificates of all that a fact was made from."""
-        self.certificates += [c for below in facts_below(fact) for c in below.certificates]
-
-    def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Limit:
-        """A limit as it was found, and kept as what it was asked for."""
-        found = limit(expr, variable, sp.sympify(at))
-        self._compared(title, found, value)
-        check = Limit(expr, variable, sp.sympify(at), sp.sympify(value))
-        self.checks.append((title, check))
-        return check
-
-    def _proved(self, title: str, left: Form, right: Form) -> str:
-        method = self._compared(title, left, right)
-        self.checks.append((title, Same(parts(left), parts(right))))
-        return method
-
-    def _compared(self, title: str, left: Form, right: Form) -> str:
-        result = compare(left, right)
-        if result.equal:
-            return result.method
-        if result.equal is None:
-            raise FalseStep(f"step {title!r} is undecided: {result.method}")
-        at = ", ".join(f"{s} = {v}" for s, v in (result.point or {}).items())
-        raise FalseStep(f"step {title!r} is false" + (f" at {at}" if at else ""))
-
-    def _equation(
-        self,
-        title: str,
-        lines: Sequence[tuple[Any, str, Any]],
-        verdict: str,
-        method: str,
-        because: str,
-        boxed: bool = False,
-        kind: str = "equation",
-        paper: str = "",
-    ) -> None:
-        self._count += 1
-        self.blocks.append(
-            Block(
-                kind,
-                title,
-                because,
-                tuple(lines),
-                verdict,
-                method,
-                self._count,
-                boxed,
-                paper=paper,
-            )
-        )
 
 
 def _checks(ground: Any) -> tuple[Check, ...]:

@@ -13,11 +13,11 @@ import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
 
-from symhaptic.chapter import Settled
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, Unreadable, read
 from symhaptic.proof import second
-from symhaptic.proof.changes import AGAIN, Change, because, opposite
+from symhaptic.proof.change import Change, because
+from symhaptic.proof.changes import AGAIN, opposite
 from symhaptic.proof.checks import Same, confirmed
 from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import measured
@@ -26,6 +26,7 @@ from symhaptic.proof.points import Point, choices
 from symhaptic.proof.settle import ACCEPTED, WRONG, Settlement
 from symhaptic.proof.sign import Fact, assume
 from symhaptic.proof.verdict import Kind
+from symhaptic.record import Settled
 
 
 @dataclass(frozen=True)

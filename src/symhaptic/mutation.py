@@ -18,7 +18,8 @@ import sympy as sp
 
 from symhaptic.claims import changes_of
 from symhaptic.library import Chapter, run
-from symhaptic.proof.changes import Change, changes
+from symhaptic.proof.change import Change
+from symhaptic.proof.changes import changes
 from symhaptic.proof.checks import Check, Sign, confirmed
 from symhaptic.proof.sign import facts_below
 from symhaptic.tabulated import changes_of_tables

@@ -15,7 +15,7 @@ from typing import Any
 
 from symhaptic.library import BadChapter, Chapter, run, shipped
 from symhaptic.paper import tables
-from symhaptic.proof.changes import Change, because
+from symhaptic.proof.change import Change, because
 from symhaptic.proof.mutants import misprints
 from symhaptic.proof.verdict import Kind
 

@@ -6,7 +6,7 @@ import sympy as sp
 from flint import arb, ctx
 from sympy import Rational, S, cos, pi, sin, sqrt, tan
 
-from symhaptic.chapter import FalseStep, Page
+from symhaptic.chapter import Page
 from symhaptic.proof.ball import largest_root
 from symhaptic.proof.roots import (
     NoSuchRoot,
@@ -15,6 +15,7 @@ from symhaptic.proof.roots import (
     root_between,
     zero_between,
 )
+from symhaptic.record import FalseStep
 
 x, y, z = sp.symbols("x y z")
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
-from symhaptic.chapter import Settled
 from symhaptic.latex import latex
 from symhaptic.paper import Statement
 from symhaptic.proof.verdict import Kind, Verdict
+from symhaptic.record import Settled
 from symhaptic.report.breaking import broken, width
 from symhaptic.report.words import prose
 

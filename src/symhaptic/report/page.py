@@ -7,9 +7,9 @@ from typing import Any
 
 from sympy import Expr
 
-from symhaptic.chapter import Block
 from symhaptic.latex import latex
 from symhaptic.library import Chapter
+from symhaptic.record import Block
 from symhaptic.report.breaking import broken, pieces, width
 from symhaptic.report.forms import printed_forms
 from symhaptic.report.words import escaped, prose
