@@ -127,6 +127,28 @@ def test_junit_tells_what_is_undecided(open_question, monkeypatch, tmp_path):
     assert found[1].find("failure") is not None
 
 
+def test_a_statement_that_is_gone_is_missed():
+    from symhaptic import ledger, listing
+
+    entries = ledger.ledger([])
+    known = {e.statement.id: str(e.verdict.kind) for e in entries} | {"my-own": "proved"}
+    assert ledger.surprises(entries, known, whole=False) == []
+    missed = ledger.surprises(entries, known)
+    assert missed == ["my-own: nothing, but the ledger says proved"]
+    suite = ElementTree.fromstring(listing.junit(entries, missed, strict=False))
+    (case,) = (c for c in suite.iter("testcase") if c.get("name") == "my-own")
+    assert case.find("failure") is not None
+    assert suite.get("tests") == str(len(entries) + 1)
+
+
+def test_a_chapter_that_is_not_there_is_named_at_once(monkeypatch, capsys):
+    from symhaptic import parallel
+
+    monkeypatch.setattr(parallel, "settled", lambda *_: pytest.fail("the others were run"))
+    assert status(monkeypatch, "verify", "--derivation", "nowhere.py") == 2
+    assert "--derivation nowhere.py: no such file" in capsys.readouterr().err
+
+
 def test_same_ledger_whatever_the_number_of_workers():
     ids = ["eq1", "eq5", "eq11", "eq12", "eq28", "s3c-kmax-41", "s5a-proportional"]
     ledgers = []

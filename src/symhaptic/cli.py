@@ -148,16 +148,14 @@ def verify(
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one."""
     from symhaptic import ledger, library, listing, parallel
-    from symhaptic.paper import STATEMENTS
 
     _writable(output)
-    own = derivation or []
+    own = _own(derivation)
     wanted = ids or []
-    if not own:
-        for id in wanted:
-            if id not in STATEMENTS:
-                _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, STATEMENTS)}")
     known = ledger.expected(library.expected_ledger())
+    for id in wanted if not own else []:
+        if id not in known:
+            _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, known)}")
     paths = listing.needed(wanted, library.shipped()) + own
     entries = ledger.ledger(_settled(paths, workers or parallel.workers()))
     if wanted:
@@ -166,7 +164,7 @@ def verify(
             if id not in names:
                 _usage(f"ID: {id!r} is not a statement; allowed are {_close(id, names)}")
         entries = [names[id] for id in dict.fromkeys(wanted)]
-    surprises = ledger.surprises(entries, known)
+    surprises = ledger.surprises(entries, known, whole=not wanted)
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     text = {
         ListFormat.text: listing.text,
@@ -204,7 +202,7 @@ def report(
         _usage(f"--format pdf: {build.NO_TEX}")
     if output.exists() and not output.is_dir():
         _usage(f"-o {output}: is a file; a folder is allowed")
-    chapters = _chapters(library.shipped() + (derivation or []))
+    chapters = _chapters(library.shipped() + _own(derivation))
     try:
         if check:
             diff = build.differences(chapters, output)
@@ -354,6 +352,16 @@ def _number(name: str, text: str) -> float:
     except ValueError:
         pass
     _usage(f"--{name}: {text!r} is not allowed; a number is")
+
+
+def _own(paths: list[Path] | None) -> list[Path]:
+    """A user's chapters, which must be there before the others are run."""
+    from symhaptic.library import BadChapter, found
+
+    try:
+        return [found(path) for path in paths or []]
+    except BadChapter as wrong:
+        _usage(f"--derivation {wrong}")
 
 
 def _writable(output: Path | None) -> None:

@@ -109,9 +109,14 @@ def expected(path: Path) -> dict[str, str]:
     return {record["id"]: record["verdict"] for record in data["statements"]}
 
 
-def surprises(entries: Iterable[Entry], known: dict[str, str]) -> list[str]:
-    """Statements whose verdict is not the committed one; a user's own must hold."""
-    lines = []
+def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
+    """Statements whose verdict is not the committed one; a user's own must hold.
+
+    In a ``whole`` ledger each of the committed ones is there.
+    """
+    entries = list(entries)
+    gone = set(known) - {entry.statement.id for entry in entries} if whole else set()
+    lines = [f"{id}: nothing, but the ledger says {known[id]}" for id in sorted(gone)]
     for entry in entries:
         id, kind = entry.statement.id, entry.verdict.kind
         if entry.own:

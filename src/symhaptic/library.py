@@ -88,11 +88,16 @@ def run(path: Path) -> Chapter:
     return Chapter(path, title, introduction.strip(), page, time.perf_counter() - begin)
 
 
-def _load(path: Path) -> ModuleType:
+def found(path: Path) -> Path:
+    """The path itself; raises :class:`BadChapter` where no file is."""
     if not path.is_file():
         what = "is a folder" if path.is_dir() else "no such file"
         raise BadChapter(f"{path}: {what}; a derivation is a Python file")
-    spec = importlib.util.spec_from_file_location(f"derivation_{path.stem}", path)
+    return path
+
+
+def _load(path: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"derivation_{path.stem}", found(path))
     if spec is None or spec.loader is None:
         raise BadChapter(f"{path}: not a Python file; a derivation ends in .py")
     module = importlib.util.module_from_spec(spec)

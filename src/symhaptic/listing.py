@@ -23,10 +23,13 @@ def _places() -> dict[str, str]:
 
 
 def needed(ids: list[str], paths: list[Path]) -> list[Path]:
-    """The derivations that settle these statements; all where one is not known to the ledger."""
-    names = {_places().get(id) for id in ids}
-    if not names or None in names:
+    """The derivations that settle these statements, as far as the ledger knows them; all for none.
+
+    What it does not know is a statement of a user's own derivation.
+    """
+    if not ids:
         return paths
+    names = {_places().get(id) for id in ids}
     return [path for path in paths if path.name in names]
 
 
@@ -92,8 +95,12 @@ def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
             skipped += 1
             ET.SubElement(case, "skipped", message="undecided")
         ET.SubElement(case, "system-out").text = str(verdict)
+    for id in sorted(set(failed) - {entry.statement.id for entry in entries}):
+        failures += 1
+        case = ET.SubElement(suite, "testcase", name=id, classname="missing")
+        ET.SubElement(case, "failure", message=failed[id])
     suite.attrib |= {
-        "tests": str(len(entries)),
+        "tests": str(len(suite)),
         "failures": str(failures),
         "skipped": str(skipped),
         "errors": "0",

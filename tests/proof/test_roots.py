@@ -8,11 +8,13 @@ from sympy import Rational, S, cos, pi, sin, sqrt, tan
 
 from symhaptic.chapter import Page
 from symhaptic.proof.ball import largest_root
+from symhaptic.proof.recheck import recheck
 from symhaptic.proof.roots import (
     NoSuchRoot,
     algebraic,
     decimals,
     root_between,
+    zero,
     zero_between,
 )
 from symhaptic.record import FalseStep
@@ -143,3 +145,11 @@ def test_page_prints_what_the_ball_knows():
         assert page.blocks[-1].verdict == "enclosed"
         with pytest.raises(NoSuchRoot):
             page.enclosed("root", [("a", arb(2, 1e-9))], places=20)
+
+
+def test_a_rational_zero_is_checked_again():
+    """The solutions by hand: Newton's step meets them exactly, and no width is left."""
+    for expr, root in ((x - 1, S.One), (3 * x - 2, Rational(2, 3)), (x**3 - 8, S(2)), (x, S.Zero)):
+        found = zero(expr, x, root - Rational(1, 20), root + Rational(1, 30))
+        assert (found.ball * int(root.q)).contains(int(root.p))
+        assert recheck(found)

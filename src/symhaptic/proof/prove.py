@@ -61,8 +61,16 @@ def prove(lhs: Form, rhs: Form | Ends) -> Verdict:
 
 
 def _on_box(relation: Form, ends: Ends) -> Verdict:
+    if relation in (True, False):
+        raise TypeError(
+            f"prove: the inequality is {relation} already: SymPy decided it when it was written; "
+            "evaluate=False keeps it as it is"
+        )
     if not isinstance(relation, Relational) or isinstance(relation, (sp.Eq, sp.Ne)):
         raise TypeError(f"prove: {relation!r} is no inequality; one of <, <=, >, >= is allowed")
+    floats = sorted(relation.atoms(sp.Float))
+    if floats:
+        raise ValueError(f"prove: {floats[0]} is no exact number; Rational(1, 10) is one, say")
     smaller, larger = relation.lhs, relation.rhs
     if isinstance(relation, (sp.StrictGreaterThan, sp.GreaterThan)):
         smaller, larger = larger, smaller

@@ -106,8 +106,9 @@ def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | Non
             raise NoSuchRoot(f"no zero of {expr} is shown between {lower} and {upper}")
         while narrow.rad() < wide.rad():
             wide, narrow = narrow, newton(narrow)
-        # twice as wide, so that the signs at its ends can be seen
-        found = arb(wide.mid(), 2 * wide.rad())
+        # twice as wide, and not narrower than a last bit, so that the signs at its ends can be seen
+        least = arb(2) ** (8 - BITS) * (1 + abs(wide.mid()))
+        found = arb(wide.mid(), arb.max(2 * wide.rad(), least))
     return Zero(expr, variable, (lower, upper), found, BITS, known)
 
 
