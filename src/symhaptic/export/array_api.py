@@ -24,6 +24,7 @@ class ArrayApi(Target):
     """One module; every branch is computed and the right one taken, element by element."""
 
     name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", _Printer
+    shares = False
     choice = "xp.where({0}, {1}, {2})"
     words = MappingProxyType({"&&": "&", "||": "|", "!": "~"})
     keywords = vocabulary(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sympy.printing.c import C99CodePrinter
 
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Assign, Block, Choice, Routine, lazy
+from symhaptic.export.routine import Assign, Block, Choice, Join, Routine, Set, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
@@ -37,6 +37,15 @@ def braces(
             lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
             lines += braces(target, statement.yes, ends, declare, depth + 1)
             lines += [f"{pad}}}", *braces(target, statement.no, ends, declare, depth)]
+        elif isinstance(statement, Join):
+            lines += [f"{pad}{target.late} {target.rename(n.name)};" for n in statement.names]
+            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
+            lines += braces(target, statement.yes, ends, declare, depth + 1)
+            lines.append(f"{pad}}} else {{")
+            lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
+        elif isinstance(statement, Set):
+            name = target.rename(statement.name.name)
+            lines.append(f"{pad}{name} = {printer.doprint(statement.expr)};")
         else:
             shown = [printer.doprint(r) for r in statement.results]
             lines += [pad + end.format(*shown) for end in ends]
@@ -47,6 +56,7 @@ class C(Target):
     """One source file and its header."""
 
     name, title, keywords, printer = "c", "C99", KEYWORDS, _Printer
+    late = "double"
     operations = called(
         "",
         Abs="fabs({0})",

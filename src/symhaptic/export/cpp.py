@@ -28,6 +28,7 @@ class Cpp(Target):
         "reinterpret_cast static_assert static_cast template this thread_local throw true try "
         "typeid typename using virtual wchar_t xor xor_eq std"
     )
+    late = "double"
     operations = called(
         "std::",
         Abs="std::fabs({0})",

@@ -173,6 +173,10 @@ class Target:
     words: Mapping[str, str] = MappingProxyType({})
     """Comparisons and connectives that are written in another way."""
     ignores_case = False
+    late = "let"
+    """What declares a variable that gets its value later."""
+    shares = True
+    """Whether a function takes in the routines of the device, to do once what they share."""
 
     # -- expressions -------------------------------------------------------------------
 
