@@ -16,8 +16,9 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, cos, exp, factorial, sin, sqrt
 
-from symhaptic.export.elementary import half_and
+from symhaptic.export.elementary import HALF, number_and
 from symhaptic.export.pairs import Fading, fading, waving
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     ProductError,
     Routine,
@@ -37,9 +38,6 @@ NEAR = sp.Rational(9, 4)
 
 STIFF = sp.Integer(4)
 """Up to this gamma, the squared size of complex poles."""
-
-TERMS = 34
-"""Their terms: the next one is below 35 NEAR^34/36! = 9e-29."""
 
 _CAREFUL = 4
 """Last terms of a series with signs that are added up to twice the precision."""
@@ -157,7 +155,7 @@ def rise() -> Routine:
     top, lost = fast_sum(do, sp.S.One, -left)
     swing, more = quotient(do, top, v.stiff, lost - left_low)
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
-    near = half_and(do, exp(-m.half), "RiseSeries", *given)
+    near = number_and(do, exp(-m.half), HALF, "RiseSeries", *given)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
                       (gamma, delta), _cases(m, near, swing + more, creep + missed))  # fmt: skip
 
@@ -179,17 +177,23 @@ def fall() -> Routine:
     top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
     swing, missed = quotient(do, top, v.stiff, top_low)
     given = choose(m.small, gamma, 0), choose(m.small, delta, 0)
-    near = half_and(do, exp(-delta), "FallSeries", *given)
+    near = number_and(do, exp(-delta), HALF, "FallSeries", *given)
     return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
                       (gamma, delta), _cases(m, near, swing + missed, creep))  # fmt: skip
 
 
-def rise_series() -> Routine:
+def _terms(precision: Precision) -> int:
+    """Of a divided difference of exp at three nodes: the sum of k + 1 products is over (k + 2)!."""
+    return precision.terms(lambda k: 2 * (k + 1) * NEAR**k / factorial(k + 2))
+
+
+def rise_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at h, sqrt w and -sqrt w, less 1/2."""
     do = Steps()
-    even = [sp.S.Zero] * (TERMS + 2)
+    terms = _terms(precision)
+    even = [sp.S.Zero] * (terms + 2)
     total: Expr = sp.S.Zero
-    for k in range(TERMS - 1, -1, -1):
+    for k in range(terms - 1, -1, -1):
         own = 1 / factorial(k + 2) if k else sp.S.Zero
         even[k] = do(f"e{k}", own + w * even[k + 2])
         total = do(f"b{k}", even[k] + h * total)
@@ -197,12 +201,12 @@ def rise_series() -> Routine:
                       (h, w), total)  # fmt: skip
 
 
-def fall_series() -> Routine:
+def fall_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at 0, p and q, with p + q = delta and p q = gamma, less 1/2."""
     do = Steps()
     one: Expr = sp.S.Zero
     two: Expr = sp.S.Zero
-    for k in range(TERMS - 1, _CAREFUL - 1, -1):
+    for k in range(_terms(precision) - 1, _CAREFUL - 1, -1):
         one, two = do(f"b{k}", 1 / factorial(k + 2) + delta * one - gamma * two), one
     one_low: Expr = sp.S.Zero
     two_low: Expr = sp.S.Zero
@@ -229,15 +233,16 @@ def together() -> Routine:
     c = _creeping(do, m)
     creep = c.slow.mean * ((1 - c.slow.fall * c.apart.fall) / m.whole)
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
-    near = 2 * half_and(do, exp(-m.half), "TogetherSeries", *given)
+    near = 2 * number_and(do, exp(-m.half), HALF, "TogetherSeries", *given)
     swing = choose(sp.Eq(delta, 0), still**2, swing)
     return do.routine("Together", "n1 + n0", (gamma, delta), _cases(m, near, swing, creep))
 
 
-def together_series() -> Routine:
+def together_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of cosh(sqrt) at h^2 and w, less 1/2."""
     do = Steps()
-    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 2) for k in range(1, 16))])
+    terms = precision.terms(lambda k: 2 * (k + 1) * NEAR ** (2 * k) / factorial(2 * k + 2))
+    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 2) for k in range(1, terms))])
     return do.routine("TogetherSeries", "divided difference of cosh(sqrt) at h^2 and w, less 1/2",
                       (h, w), total)  # fmt: skip
 
@@ -292,7 +297,7 @@ def swing() -> Routine:
                       choose(m.w < 0, 2 * (turn + lost), creep))  # fmt: skip
 
 
-def apart() -> Routine:
+def apart(precision: Precision = DOUBLE) -> Routine:
     """(n_1 - n_0)/delta."""
     do = Steps()
     m = motion(do)
@@ -307,20 +312,20 @@ def apart() -> Routine:
     creep = (top + low) / do.nonzero(m.p * delta)
     v = _swinging(do, m)
     swing = (Decay(delta) - 2 * v.envelope * v.odd / do.nonzero(delta)) / v.stiff
-    series = sp.Function("ApartSeries")(choose(m.small, m.half, 0), choose(m.small, m.w, 0))
-    near = exp(-m.half) * series
+    given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
+    sixth = precision.parts(sp.Rational(1, 6))
+    near = number_and(do, exp(-m.half), sixth, "ApartSeries", *given)
     return do.routine("Apart", "(n1 - n0)/delta", (gamma, delta), _cases(m, near, swing, creep))
 
 
-def apart_series() -> Routine:
-    """Divided difference of sinh(sqrt)/sqrt at h^2 and w."""
+def apart_series(precision: Precision = DOUBLE) -> Routine:
+    """Divided difference of sinh(sqrt)/sqrt at h^2 and w, less 1/6."""
     do = Steps()
-    total = _mixed(do, [1 / factorial(2 * k + 3) for k in range(16)])
-    return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w",
+    terms = precision.terms(lambda k: 2 * (k + 1) * NEAR ** (2 * k) / factorial(2 * k + 3))
+    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 3) for k in range(1, terms))])
+    return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w, less 1/6",
                       (h, w), total)  # fmt: skip
 
 
-ROUTINES = (
-    rise, rise_series, fall, fall_series, together, together_series, nyquist, swing, apart,
-    apart_series,
-)  # fmt: skip
+ROUTINES = (rise, fall, together, nyquist, swing)
+PRECISE = (rise_series, fall_series, together_series, apart, apart_series)

@@ -11,6 +11,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.export import counting, device, elementary, pairs
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused, Target, calls, code_name, operations
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
@@ -29,12 +30,14 @@ class Library:
 
 
 @cache
-def known() -> dict[str, Routine]:
+def known(precision: Precision = DOUBLE) -> dict[str, Routine]:
     """All routines by name."""
-    made = [
-        f() for f in (*elementary.ROUTINES, *pairs.ROUTINES, *device.ROUTINES, *counting.ROUTINES)
-    ]
+    made = [f() for module in _MODULES for f in module.ROUTINES]
+    made += [f(precision) for module in _MODULES for f in module.PRECISE]
     return {r.name: r for r in made}
+
+
+_MODULES = (elementary, pairs, device, counting)
 
 
 def routine(form: Form) -> Routine:
@@ -107,11 +110,11 @@ def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Lib
     """
     forms = tuple(forms)
     public = tuple(routine(form) for form in forms)
-    routines = known()
+    routines = known(target.precision)
     if target.shares:
         public = tuple(shared(one, routines) for one in public)
     if target.operations["ProductError"].startswith("product_error("):
-        routines = routines | {"ProductError": elementary.product_error()}
+        routines = routines | {"ProductError": elementary.product_error(target.precision)}
     ordered: dict[str, Routine] = {}
 
     def add(wanted: Routine) -> None:

@@ -7,11 +7,13 @@ the leading terms are added without rounding.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import Expr, cos, exp, factorial, sin
 
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose, fast_sum, product, quotient
 
 BRIEF = sp.Rational(3, 4)
@@ -96,25 +98,29 @@ def polynomial(do: Steps, at: Expr, coefficients: list[Expr]) -> Expr:
     return halves[0] + at * halves[1]
 
 
-def decay_series() -> Routine:
+def decay_series(precision: Precision = DOUBLE) -> Routine:
     """From its third term on."""
     do = Steps()
-    total = polynomial(do, -x, [1 / factorial(k + 3) for k in range(17)])
+    count = precision.terms(lambda k: BRIEF**k / factorial(k + 3))
+    total = polynomial(do, -x, [1 / factorial(k + 3) for k in range(count)])
     return do.routine("DecaySeries", "((1 - exp(-x))/x - 1 + x/2)/x^2", (x,), total)
 
 
-def cos_series() -> Routine:
+def cos_series(precision: Precision = DOUBLE) -> Routine:
     """From its third term on."""
     do = Steps()
-    total = polynomial(do, w, [1 / factorial(2 * k + 4) for k in range(9)])
+    count = precision.terms(lambda k: 1 / factorial(2 * k + 4))
+    total = polynomial(do, w, [1 / factorial(2 * k + 4) for k in range(count)])
     return do.routine("CosSeries", "(cosh(sqrt(w)) - 1 - w/2)/w^2", (w,), total)
 
 
-def sin_series() -> Routine:
+def sin_series(precision: Precision = DOUBLE) -> Routine:
     """From its second term on."""
     do = Steps()
-    total = polynomial(do, w, [1 / factorial(2 * k + 3) for k in range(9)])
+    count = precision.terms(lambda k: 1 / factorial(2 * k + 3))
+    total = polynomial(do, w, [1 / factorial(2 * k + 3) for k in range(count)])
     return do.routine("SinSeries", "(sinh(sqrt(w))/sqrt(w) - 1)/w", (w,), total)
 
 
-ROUTINES = (decay_series, cos_series, sin_series)
+PRECISE = (decay_series, cos_series, sin_series)
+ROUTINES: tuple[Callable[[], Routine], ...] = ()
