@@ -319,6 +319,9 @@ def export(
             "--delay", metavar="D", help="Whole periods, where one delay has to be chosen."
         ),
     ] = None,
+    precision: Annotated[
+        str, typer.Option("--precision", help="double, or single where the language has it.")
+    ] = "double",
     name: Annotated[str, typer.Option("--name", help="Name of the module.")] = "haptic",
     listing: Annotated[bool, typer.Option("--list", help="Print what can be exported.")] = False,
 ) -> None:
@@ -337,7 +340,7 @@ def export(
             _usage(
                 "--target: is needed; allowed are numpy, c, cpp, fortran, rust, javascript, octave"
             )
-        language = request.target(target)
+        language = request.target(target, precision)
         folder = output or Path(f"{name}-{target}")
         _, files = request.built(language, forms, name)
         request.write(files, folder)

@@ -11,7 +11,7 @@ from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export import device
 from symhaptic.export.library import known
-from symhaptic.export.routine import Assign, Choice, ProductError, lazy
+from symhaptic.export.routine import Assign, Choice, Join, ProductError, Set, lazy
 from symhaptic.export.target import OPERATIONS, code_name
 from symhaptic.model import values
 from symhaptic.model.entire import written_out
@@ -19,25 +19,28 @@ from symhaptic.notation import delta, gamma
 from symhaptic.proof.normal import Field
 
 ROUTINES = known()
-SERIES = ("RiseSeries", "FallSeries", "TogetherSeries", "ApartSeries")
+SERIES = tuple(name for name in ROUTINES if name.endswith("Series"))
 CLOSED = [name for name in ROUTINES if name in values.ALL]
 
 
 def leaves(block, steps=()):
     """What each branch returns, with the steps that lead there put in, in exact arithmetic."""
     known_ = dict(steps)
-    for statement in block:
-        if isinstance(statement, Assign):
-            exact = statement.expr.replace(ProductError, lambda *_: sp.S.Zero)
-            exact = exact.replace(expm1, lambda x: sp.exp(x) - 1)
-            known_[statement.name] = exact.xreplace(known_)
-        elif isinstance(statement, Choice):
-            yield from leaves(statement.yes, known_.items())
-            yield from leaves(statement.no, known_.items())
+    for at, statement in enumerate(block):
+        if isinstance(statement, Assign | Set):
+            known_[statement.name] = exactly(statement.expr).xreplace(known_)
+        elif isinstance(statement, Choice | Join):
+            rest = () if isinstance(statement, Choice) else block[at + 1 :]
+            for side in (statement.yes, statement.no):
+                yield from leaves((*side, *rest), known_.items())
             return
         else:
-            exact = statement.results[0].replace(ProductError, lambda *_: sp.S.Zero)
-            yield exact.replace(expm1, lambda x: sp.exp(x) - 1).xreplace(known_)
+            yield exactly(statement.results[0]).xreplace(known_)
+
+
+def exactly(expr):
+    """What an expression means where nothing is rounded."""
+    return expr.replace(ProductError, lambda *_: sp.S.Zero).replace(expm1, lambda x: sp.exp(x) - 1)
 
 
 R = sp.Symbol("r", positive=True)

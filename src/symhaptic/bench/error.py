@@ -18,6 +18,7 @@ from symhaptic.bench.exact import EXACT, bits
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized
 from symhaptic.export import request
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.stable import Form
 
@@ -25,9 +26,12 @@ Worst = dict[str, tuple[float, tuple[float, ...]]]
 """For each result its largest error and the arguments there."""
 
 
-def compiled(form: Form, folder: Path) -> Callable[[list[Array]], Array]:
+def compiled(
+    form: Form, folder: Path, precision: Precision = DOUBLE
+) -> Callable[[list[Array]], Array]:
     """The exported C function on arrays, in a loop that is compiled with it."""
-    made, files = request.built(TARGETS["c"], [form])
+    language = TARGETS["c"].at(precision)
+    made, files = request.built(language, [form], vectors=False)
     for name, text in files.items():
         (folder / name).write_text(text)
     routine = made.public[0]
@@ -38,8 +42,8 @@ def compiled(form: Form, folder: Path) -> Callable[[list[Array]], Array]:
         f"y0[k] = haptic_{form.name}({inner})" if many == 1
         else f"haptic_{form.name}({inner}, {outs})"
     )  # fmt: skip
-    args = [f"const double *x{i}" for i in range(len(form.arguments))]
-    args += [f"double *y{i}" for i in range(many)]
+    args = [f"const {language.real} *x{i}" for i in range(len(form.arguments))]
+    args += [f"{language.real} *y{i}" for i in range(many)]
     (folder / "loop.c").write_text(
         f'#include "haptic.h"\nvoid all(long n, {", ".join(args)}) {{\n'
         f"  for (long k = 0; k < n; ++k) {call};\n}}\n"
@@ -53,7 +57,7 @@ def compiled(form: Form, folder: Path) -> Callable[[list[Array]], Array]:
     function = ctypes.CDLL(str(library)).all
 
     def run(arrays: list[Array]) -> Array:
-        found = np.empty((many, arrays[0].size))
+        found = np.empty((many, arrays[0].size), dtype=precision.kind)
         pointers = [ctypes.c_void_p(a.ctypes.data) for a in (*arrays, *found)]
         function(ctypes.c_long(arrays[0].size), *pointers)
         return found
@@ -69,12 +73,17 @@ def functions(form: Form) -> Any:
     return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})
 
 
-def measure(form: Form, count: int, seed: int = 1) -> Worst:
+def measure(form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE) -> Worst:
     """The worst error of each result, with its arguments; NaN counts as infinitely wrong."""
-    arrays = columns(form, np.random.default_rng(seed), count)
+    arrays = columns(form, np.random.default_rng(seed), count, precision)
     with tempfile.TemporaryDirectory() as place:
-        found = compiled(form, Path(place))(arrays)
-    at = {s.name: a for s, a in zip(form.arguments, arrays, strict=True)}
+        return compare(form, arrays, compiled(form, Path(place), precision)(arrays), precision)
+
+
+def compare(form: Form, arrays: list[Array], found: Array, precision: Precision = DOUBLE) -> Worst:
+    """What was found at these arguments beside exact values; a last place is that of the term."""
+    at = {s.name: a.astype(float) for s, a in zip(form.arguments, arrays, strict=True)}
+    count = arrays[0].size
     helpers = functions(form)
     with np.errstate(all="ignore"):
         sizes = [np.broadcast_to(sized(e, at, helpers)[1], count) for e in form.expressions]
@@ -85,9 +94,9 @@ def measure(form: Form, count: int, seed: int = 1) -> Worst:
             exact = EXACT[form.name](*point)
             for i, (name, _) in enumerate(form.results):
                 size = float(sizes[i][k])
-                if not math.isfinite(size) or size < 1e-290 or not exact[i].is_finite():
+                if not precision.tiny <= size <= precision.huge or not exact[i].is_finite():
                     continue
-                off = float(abs(arb(float(found[i][k])) - exact[i])) / math.ulp(size)
+                off = float(abs(arb(float(found[i][k])) - exact[i])) / precision.ulp(size)
                 off = math.inf if off != off else off
                 if off > worst[name][0]:
                     worst[name] = (off, tuple(point))

@@ -7,22 +7,35 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.model.stable import Form
 
 Array = NDArray[np.float64]
 
-HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
+HARD = {
+    DOUBLE: [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0],
+    SINGLE: [0.0, 1e-30, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 10.0, 700.0],
+}
 DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]
 
 
-def plants(rng: np.random.Generator, count: int) -> Array:
-    """gamma and delta: hard cases first, then ordinary, wide, critical and stiff ones."""
-    found: list[tuple[float, float]] = [(g, d) for g in HARD for d in HARD]
-    for d in (1e-8, 0.1, 1.0, 2.0, 3.0, 3.9999, 4.0, 4.5, 5.0, 7.0, 20.0, 100.0, 700.0):
+def hard(precision: Precision = DOUBLE) -> list[tuple[float, float]]:
+    """All pairs of hard cases, critical damping and its neighbours, pi^2 and beyond."""
+    kind = precision.kind
+    found: list[tuple[float, float]] = [(g, d) for g in HARD[precision] for d in HARD[precision]]
+    for damping in (1e-8, 0.1, 1.0, 2.0, 3.0, 3.9999, 4.0, 4.5, 5.0, 7.0, 20.0, 100.0, 700.0):
+        d = precision.nearest(damping)
         g = (d / 2) ** 2
-        found += [(v, d) for v in (g, np.nextafter(g, 0), np.nextafter(g, 1e9), g * (1 + 1e-15))]
+        near = kind(g)
+        neighbours = near, np.nextafter(near, kind(0)), np.nextafter(near, kind(1e9))
+        found += [(float(v), d) for v in (*neighbours, g * (1 + 1e-15))]
         found += [(g * (1 - 1e-12), d), (g * (1 + 1e-8), d)]
-    found += [(math.pi**2, 0.0), (math.pi**2, 0.02), (39.47841760435743, 0.0)]
+    return [*found, (math.pi**2, 0.0), (math.pi**2, 0.02), (39.47841760435743, 0.0)]
+
+
+def plants(rng: np.random.Generator, count: int, precision: Precision = DOUBLE) -> Array:
+    """gamma and delta: hard cases first, then ordinary, wide, critical and stiff ones."""
+    found = hard(precision)
     while len(found) < count:
         d = 10 ** rng.uniform(-3, 2.8)
         near = rng.choice([0, 1e-15, -1e-15, 1e-12, -1e-8, 1e-4, -1e-3])
@@ -37,9 +50,11 @@ def plants(rng: np.random.Generator, count: int) -> Array:
     return np.array(found[:count])
 
 
-def columns(form: Form, rng: np.random.Generator, count: int) -> list[Array]:
-    """Arguments of a form, one array each."""
-    both = plants(rng, count)
+def columns(
+    form: Form, rng: np.random.Generator, count: int, precision: Precision = DOUBLE
+) -> list[Array]:
+    """Arguments of a form, one array each, of floats of the precision."""
+    both = plants(rng, count, precision)
     if "gamma" not in {s.name for s in form.arguments}:
         rng.shuffle(both)
     signs = rng.choice([-1.0, 1.0], count)
@@ -57,4 +72,7 @@ def columns(form: Form, rng: np.random.Generator, count: int) -> list[Array]:
         "d": delay,
         "theta": np.minimum(theta, 3.14159265),
     }
-    return [np.ascontiguousarray(values[s.name], dtype=float) for s in form.arguments]
+    arrays = [np.ascontiguousarray(values[s.name], dtype=precision.kind) for s in form.arguments]
+    if precision is SINGLE and "theta" in {s.name for s in form.arguments}:
+        np.minimum(arrays[0], precision.below_pi, out=arrays[0])
+    return arrays

@@ -7,7 +7,8 @@ from types import MappingProxyType
 from sympy import Expr
 from sympy.printing.pycode import PythonCodePrinter
 
-from symhaptic.export.library import Library
+from symhaptic.export.library import Library, known
+from symhaptic.export.precision import SINGLE
 from symhaptic.export.routine import Routine
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
@@ -24,6 +25,7 @@ class ArrayApi(Target):
     """One module; every branch is computed and the right one taken, element by element."""
 
     name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", _Printer
+    shares = False
     choice = "xp.where({0}, {1}, {2})"
     words = MappingProxyType({"&&": "&", "||": "|", "!": "~"})
     keywords = vocabulary(
@@ -31,12 +33,16 @@ class ArrayApi(Target):
         "finally for from global if import in is lambda nonlocal not or pass raise return try "
         "while with yield match case xp np numpy selftest"
     )
-    operations = called(
+    operations = single = called(
         "xp.",
         Max="xp.where({0} > {1}, {0}, {1})",
         Min="xp.where({0} < {1}, {0}, {1})",
         ProductError="product_error(xp, {0}, {1})",
     )
+
+    def number(self, value: float) -> str:
+        """A literal, which takes the precision of the array beside it."""
+        return repr(float(value))
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
@@ -45,7 +51,8 @@ class ArrayApi(Target):
             if helper.name == "ProductError":
                 lines += [*_PRODUCT_ERROR.splitlines(), "", ""]
                 continue
-            lines += self._written(helper, ["xp", *self._arguments(helper)], [helper.about])
+            args = ["xp", *self._arguments(helper)]
+            lines += self._written(helper, args, [helper.about], known(SINGLE).get(helper.name))
         for form, routine in zip(library.forms, library.public, strict=True):
             lines += self._written(routine, self._arguments(routine), describe(form))
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
@@ -53,8 +60,10 @@ class ArrayApi(Target):
     def _arguments(self, routine: Routine) -> list[str]:
         return [self.rename(s.name) for s in routine.arguments]
 
-    def _written(self, routine: Routine, args: list[str], about: list[str]) -> list[str]:
-        printer = self.printing()
+    def _written(
+        self, routine: Routine, args: list[str], about: list[str], single: Routine | None = None
+    ) -> list[str]:
+        """A function; where its single precision has other steps, these come first."""
         name = self.call(routine.name)
         lines = [f"def {name}({', '.join(args)}):", f'    """{about[0]}']
         lines += ["", *(f"    {line}" for line in about[1:]), '    """'] if about[1:] else []
@@ -65,10 +74,19 @@ class ArrayApi(Target):
         elif args[0] != "xp":
             one = "," if len(args) == 1 else ""
             lines.append(f"    xp, ({', '.join(args)}{one}) = _arrays({', '.join(args)})")
-        for symbol, expr in routine.steps:
-            lines.append(f"    {self.rename(symbol.name)} = {printer.doprint(expr)}")
+        if single is not None and single != routine:
+            lines.append(f"    if {args[1]}.dtype == xp.float32:")
+            lines += [f"    {line}" for line in self._steps(single)]
+        return [*lines, *self._steps(routine), "", ""]
+
+    def _steps(self, routine: Routine) -> list[str]:
+        printer = self.printing()
+        lines = [
+            f"    {self.rename(symbol.name)} = {printer.doprint(expr)}"
+            for symbol, expr in routine.steps
+        ]
         values = ", ".join(printer.doprint(value) for _, value in routine.results)
-        return [*lines, f"    return {values}", "", ""]
+        return [*lines, f"    return {values}"]
 
     def usage(self, library: Library) -> str:
         """An import of the first function."""
@@ -78,6 +96,7 @@ class ArrayApi(Target):
         """selftest.py."""
         counts = {r.name: len(r.arguments) for r in library.public}
         text = _SELFTEST.replace("NAME", library.name).replace("COUNTS", repr(counts))
+        text = text.replace("KIND", self.precision.kind.__name__)
         return {"selftest.py": text}
 
     def commands(self, name: str) -> list[list[str]]:
@@ -108,8 +127,10 @@ def _arrays(*values):
 
 _PRODUCT_ERROR = """def product_error(xp, y, z):
     \"\"\"y z minus the float nearest to it, by Dekker's product.\"\"\"
-    split = 134217729.0 if (y*z).dtype == xp.float64 else 4097.0
     product = y*z
+    split = 134217729.0 if product.dtype == xp.float64 else 4097.0
+    if isinstance(z, float):
+        z = xp.full_like(product, z)
     big = split*y
     high = big - (big - y)
     low = y - high
@@ -131,7 +152,7 @@ for line in Path("vectors.txt").read_text(encoding="ascii").splitlines():
     name, *words = line.split()
     numbers = [float.fromhex(word) for word in words]
     count = COUNT[name]
-    got = np.ravel(getattr(NAME, name)(*numbers[:count]))
+    got = np.ravel(getattr(NAME, name)(*map(np.KIND, numbers[:count])))
     for i, value in enumerate(got):
         expected, allowed = numbers[count + 2*i : count + 2*i + 2]
         tried += 1

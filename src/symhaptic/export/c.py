@@ -5,7 +5,8 @@ from __future__ import annotations
 from sympy.printing.c import C99CodePrinter
 
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Assign, Block, Choice, Routine, lazy
+from symhaptic.export.precision import DOUBLE
+from symhaptic.export.routine import Assign, Block, Choice, Join, Routine, Set, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
@@ -37,6 +38,15 @@ def braces(
             lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
             lines += braces(target, statement.yes, ends, declare, depth + 1)
             lines += [f"{pad}}}", *braces(target, statement.no, ends, declare, depth)]
+        elif isinstance(statement, Join):
+            lines += [f"{pad}{target.late} {target.rename(n.name)};" for n in statement.names]
+            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
+            lines += braces(target, statement.yes, ends, declare, depth + 1)
+            lines.append(f"{pad}}} else {{")
+            lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
+        elif isinstance(statement, Set):
+            name = target.rename(statement.name.name)
+            lines.append(f"{pad}{name} = {printer.doprint(statement.expr)};")
         else:
             shown = [printer.doprint(r) for r in statement.results]
             lines += [pad + end.format(*shown) for end in ends]
@@ -54,6 +64,23 @@ class C(Target):
         Min="fmin({0}, {1})",
         ProductError="fma({0}, {1}, -({0}*{1}))",
     )
+    single = called(
+        "",
+        "f",
+        Abs="fabsf({0})",
+        Max="fmaxf({0}, {1})",
+        Min="fminf({0}, {1})",
+        ProductError="fmaf({0}, {1}, -({0}*{1}))",
+    )
+
+    @property
+    def late(self) -> str:
+        """The type."""
+        return self.real
+
+    def number(self, value: float) -> str:
+        """A literal of the type."""
+        return super().number(value) + ("" if self.precision is DOUBLE else "f")
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.c and NAME.h."""
@@ -66,27 +93,27 @@ class C(Target):
         lines = ["#include <math.h>", "", f'#include "{library.name}.h"', ""]
         for helper in library.helpers:
             lines += [f"/* {helper.about} */", f"static {self._helper(helper)} {{"]
-            lines += [*braces(self, lazy(helper), ["return {0};"], "const double"), "}", ""]
+            lines += [*braces(self, lazy(helper), ["return {0};"], f"const {self.real}"), "}", ""]
         for routine in library.public:
             ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
             lines.append(f"{self._head(library, routine)} {{")
             if len(ends) == 1:
                 ends = ["return {0};"]
-            lines += [*braces(self, lazy(routine), ends, "const double"), "}", ""]
+            lines += [*braces(self, lazy(routine), ends, f"const {self.real}"), "}", ""]
         return {f"{library.name}.h": "\n".join(header), f"{library.name}.c": "\n".join(lines)}
 
     def _out(self, name: str) -> str:
         return f"{name}_out"
 
     def _helper(self, routine: Routine) -> str:
-        args = ", ".join(f"double {self.rename(s.name)}" for s in routine.arguments)
-        return f"double {self.call(routine.name)}({args})"
+        args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in routine.arguments)
+        return f"{self.real} {self.call(routine.name)}({args})"
 
     def _head(self, library: Library, routine: Routine) -> str:
-        args = [f"double {self.rename(s.name)}" for s in routine.arguments]
-        kind = "double"
+        args = [f"{self.real} {self.rename(s.name)}" for s in routine.arguments]
+        kind = self.real
         if len(routine.results) > 1:
-            kind, args = "void", args + [f"double *{self._out(n)}" for n, _ in routine.results]
+            kind, args = "void", args + [f"{self.real} *{self._out(n)}" for n, _ in routine.results]
         return f"{kind} {library.name}_{routine.name}({', '.join(args) or 'void'})"
 
     def usage(self, library: Library) -> str:
@@ -111,7 +138,7 @@ class C(Target):
                 f"            read_all(file, x, arguments + 2*results);\n"
                 f"            {call};\n        }}\n"
             )
-        return {"selftest.c": _SELFTEST % (library.name, "".join(cases))}
+        return {"selftest.c": _SELFTEST % (library.name, self.real, self.real, "".join(cases))}
 
     def commands(self, name: str) -> list[list[str]]:
         """Compile with warnings as errors, then run."""
@@ -128,17 +155,17 @@ _SELFTEST = """#include <math.h>
 
 #include "%s.h"
 
-static void read_all(FILE *file, double *into, int count) {
+static void read_all(FILE *file, %s *into, int count) {
     int i;
     char word[64];
     for (i = 0; i < count; ++i) {
         if (fscanf(file, "%%63s", word) != 1) exit(2);
-        into[i] = strtod(word, NULL);
+        into[i] = strtod(word, NULL); /* exact */
     }
 }
 
 int main(void) {
-    double x[64], got[32];
+    %s x[64], got[32];
     char name[64];
     int tried = 0, missed = 0;
     FILE *file = fopen("vectors.txt", "r");

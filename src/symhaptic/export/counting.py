@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import And, Expr, Max, Or, atan2, floor, pi, sqrt
 
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.model.counted import ARGUMENTS
 
@@ -158,16 +159,17 @@ def unstable_roots() -> Routine:
                       total - choose(_leads(far), end, 0))  # fmt: skip
 
 
-def stable() -> Routine:
+def stable(precision: Precision = DOUBLE) -> Routine:
     """No root outside, none at 1, and no device that swings on whatever the wall does."""
     do = Steps()
     swing = do("swing", sqrt(gamma))
     free = And(sp.Eq(alpha, 0), sp.Eq(beta, 0), sp.Eq(delta, 0))
-    bound = sp.Rational(4, 10**16) * swing
-    stuck = And(delta < sp.Rational(1, 10**15), gamma > 1, sp.Abs(sp.sin(swing)) <= bound)
+    bound = 2 * precision.last * swing
+    stuck = And(delta < 5 * precision.last, gamma > 1, sp.Abs(sp.sin(swing)) <= bound)
     good = And(sp.Eq(roots, 0), alpha > -gamma, sp.Not(free), sp.Not(stuck))
     return do.routine("Stable", "1 where the loop is stable, else 0",
                       (roots, alpha, beta, gamma, delta), choose(good, 1, 0))  # fmt: skip
 
 
-ROUTINES = (unstable_roots, stable)
+ROUTINES = (unstable_roots,)
+PRECISE = (stable,)

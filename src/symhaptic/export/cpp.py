@@ -6,6 +6,7 @@ from sympy.printing.cxx import CXX17CodePrinter
 
 from symhaptic.export.c import FLAGS, KEYWORDS, braces
 from symhaptic.export.library import Library
+from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Routine, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
@@ -28,13 +29,22 @@ class Cpp(Target):
         "reinterpret_cast static_assert static_cast template this thread_local throw true try "
         "typeid typename using virtual wchar_t xor xor_eq std"
     )
-    operations = called(
+    operations = single = called(
         "std::",
         Abs="std::fabs({0})",
         Max="std::fmax({0}, {1})",
         Min="std::fmin({0}, {1})",
         ProductError="std::fma({0}, {1}, -({0}*{1}))",
     )
+
+    @property
+    def late(self) -> str:
+        """The type."""
+        return self.real
+
+    def number(self, value: float) -> str:
+        """A literal of the type."""
+        return super().number(value) + ("" if self.precision is DOUBLE else "f")
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.cpp and NAME.hpp."""
@@ -45,25 +55,25 @@ class Cpp(Target):
                   *heads, "}", ""]  # fmt: skip
         lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "", "namespace {", ""]
         for helper in library.helpers:
-            args = ", ".join(f"double {self.rename(s.name)}" for s in helper.arguments)
-            lines += [f"// {helper.about}", f"double {self.call(helper.name)}({args}) {{"]
-            lines += [*braces(self, lazy(helper), ["return {0};"], "const double"), "}", ""]
+            args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in helper.arguments)
+            lines += [f"// {helper.about}", f"{self.real} {self.call(helper.name)}({args}) {{"]
+            lines += [*braces(self, lazy(helper), ["return {0};"], f"const {self.real}"), "}", ""]
         lines += ["}", "", f"namespace {library.name} {{", ""]
         for routine in library.public:
             count = len(routine.results)
             values = ", ".join(f"{{{i}}}" for i in range(count))
             end = f"return {{{{{values}}}}};" if count > 1 else "return {0};"
             lines.append(f"{self._head(routine)} {{")
-            lines += [*braces(self, lazy(routine), [end], "const double"), "}", ""]
+            lines += [*braces(self, lazy(routine), [end], f"const {self.real}"), "}", ""]
         return {
             f"{library.name}.hpp": "\n".join(header),
             f"{library.name}.cpp": "\n".join([*lines, "}", ""]),
         }
 
     def _head(self, routine: Routine) -> str:
-        args = ", ".join(f"double {self.rename(s.name)}" for s in routine.arguments)
+        args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in routine.arguments)
         count = len(routine.results)
-        kind = "double" if count == 1 else f"std::array<double, {count}>"
+        kind = self.real if count == 1 else f"std::array<{self.real}, {count}>"
         return f"{kind} {routine.name}({args})"
 
     def usage(self, library: Library) -> str:
@@ -84,7 +94,7 @@ class Cpp(Target):
                 f"            {keep if len(r.results) > 1 else f'got = {{{call}}}'};\n        }}\n"
             )
         unused = any(not r.arguments for r in library.public)
-        text = _SELFTEST % (library.name, "".join(cases))
+        text = (_SELFTEST % (library.name, "".join(cases))).replace("REAL", self.real)
         return {"selftest.cpp": text.replace("const auto x =", "[[maybe_unused]] const auto x =")
                 if unused else text}  # fmt: skip
 
@@ -105,10 +115,10 @@ _SELFTEST = """#include <cmath>
 
 #include "%s.hpp"
 
-static std::vector<double> read_all(std::istream &file, int count) {
-    std::vector<double> found;
+static std::vector<REAL> read_all(std::istream &file, int count) {
+    std::vector<REAL> found;
     std::string word;
-    while (count-- > 0 && file >> word) found.push_back(std::strtod(word.c_str(), nullptr));
+    while (count-- > 0 && file >> word) found.push_back(static_cast<REAL>(std::strtod(word.c_str(), nullptr)));
     return found;
 }
 
@@ -117,7 +127,7 @@ int main() {
     std::string name;
     int tried = 0, missed = 0;
     while (file >> name) {
-        std::vector<double> got;
+        std::vector<REAL> got;
 %s        if (got.empty()) return 2;
         const auto expected = read_all(file, static_cast<int>(2*got.size()));
         if (expected.size() < 2*got.size()) return 2;

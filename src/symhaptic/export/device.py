@@ -14,9 +14,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr, Max, cos, exp, factorial, sin, sqrt
+from sympy import Expr, cos, exp, factorial, sin, sqrt
 
-from symhaptic.export.elementary import half_and
+from symhaptic.export.elementary import HALF, number_and
+from symhaptic.export.pairs import Fading, fading, waving
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     ProductError,
     Routine,
@@ -34,14 +36,8 @@ from symhaptic.notation import delta, gamma
 NEAR = sp.Rational(9, 4)
 """Up to this size of the larger real pole power series are used."""
 
-FAR = sp.Rational(8, 3)
-"""The same for a series whose terms have all one sign."""
-
 STIFF = sp.Integer(4)
 """Up to this gamma, the squared size of complex poles."""
-
-TERMS = 34
-"""Their terms: the next one is below 35 FAR^34/36! = 3e-26."""
 
 _CAREFUL = 4
 """Last terms of a series with signs that are added up to twice the precision."""
@@ -59,6 +55,8 @@ class Motion:
     half: Expr
     """delta/2."""
     w: Expr
+    w_low: Expr
+    """Its rounding error."""
     root: Expr
     """sqrt |w|."""
     root_low: Expr
@@ -75,7 +73,12 @@ class Motion:
     """Whether the power series serve."""
 
 
-def motion(do: Steps, near: Expr = NEAR) -> Motion:
+def _cases(m: Motion, near: Expr, swing: Expr, creep: Expr) -> Expr:
+    """One of three: by the power series, for a swinging device, for a creeping one."""
+    return choose(m.w < 0, choose(m.small, near, swing), choose(m.small, near, creep))
+
+
+def motion(do: Steps) -> Motion:
     """The steps that find it."""
     half = do("half", delta / 2)
     square = do("square", half * half)
@@ -98,40 +101,22 @@ def motion(do: Steps, near: Expr = NEAR) -> Motion:
     off = do("off", off - ProductError(whole, q))
     off = do("off", off - q * p_low)
     q_low = do("q_low", off / whole)
-    reach = do("reach", choose(value < 0, gamma / STIFF, p / near))
+    reach = do("reach", choose(value < 0, gamma / STIFF, p / NEAR))
     small = reach < 1
-    return Motion(half, value, root, root_low, some, p, whole, p_low, q, q_low, small)
+    return Motion(half, value, low, root, root_low, some, p, whole, p_low, q, q_low, small)
 
 
 @dataclass(frozen=True)
 class Creeping:
-    """exp(-q), Decay(q), Decay(p - q) and exp(-(p - q)), the quotients with what they miss."""
+    """Of both poles: exp and mean of the slower one and of their distance."""
 
-    fall: Expr
-    ratio: Expr
-    slow: Expr
-    slow_low: Expr
-    between: Expr
-    between_low: Expr
+    slow: Fading
+    apart: Fading
 
 
 def _creeping(do: Steps, m: Motion) -> Creeping:
-    fall = do("fall", exp(-m.q))
-    fall = do("fall", fall - fall * m.q_low)
-    apart, apart_low = 2 * m.root, 2 * m.root_low
-    ratio = do("ratio", exp(-apart))
-    ratio = do("ratio", ratio - ratio * apart_low)
-    slow = _decay(do, m.q, m.q_low, fall)
-    return Creeping(fall, ratio, *slow, *_decay(do, apart, apart_low, ratio))
-
-
-def _decay(do: Steps, rate: Expr, low: Expr, fall: Expr) -> tuple[Expr, Expr]:
-    """(1 - exp(-rate))/rate and what the float misses."""
-    whole = do.nonzero(rate)
-    none = do("none", whole - rate)  # 1 where the rate is 0
-    top = do("top", none - expm1(-rate))
-    total, lost = quotient(do, top, whole, low * fall, low)
-    return total, lost
+    """Guarded: without distance for a device that swings."""
+    return Creeping(fading(do, m.q, m.q_low), fading(do, 2 * m.root, 2 * m.root_low))
 
 
 @dataclass(frozen=True)
@@ -143,32 +128,36 @@ class Swinging:
     even_low: Expr
     odd: Expr
     odd_low: Expr
+    stiff: Expr
+    """gamma where the device swings."""
 
 
 def _swinging(do: Steps, m: Motion) -> Swinging:
-    sine, cosine = do("sine", sin(m.root)), do("cosine", cos(m.root))
-    low = do("low", -m.root_low * sine)
-    top, top_low = product(do, m.half, sine, m.root_low * cosine)
-    odd = quotient(do, top, m.some, top_low, m.root_low)
-    return Swinging(do("envelope", exp(-m.half)), cosine, low, *odd)
+    swings = choose(m.small, 1, choose(m.w < 0, gamma, 1))
+    v = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root, m.root_low)
+    odd, odd_low = product(do, m.half, v.odd, v.odd_low)
+    envelope = do("envelope", exp(-m.half))
+    return Swinging(envelope, v.even, v.even_low, odd, odd_low, do("stiff", swings))
 
 
 def rise() -> Routine:
     """n_1."""
     do = Steps()
-    m = motion(do, FAR)
+    m = motion(do)
     c = _creeping(do, m)
-    pulled, pulled_low = product(do, c.fall, c.between, c.between_low)
-    top, top_low = difference(do, c.slow, pulled)
-    short, missed = quotient(do, top, m.whole, top_low + (c.slow_low - pulled_low), m.p_low)
-    long = (1 - c.fall * (1 + m.q * c.between)) / do.nonzero(gamma)
+    pulled, lost = product(do, c.slow.fall, c.apart.mean, c.apart.mean_low)
+    pulled_low = do("pulled_low", lost + c.slow.fall_low * c.apart.mean)
+    top, top_low = difference(do, c.slow.mean, pulled)
+    creep, missed = quotient(do, top, m.whole, top_low + (c.slow.mean_low - pulled_low), m.p_low)
     v = _swinging(do, m)
-    swing = (1 - v.envelope * (v.even + v.odd + v.even_low)) / Max(gamma, STIFF)
-    far = choose(m.w < 0, swing, choose(m.q < 2, short + missed, long))
-    given = choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
-    near = half_and(do, exp(-m.half), "RiseSeries", *given)
+    both, lost = difference(do, v.even, -v.odd)
+    left, left_low = product(do, v.envelope, both, lost + (v.even_low + v.odd_low))
+    top, lost = fast_sum(do, sp.S.One, -left)
+    swing, more = quotient(do, top, v.stiff, lost - left_low)
+    given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
+    near = number_and(do, exp(-m.half), HALF, "RiseSeries", *given)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
-                      (gamma, delta), choose(m.small, near, far))  # fmt: skip
+                      (gamma, delta), _cases(m, near, swing + more, creep + missed))  # fmt: skip
 
 
 def fall() -> Routine:
@@ -176,30 +165,35 @@ def fall() -> Routine:
     do = Steps()
     m = motion(do)
     c = _creeping(do, m)
-    pulled, pulled_low = product(do, c.ratio, c.slow, c.slow_low)
-    top, top_low = difference(do, c.between, pulled)
-    rest, missed = quotient(do, top, m.whole, top_low + (c.between_low - pulled_low), m.p_low)
-    creep, lost = product(do, c.fall, rest, missed)
-    creep = do("creep", creep + lost)
+    pulled, lost = product(do, c.apart.fall, c.slow.mean, c.slow.mean_low)
+    pulled_low = do("pulled_low", lost + c.apart.fall_low * c.slow.mean)
+    top, top_low = difference(do, c.apart.mean, pulled)
+    rest, missed = quotient(do, top, m.whole, top_low + (c.apart.mean_low - pulled_low), m.p_low)
+    creep, lost = product(do, c.slow.fall, rest, missed)
+    creep = do("creep", creep + (lost + c.slow.fall_low * rest))
     v = _swinging(do, m)
     top, top_low = difference(do, v.odd, v.even)
     top, lost = difference(do, top, -v.envelope)
     top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
-    stiff = do("stiff", Max(gamma, STIFF))
-    swing, missed = quotient(do, top, stiff, top_low)
-    given = choose(sp.Not(m.small), 0, gamma), choose(sp.Not(m.small), 0, delta)
-    near = half_and(do, exp(-delta), "FallSeries", *given)
-    far = choose(m.w < 0, swing + missed, creep)
+    swing, missed = quotient(do, top, v.stiff, top_low)
+    given = choose(m.small, gamma, 0), choose(m.small, delta, 0)
+    near = number_and(do, exp(-delta), HALF, "FallSeries", *given)
     return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
-                      (gamma, delta), choose(m.small, near, far))  # fmt: skip
+                      (gamma, delta), _cases(m, near, swing + missed, creep))  # fmt: skip
 
 
-def rise_series() -> Routine:
+def _terms(precision: Precision) -> int:
+    """Of a divided difference of exp at three nodes: the sum of k + 1 products is over (k + 2)!."""
+    return precision.terms(lambda k: 2 * (k + 1) * NEAR**k / factorial(k + 2))
+
+
+def rise_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at h, sqrt w and -sqrt w, less 1/2."""
     do = Steps()
-    even = [sp.S.Zero] * (TERMS + 2)
+    terms = _terms(precision)
+    even = [sp.S.Zero] * (terms + 2)
     total: Expr = sp.S.Zero
-    for k in range(TERMS - 1, -1, -1):
+    for k in range(terms - 1, -1, -1):
         own = 1 / factorial(k + 2) if k else sp.S.Zero
         even[k] = do(f"e{k}", own + w * even[k + 2])
         total = do(f"b{k}", even[k] + h * total)
@@ -207,12 +201,12 @@ def rise_series() -> Routine:
                       (h, w), total)  # fmt: skip
 
 
-def fall_series() -> Routine:
+def fall_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at 0, p and q, with p + q = delta and p q = gamma, less 1/2."""
     do = Steps()
     one: Expr = sp.S.Zero
     two: Expr = sp.S.Zero
-    for k in range(TERMS - 1, _CAREFUL - 1, -1):
+    for k in range(_terms(precision) - 1, _CAREFUL - 1, -1):
         one, two = do(f"b{k}", 1 / factorial(k + 2) + delta * one - gamma * two), one
     one_low: Expr = sp.S.Zero
     two_low: Expr = sp.S.Zero
@@ -232,20 +226,23 @@ def together() -> Routine:
     """n_1 + n_0: a product for a creeping device, a sum of squares for a swinging one."""
     do = Steps()
     m = motion(do)
-    grown, turned = _halved(do, m, sin)
+    v = _swinging(do, m)
+    grown, turned = _halved(do, m, v, sin)
     still = S(choose(sp.Ne(delta, 0), 0, -gamma / 4))
-    swing = (grown**2 + turned) / Max(gamma, STIFF) * 4
-    creep = Decay(m.p) * Decay(m.q)
-    given = choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
-    near = 2 * half_and(do, exp(-m.half), "TogetherSeries", *given)
-    far = choose(m.w < 0, choose(sp.Eq(delta, 0), still**2, swing), creep)
-    return do.routine("Together", "n1 + n0", (gamma, delta), choose(m.small, near, far))
+    swing = (grown**2 + turned) / v.stiff * 4
+    c = _creeping(do, m)
+    creep = c.slow.mean * ((1 - c.slow.fall * c.apart.fall) / m.whole)
+    given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
+    near = 2 * number_and(do, exp(-m.half), HALF, "TogetherSeries", *given)
+    swing = choose(sp.Eq(delta, 0), still**2, swing)
+    return do.routine("Together", "n1 + n0", (gamma, delta), _cases(m, near, swing, creep))
 
 
-def together_series() -> Routine:
+def together_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of cosh(sqrt) at h^2 and w, less 1/2."""
     do = Steps()
-    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 2) for k in range(1, 16))])
+    terms = precision.terms(lambda k: 2 * (k + 1) * NEAR ** (2 * k) / factorial(2 * k + 2))
+    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 2) for k in range(1, terms))])
     return do.routine("TogetherSeries", "divided difference of cosh(sqrt) at h^2 and w, less 1/2",
                       (h, w), total)  # fmt: skip
 
@@ -261,31 +258,29 @@ def _mixed(do: Steps, coefficients: list[Expr]) -> Expr:
     return total
 
 
-def _halved(do: Steps, m: Motion, wave: type[sp.Function]) -> tuple[Expr, Expr]:
+def _halved(do: Steps, m: Motion, v: Swinging, wave: type[sp.Function]) -> tuple[Expr, Expr]:
     """(1 - exp(-delta/2))/2 and exp(-delta/2) times the square of sin or cos of root/2."""
     grown = do("grown", -expm1(-m.half) / 2)
     angle = do("angle", m.root / 2)
     own, other = (sin(angle), cos(angle)) if wave is sin else (cos(angle), -sin(angle))
     first = do("wave", own)
     turned = do("wave", first + m.root_low / 2 * other)
-    return grown, exp(-m.half) * turned**2
+    return grown, v.envelope * turned**2
 
 
 def nyquist() -> Routine:
     """1 + a + e: a sum where a > 0, a sum of squares where it is not."""
     do = Steps()
     m = motion(do)
-    grown, turned = _halved(do, m, cos)
     v = _swinging(do, m)
-    fast = do("fast", exp(-m.p))
-    slow = do("slow", exp(-m.q))
-    slow = do("slow", slow - slow * m.q_low)
+    grown, turned = _halved(do, m, v, cos)
+    c = _creeping(do, m)
     ends = do("ends", 1 + exp(-delta))
     swing = choose(
         v.even > 0, ends + 2 * v.envelope * (v.even + v.even_low), 4 * (grown**2 + turned)
     )
-    return do.routine("Nyquist", "1 + a + e", (gamma, delta),
-                      choose(m.w < 0, swing, (1 + fast) * (1 + slow)))  # fmt: skip
+    creep = (1 + c.slow.fall) * (1 + c.slow.fall * c.apart.fall)
+    return do.routine("Nyquist", "1 + a + e", (gamma, delta), choose(m.w < 0, swing, creep))
 
 
 def swing() -> Routine:
@@ -293,44 +288,44 @@ def swing() -> Routine:
     do = Steps()
     m = motion(do)
     c = _creeping(do, m)
-    sine, cosine = do("sine", sin(m.root)), do("cosine", cos(m.root))
-    turn, lost = product(do, do("envelope", exp(-m.half)), cosine, -m.root_low * sine)
+    v = _swinging(do, m)
+    turn, lost = product(do, v.envelope, v.even, v.even_low)
+    both, rest = fast_sum(do, sp.S.One, c.apart.fall)
+    creep, more = product(do, c.slow.fall, both, rest + c.apart.fall_low)
+    creep = do("creep", creep + (more + c.slow.fall_low * both))
     return do.routine("Swing", "a, the sum of the sampled device's poles", (gamma, delta),
-                      choose(m.w < 0, 2 * (turn + lost), c.fall + c.fall * c.ratio))  # fmt: skip
+                      choose(m.w < 0, 2 * (turn + lost), creep))  # fmt: skip
 
 
-def apart() -> Routine:
+def apart(precision: Precision = DOUBLE) -> Routine:
     """(n_1 - n_0)/delta."""
     do = Steps()
     m = motion(do)
     c = _creeping(do, m)
-    fast = do("fast", c.fall * c.ratio)
-    twice = do("twice", 2 * c.fall)
-    pulled, pulled_low = product(do, twice, c.between, c.between_low)
-    top, top_low = difference(do, c.slow, pulled)
-    more, more_low = product(do, fast, c.slow, c.slow_low)
+    fast = do("fast", c.slow.fall * c.apart.fall)
+    twice = do("twice", 2 * c.slow.fall)
+    pulled, pulled_low = product(do, twice, c.apart.mean, c.apart.mean_low)
+    top, top_low = difference(do, c.slow.mean, pulled)
+    more, more_low = product(do, fast, c.slow.mean, c.slow.mean_low)
     top = do("top", top + more)
-    low = do("low", top_low + (c.slow_low + more_low - pulled_low))
+    low = do("low", top_low + (c.slow.mean_low + more_low - pulled_low))
     creep = (top + low) / do.nonzero(m.p * delta)
     v = _swinging(do, m)
-    swing = (Decay(delta) - 2 * v.envelope * v.odd / do.nonzero(delta)) / Max(gamma, STIFF)
-    series = sp.Function("ApartSeries")(
-        choose(sp.Not(m.small), 0, m.half), choose(sp.Not(m.small), 0, m.w)
-    )
-    near = exp(-m.half) * series
-    far = choose(m.w < 0, swing, creep)
-    return do.routine("Apart", "(n1 - n0)/delta", (gamma, delta), choose(m.small, near, far))
+    swing = (Decay(delta) - 2 * v.envelope * v.odd / do.nonzero(delta)) / v.stiff
+    given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
+    sixth = precision.parts(sp.Rational(1, 6))
+    near = number_and(do, exp(-m.half), sixth, "ApartSeries", *given)
+    return do.routine("Apart", "(n1 - n0)/delta", (gamma, delta), _cases(m, near, swing, creep))
 
 
-def apart_series() -> Routine:
-    """Divided difference of sinh(sqrt)/sqrt at h^2 and w."""
+def apart_series(precision: Precision = DOUBLE) -> Routine:
+    """Divided difference of sinh(sqrt)/sqrt at h^2 and w, less 1/6."""
     do = Steps()
-    total = _mixed(do, [1 / factorial(2 * k + 3) for k in range(16)])
-    return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w",
+    terms = precision.terms(lambda k: 2 * (k + 1) * NEAR ** (2 * k) / factorial(2 * k + 3))
+    total = _mixed(do, [sp.S.Zero, *(1 / factorial(2 * k + 3) for k in range(1, terms))])
+    return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w, less 1/6",
                       (h, w), total)  # fmt: skip
 
 
-ROUTINES = (
-    rise, rise_series, fall, fall_series, together, together_series, nyquist, swing, apart,
-    apart_series,
-)  # fmt: skip
+ROUTINES = (rise, fall, together, nyquist, swing)
+PRECISE = (rise_series, fall_series, together_series, apart, apart_series)

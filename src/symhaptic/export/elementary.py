@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Expr, Max, cos, exp, factorial, sin, sqrt
+from sympy import Expr, Max, cos, exp, factorial, floor, sin, sqrt
+from sympy.logic.boolalg import Boolean
 
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     ProductError,
     Routine,
     Steps,
     choose,
+    difference,
     expm1,
     fast_sum,
     product,
@@ -21,21 +24,17 @@ x, w, k, y, z = sp.symbols("x w k y z")
 _QUARTER = sp.Rational(3, 2)
 """Near a quarter turn."""
 
-_SIXTH = sp.Rational(*(1 / 6).as_integer_ratio())
-_SIXTH_LOW = sp.Rational(1, 6) - _SIXTH
-"""1/6 is no float: what it misses goes into the next term."""
-
-_SPLIT = sp.Integer(2**27 + 1)
-"""Veltkamp's factor: halves of a float whose products are exact."""
+HALF = sp.S.Half, sp.S.Zero
+"""1/2 and what its float misses."""
 
 
-def product_error() -> Routine:
+def product_error(precision: Precision = DOUBLE) -> Routine:
     """Dekker's product, for targets without a fused one."""
     do = Steps()
     product = do("product", y * z)
     halves = []
     for number in (y, z):
-        big = do("big", _SPLIT * number)
+        big = do("big", precision.split * number)
         away = do("away", big - number)
         high = do("high", big - away)
         halves.append((high, do("low", number - high)))
@@ -55,10 +54,13 @@ def decay() -> Routine:
     return do.routine("Decay", "(1 - exp(-x))/x", (x,), choose(sp.Eq(x, 0), 1, -expm1(-x) / whole))
 
 
-def half_and(do: Steps, fall: Expr, series: str, *arguments: Expr) -> Expr:
-    """fall (1/2 + series), the sum in brackets not rounded."""
-    rest = do("rest", sp.Function(series)(*arguments))
-    total, lost = fast_sum(do, sp.S.Half, rest)
+def number_and(
+    do: Steps, fall: Expr, number: tuple[Expr, ...], series: str, *arguments: Expr
+) -> Expr:
+    """fall (number + series), the sum in brackets not rounded."""
+    large, small = number
+    rest = do("rest", sp.Function(series)(*arguments) + small)
+    total, lost = fast_sum(do, large, rest)
     found, missed = product(do, do("envelope", fall), total, lost)
     return found + missed
 
@@ -67,7 +69,7 @@ def creep() -> Routine:
     """The series of Rise without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = half_and(do, exp(-half), "RiseSeries", half, half * half)
+    near = number_and(do, exp(-half), HALF, "RiseSeries", half, half * half)
     far = (1 - Decay(x)) / do.nonzero(x)
     return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), choose(x < 2, near, far))
 
@@ -75,16 +77,17 @@ def creep() -> Routine:
 def fade() -> Routine:
     """The series of Fall without a spring, q = 0."""
     do = Steps()
-    near = half_and(do, exp(-x), "FallSeries", sp.S.Zero, choose(x >= 2, 0, x))
+    near = number_and(do, exp(-x), HALF, "FallSeries", sp.S.Zero, choose(x >= 2, 0, x))
     far = (Decay(x) - exp(-x)) / do.nonzero(x)
     return do.routine("Fade", "(1 - (1 + x) exp(-x))/x^2", (x,), choose(x < 2, near, far))
 
 
-def lag() -> Routine:
+def lag(precision: Precision = DOUBLE) -> Routine:
     """The series of Apart without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = exp(-half) * sp.Function("ApartSeries")(half, half * half)
+    sixth = precision.parts(sp.Rational(1, 6))
+    near = number_and(do, exp(-half), sixth, "ApartSeries", half, half * half)
     whole = do("whole", Max(x, 2))
     two = do("two", x - 2)
     far = (two + (x + 2) * exp(-x)) / whole / (whole * whole)
@@ -100,16 +103,18 @@ def sinc() -> Routine:
     return do.routine("Sinc", "sin(x)/x", (x,), choose(sp.Abs(x) < 1, near, far))
 
 
-def gap() -> Routine:
+def gap(precision: Precision = DOUBLE) -> Routine:
     """(x - sin(x))/x^3; from 2 on the difference keeps its digits."""
     do = Steps()
     near = do("near", choose(sp.Abs(x) >= 2, 0, x))
     square = do("square", -near * near)
     total: Expr = sp.S.Zero
-    for i in range(13, 0, -1):
+    sixth, low = precision.parts(sp.Rational(1, 6))  # what the float misses goes into the next term
+    terms = precision.terms(lambda k: 6 * sp.Integer(4) ** k / factorial(2 * k + 3))
+    for i in range(terms - 1, 0, -1):
         total = do(f"b{i}", 1 / factorial(2 * i + 3) + square * total)
-    rest = do("rest", square * total + _SIXTH_LOW)
-    total = do("total", _SIXTH + rest)
+    rest = do("rest", square * total + low)
+    total = do("total", sixth + rest)
     whole = do("whole", choose(sp.Abs(x) < 2, 2, x))
     far = (x - sin(x)) / whole / (whole * whole)
     return do.routine("Gap", "(x - sin(x))/x^3", (x,), choose(sp.Abs(x) < 2, total, far))
@@ -148,17 +153,26 @@ def _root(do: Steps) -> tuple[Expr, Expr, Expr]:
     return root, do("low", left / some / 2), some
 
 
-def cos_next() -> Routine:
+def cos_next(precision: Precision = DOUBLE) -> Routine:
     """cos((k + 1) x) with the rounding of sum and product put back."""
     do = Steps()
+    if precision.bits < DOUBLE.bits:
+        turn, sine, cosine = _turned(do, precision)
+        value = do("value", choose(_odd(turn), sine, cosine))
+        result = choose(sp.And(turn >= 1, turn <= 2), -value, value)
+        return do.routine("CosNext", "cos((k + 1) x)", (k, x), result)
     angle, off = _next(do)
     cosine = do("cosine", cos(angle))
     return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine - off * sin(angle))
 
 
-def sin_next() -> Routine:
+def sin_next(precision: Precision = DOUBLE) -> Routine:
     """sin((k + 1) x) with the rounding of sum and product put back."""
     do = Steps()
+    if precision.bits < DOUBLE.bits:
+        turn, sine, cosine = _turned(do, precision)
+        value = do("value", choose(_odd(turn), cosine, sine))
+        return do.routine("SinNext", "sin((k + 1) x)", (k, x), choose(turn >= 2, -value, value))
     angle, off = _next(do)
     sine = do("sine", sin(angle))
     return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine + off * cos(angle))
@@ -196,14 +210,40 @@ def _delayed(do: Steps) -> tuple[Expr, Expr, Expr, Expr]:
 
 
 def _next(do: Steps) -> tuple[Expr, Expr]:
+    """(k + 1) x and what the float misses."""
+    angle, off, more = _next_parts(do)
+    return angle, do("off", off + more)
+
+
+def _next_parts(do: Steps) -> tuple[Expr, Expr, Expr]:
     count = do("count", k + 1)
     before = do("before", count - 1)
     angle = do("angle", count * x)
     missed = do("missed", k - before)
-    return angle, do("off", ProductError(count, x) + missed * x)
+    return angle, ProductError(count, x), missed * x
 
 
-ROUTINES = (
-    decay, creep, fade, lag, sinc, gap, cosh_root, sinhc_root, cos_next, sin_next,
-    spread, chord,
-)  # fmt: skip
+def _turned(do: Steps, precision: Precision) -> tuple[Expr, Expr, Expr]:
+    """Quarter turns in (k + 1) x, modulo 4, with sine and cosine of what is left.
+
+    For few digits: the rounding of a long angle is no small angle then.
+    """
+    angle, off, more = _next_parts(do)
+    large, middle, small = precision.parts(sp.pi / 2, 3)
+    count = do("quarters", floor(angle * 2 / sp.pi + sp.S.Half))
+    left = do("left", angle - count * large)  # exact
+    left, one = difference(do, left, ProductError(count, large))
+    left, two = difference(do, left, count * middle)
+    left, three = difference(do, left, -off)
+    low = do("low", one + two + three + more - (ProductError(count, middle) + count * small))
+    sine, cosine = do("wave", sin(left)), do("still", cos(left))
+    turn = do("turn", count - 4 * floor(count / 4))
+    return turn, do("sine", sine + low * cosine), do("cosine", cosine - low * sine)
+
+
+def _odd(turn: Expr) -> Boolean:
+    return sp.Or(sp.Eq(turn, 1), sp.Eq(turn, 3))
+
+
+ROUTINES = (decay, creep, fade, sinc, cosh_root, sinhc_root, spread, chord)
+PRECISE = (lag, gap, cos_next, sin_next)

@@ -8,7 +8,8 @@ from types import MappingProxyType
 from sympy.printing.fortran import FCodePrinter
 
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Assign, Block, Choice, Routine, lazy
+from symhaptic.export.precision import DOUBLE
+from symhaptic.export.routine import Assign, Block, Choice, Join, Routine, Set, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
@@ -33,34 +34,42 @@ class Fortran(Target):
         "intrinsic logical module namelist none nullify only open operator optional parameter "
         "pause pointer print private procedure program protected public pure read real recursive "
         "return rewind save select sequence stop submodule subroutine target then type use value "
-        "volatile where while write exp sin cos tan sqrt abs max min floor merge dp expm1 "
+        "volatile where while write exp sin cos tan sqrt abs max min floor merge wp expm1 "
         "selftest spread scale"
     )
     operations = called(
         "",
         ProductError="product_error({0}, {1})",
-        floor="(aint({0}) - merge(1.0_dp, 0.0_dp, aint({0}) > {0}))",
+        floor="(aint({0}) - merge(1.0_wp, 0.0_wp, aint({0}) > {0}))",
     )
+    single = operations
+
+    @property
+    def real(self) -> str:
+        """The name of the kind."""
+        return f"real{64 if self.precision is DOUBLE else 32}"
 
     def number(self, value: float) -> str:
-        """A double precision literal."""
-        return f"{value!r}_dp"
+        """A literal of the kind."""
+        return f"{super().number(value)}_wp"
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.f90."""
         names = ", ".join(r.name for r in library.public)
+        double = self.precision is DOUBLE
+        c_name, c_kind = ("expm1", "c_double") if double else ("expm1f", "c_float")
         lines = [
             f"module {library.name}",
-            "  use, intrinsic :: iso_fortran_env, only: dp => real64",
+            f"  use, intrinsic :: iso_fortran_env, only: wp => {self.real}",
             "  implicit none",
             "  private",
             *_folded(f"  public :: {names}"),
             "",
             "  interface",
-            '    pure function expm1(x) bind(c, name="expm1") result(y)',
-            "      use, intrinsic :: iso_c_binding, only: c_double",
-            "      real(c_double), intent(in), value :: x",
-            "      real(c_double) :: y",
+            f'    pure function expm1(x) bind(c, name="{c_name}") result(y)',
+            f"      use, intrinsic :: iso_c_binding, only: {c_kind}",
+            f"      real({c_kind}), intent(in), value :: x",
+            f"      real({c_kind}) :: y",
             "    end function expm1",
             "  end interface",
             "",
@@ -86,22 +95,22 @@ class Fortran(Target):
         locals_ = sorted({self.rename(n) for n in _assigned(block)})
         if len(results) == 1:
             head = f"  pure function {name}({', '.join(args)}) result({results[0]})"
-            kinds, tail = [f"    real(dp) :: {results[0]}"], "function"
+            kinds, tail = [f"    real(wp) :: {results[0]}"], "function"
         else:
             head = f"  pure subroutine {name}({', '.join(args + results)})"
-            kinds, tail = [f"    real(dp), intent(out) :: {', '.join(results)}"], "subroutine"
-        declared = [f"    real(dp), intent(in) :: {', '.join(args)}"] if args else []
-        declared += kinds + ([f"    real(dp) :: {', '.join(locals_)}"] if locals_ else [])
+            kinds, tail = [f"    real(wp), intent(out) :: {', '.join(results)}"], "subroutine"
+        declared = [f"    real(wp), intent(in) :: {', '.join(args)}"] if args else []
+        declared += kinds + ([f"    real(wp) :: {', '.join(locals_)}"] if locals_ else [])
         lines = [head, *declared, *self._body(block, results, 2), f"  end {tail} {name}"]
         return [part for line in lines for part in _folded(line)]
 
     def _body(self, block: Block, results: list[str], depth: int) -> list[str]:
         printer, pad, lines = self.printing(), "  " * depth, []
         for statement in block:
-            if isinstance(statement, Assign):
+            if isinstance(statement, (Assign, Set)):
                 value = printer.doprint(statement.expr)
                 lines.append(f"{pad}{self.rename(statement.name.name)} = {value}")
-            elif isinstance(statement, Choice):
+            elif isinstance(statement, (Choice, Join)):
                 lines.append(f"{pad}if ({printer.doprint(statement.condition)}) then")
                 lines += self._body(statement.yes, results, depth + 1)
                 lines += [f"{pad}else", *self._body(statement.no, results, depth + 1)]
@@ -135,6 +144,7 @@ class Fortran(Target):
             lines += ["      call read_all(line, x, arguments + 2*results)"]
             cases += [part for line in [*lines, f"      {call}"] for part in _folded(line)]
         text = _SELFTEST.replace("NAME", library.name).replace("CASES", "\n".join(cases))
+        text = text.replace("KIND", self.real)
         return {"selftest.f90": text}
 
     def commands(self, name: str) -> list[list[str]]:
@@ -159,9 +169,9 @@ class Fortran(Target):
 def _assigned(block: Block) -> set[str]:
     found: set[str] = set()
     for statement in block:
-        if isinstance(statement, Assign):
+        if isinstance(statement, (Assign, Set)):
             found.add(statement.name.name)
-        elif isinstance(statement, Choice):
+        elif isinstance(statement, (Choice, Join)):
             found |= _assigned(statement.yes) | _assigned(statement.no)
     return found
 
@@ -181,12 +191,12 @@ def _folded(line: str) -> list[str]:
 
 
 _SELFTEST = """program selftest
-  use, intrinsic :: iso_fortran_env, only: dp => real64, int64
+  use, intrinsic :: iso_fortran_env, only: wp => KIND, int64
   use NAME
   implicit none
   character(len=4000) :: line
   character(len=64) :: name
-  real(dp) :: x(64), got(32), expected, allowed
+  real(wp) :: x(64), got(32), expected, allowed
   integer :: file, status, arguments, results, i, tried, missed
   tried = 0
   missed = 0
@@ -221,7 +231,7 @@ contains
   ! -0x1.8000000000000p+1, always with 13 digits
   subroutine read_all(text, into, count)
     character(len=*), intent(inout) :: text
-    real(dp), intent(out) :: into(:)
+    real(wp), intent(out) :: into(:)
     integer, intent(in) :: count
     integer :: k, at, power
     integer(int64) :: whole
@@ -232,7 +242,7 @@ contains
       digits = text(at + 1:at + 1)//text(at + 3:at + 15)
       read (digits, '(z14)') whole
       read (text(at + 17:index(text, " ") - 1), *) power
-      into(k) = scale(real(whole, dp), power - 52)
+      into(k) = scale(real(whole, wp), power - 52)
       if (text(1:1) == "-") into(k) = -into(k)
       text = adjustl(text(index(text, " "):))
     end do

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from functools import cache
+from itertools import chain, count
 
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.export import counting, device, elementary
+from symhaptic.export import counting, device, elementary, pairs
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine
-from symhaptic.export.target import Refused, Target, calls, operations
+from symhaptic.export.target import Refused, Target, calls, code_name, operations
+from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
 from symhaptic.model.stable import Form
 
 
@@ -27,10 +30,14 @@ class Library:
 
 
 @cache
-def known() -> dict[str, Routine]:
+def known(precision: Precision = DOUBLE) -> dict[str, Routine]:
     """All routines by name."""
-    made = [f() for f in (*elementary.ROUTINES, *device.ROUTINES, *counting.ROUTINES)]
+    made = [f() for module in _MODULES for f in module.ROUTINES]
+    made += [f(precision) for module in _MODULES for f in module.PRECISE]
     return {r.name: r for r in made}
+
+
+_MODULES = (elementary, pairs, device, counting)
 
 
 def routine(form: Form) -> Routine:
@@ -59,6 +66,43 @@ def _with_named_bases(expr: Expr, done: list[tuple[Symbol, Expr]], fresh: Iterab
     return expr
 
 
+def shared(user: Routine, routines: Mapping[str, Routine]) -> Routine:
+    """The routine with the device's taken in; a step that two of them have is done once."""
+    taken = {s.name for s in (*user.arguments, *(s for s, _ in user.steps))}
+    done: dict[Expr, Symbol] = {}
+
+    def step(name: str, expr: Expr) -> Symbol:
+        if expr not in done:
+            fresh = chain([name], (f"{name}_{i}" for i in count(2)))
+            done[expr] = Symbol(next(n for n in fresh if n not in taken))
+            taken.add(done[expr].name)
+        return done[expr]
+
+    def taken_in(expr: Expr) -> Expr:
+        found = {}
+        for call in expr.atoms(*SHARED):
+            own = routines[type(call).__name__]
+            names = dict(zip(own.arguments, call.args, strict=True))
+            for symbol, value in own.steps:
+                names[symbol] = step(symbol.name, value.xreplace(names))
+            found[call] = step(f"{code_name(own.name)}_found", own.results[0][1].xreplace(names))
+        return expr.xreplace(found)
+
+    steps: list[tuple[Symbol, Expr]] = []
+    for symbol, expr in user.steps:
+        value = taken_in(expr)
+        steps += [(s, e) for e, s in done.items()][len(steps) :]
+        done[value] = symbol
+        steps.append((symbol, value))
+    results = tuple((name, taken_in(expr)) for name, expr in user.results)
+    steps += [(s, e) for e, s in done.items()][len(steps) :]
+    return replace(user, steps=tuple(steps), results=results)
+
+
+SHARED = (Apart, Fall, Nyquist, Rise, Swing, Together)
+"""Functions of gamma and delta that begin with the same steps."""
+
+
 def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Library:
     """Everything that a target writes for these forms.
 
@@ -66,9 +110,11 @@ def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Lib
     """
     forms = tuple(forms)
     public = tuple(routine(form) for form in forms)
-    routines = known()
+    routines = known(target.precision)
+    if target.shares:
+        public = tuple(shared(one, routines) for one in public)
     if target.operations["ProductError"].startswith("product_error("):
-        routines = routines | {"ProductError": elementary.product_error()}
+        routines = routines | {"ProductError": elementary.product_error(target.precision)}
     ordered: dict[str, Routine] = {}
 
     def add(wanted: Routine) -> None:

@@ -7,7 +7,7 @@ from types import MappingProxyType
 from sympy.printing.octave import OctaveCodePrinter
 
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Assign, Block, Choice, Routine, lazy
+from symhaptic.export.routine import Assign, Block, Choice, Join, Routine, Set, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
@@ -54,10 +54,10 @@ class Octave(Target):
     def _body(self, block: Block, results: list[str], depth: int) -> list[str]:
         printer, pad, lines = self.printing(), "  " * depth, []
         for statement in block:
-            if isinstance(statement, Assign):
+            if isinstance(statement, (Assign, Set)):
                 value = printer.doprint(statement.expr)
                 lines.append(f"{pad}{self.rename(statement.name.name)} = {value};")
-            elif isinstance(statement, Choice):
+            elif isinstance(statement, (Choice, Join)):
                 lines.append(f"{pad}if {printer.doprint(statement.condition)}")
                 lines += self._body(statement.yes, results, depth + 1)
                 lines += [f"{pad}else", *self._body(statement.no, results, depth + 1)]

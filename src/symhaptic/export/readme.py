@@ -25,7 +25,7 @@ def readme(library: Library, target: Target, count: int) -> str:
         "",
         MARK,
         "",
-        f"{target.title}, double precision. All quantities are dimensionless, in units of the",
+        f"{target.title}, {target.precision.name} precision. All quantities are dimensionless, in units of the",
         "moving mass m and the sampling period T: alpha = K T^2/m, beta = B T/m, gamma = k T^2/m,",
         "delta = b T/m, d = t_d/T, theta = omega T.",
         "",

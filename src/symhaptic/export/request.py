@@ -10,6 +10,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from symhaptic.export.library import Library, library
+from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.readme import readme
 from symhaptic.export.target import Refused, Target
 from symhaptic.export.targets import TARGETS
@@ -27,11 +28,13 @@ _LONGEST = 6
 """Periods up to which a polynomial is written out."""
 
 
-def target(name: str) -> Target:
-    """The target of this name."""
+def target(name: str, precision: str = "double") -> Target:
+    """The target of this name, in a precision."""
     if name not in TARGETS:
         raise Refused(f"--target {name}: is not a target; allowed are {', '.join(TARGETS)}")
-    return TARGETS[name]
+    if precision not in PRECISIONS:
+        raise Refused(f"--precision {precision}: is not known; allowed are {', '.join(PRECISIONS)}")
+    return TARGETS[name].at(PRECISIONS[precision])
 
 
 def scene(words: str) -> Parts:
@@ -90,7 +93,7 @@ def built(
     files = language.source(made)
     if not vectors:
         return made, files
-    text = test_vectors(made.forms)
+    text = test_vectors(made.forms, language.precision)
     files |= language.selftest(made)
     files |= {"vectors.txt": text, "README.md": readme(made, language, text.count("\n"))}
     files[LISTING] = "\n".join(sorted([*files, LISTING])) + "\n"

@@ -125,43 +125,172 @@ class Choice:
 
 
 @dataclass(frozen=True)
+class Join:
+    """The same, after which the names have values and the work goes on."""
+
+    names: tuple[Symbol, ...]
+    condition: Boolean
+    yes: Block
+    no: Block
+
+
+@dataclass(frozen=True)
+class Set:
+    """A name of the join around it gets its value."""
+
+    name: Symbol
+    expr: Expr
+
+
+@dataclass(frozen=True)
 class Return:
     """The results, which end the routine."""
 
     results: tuple[Expr, ...]
 
 
-Block = tuple[Assign | Choice | Return, ...]
+Block = tuple[Assign | Choice | Join | Set | Return, ...]
 
 
 def lazy(routine: Routine) -> Block:
-    """The routine with each step done only where its value is used."""
-    known = dict(routine.steps)
-    order = {name: i for i, (name, _) in enumerate(routine.steps)}
+    """The routine with each step done only where its value is used.
 
-    def needed(exprs: Iterable[Expr], done: set[Symbol]) -> list[Symbol]:
+    Steps that choose by the same condition share one branch, and guards that the condition has
+    decided are left out.
+    """
+    return _Lazy(routine).returned(tuple(e for _, e in routine.results), set(), {})
+
+
+Facts = dict[Expr, Boolean]
+
+
+class _Lazy:
+    """Puts steps into the branches that need them."""
+
+    def __init__(self, routine: Routine) -> None:
+        self.known = dict(routine.steps)
+        self.order = {name: i for i, (name, _) in enumerate(routine.steps)}
+
+    def returned(self, results: tuple[Expr, ...], done: set[Symbol], facts: Facts) -> Block:
+        """What leads to the results and returns them."""
+        results = tuple(e.xreplace(facts) for e in results)
+        (only, *others) = results
+        if others or not isinstance(only, Piecewise):
+            steps, _ = self._steps(results, done, facts)
+            return (*steps, Return(results))
+        condition, yes, no = parted(only)
+        steps, done = self._steps((condition,), done, facts)
+        return (*steps, Choice(
+            condition,
+            self.returned((yes,), done, facts | _decided(condition, sp.true)),
+            self.returned((no,), done, facts | _decided(condition, sp.false)),
+        ))  # fmt: skip
+
+    def _steps(
+        self, wanted: Iterable[Expr], done: set[Symbol], facts: Facts
+    ) -> tuple[Block, set[Symbol]]:
+        """All steps that the expressions always need, and what is done then."""
+        exprs = {s: self.known[s].xreplace(facts) for s in self._closure(wanted, done)}
+        always = self._always(wanted, exprs, done)
+        left = sorted(always, key=self.order.__getitem__)
+        written: list[Assign | Choice | Join | Set | Return] = []
+        done = set(done)
+        while left:
+            plain = [s for s in left if not self._branches(exprs[s], exprs, always | done)
+                     and not (exprs[s].free_symbols & set(left))]  # fmt: skip
+            if plain:
+                written.append(Assign(plain[0], exprs[plain[0]]))
+                left.remove(plain[0])
+                done.add(plain[0])
+                continue
+            ready = [s for s in left if not (self._closure((exprs[s],), done) & set(left))]
+            condition = parted(exprs[ready[0]])[0]
+            names = tuple(s for s in ready if parted(exprs[s])[0] == condition)
+            yes, no = (
+                self._arm([(s, parted(exprs[s])[side]) for s in names], done,
+                          facts | _decided(condition, value))
+                for side, value in ((1, sp.true), (2, sp.false))
+            )  # fmt: skip
+            written.append(Join(names, condition, yes, no))
+            left = [s for s in left if s not in names]
+            done |= set(names)
+        return tuple(written), done
+
+    def _arm(self, values: list[tuple[Symbol, Expr]], done: set[Symbol], facts: Facts) -> Block:
+        """One side of a join; values that choose again by one condition share that branch."""
+        values = [(s, e.xreplace(facts)) for s, e in values]
+        chosen = [e for _, e in values if isinstance(e, Piecewise) and self._heavy(e, done)]
+        plain = [(s, e) for s, e in values if e not in chosen]
+        steps, done = self._steps([e for _, e in plain], done, facts)
+        written = [*steps, *(Set(s, e) for s, e in plain)]
+        while chosen:
+            condition = parted(chosen[0])[0]
+            group = [(s, e) for s, e in values if e in chosen and parted(e)[0] == condition]
+            more, done = self._steps((condition,), done, facts)
+            sides = [
+                self._arm(
+                    [(s, parted(e)[side]) for s, e in group],
+                    done,
+                    facts | _decided(condition, value),
+                )
+                for side, value in ((1, sp.true), (2, sp.false))
+            ]
+            written += [*more, Join((), condition, *sides)]
+            chosen = [e for e in chosen if parted(e)[0] != condition]
+        return tuple(written)
+
+    def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
+        """Steps that the expressions may need."""
         found: set[Symbol] = set()
-        left = [s for e in exprs for s in e.free_symbols]
+        left = [s for e in wanted for s in e.free_symbols]
         while left:
             symbol = left.pop()
-            if symbol in known and symbol not in found and symbol not in done:
+            if symbol in self.known and symbol not in found and symbol not in done:
                 found.add(symbol)
-                left += known[symbol].free_symbols
-        return sorted(found, key=order.__getitem__)
+                left += self.known[symbol].free_symbols
+        return found
 
-    def block(results: tuple[Expr, ...], done: set[Symbol]) -> Block:
-        only = results[0]
-        choice = len(results) == 1 and isinstance(only, Piecewise)
-        first = needed([only.args[0][1]] if choice else results, done)
-        steps: Block = tuple(Assign(name, known[name]) for name in first)
-        done = done | set(first)
-        if not choice:
-            return (*steps, Return(results))
-        (yes, condition), *others = only.args
-        no = Piecewise(*others) if len(others) > 1 else others[0][0]
-        return (*steps, Choice(condition, block((yes,), done), block((no,), done)))
+    def _always(
+        self, wanted: Iterable[Expr], exprs: dict[Symbol, Expr], done: set[Symbol]
+    ) -> set[Symbol]:
+        """Steps that the expressions need whichever branch is taken inside them."""
+        found: set[Symbol] = set()
+        left = [s for e in wanted for s in e.free_symbols]
+        while left:
+            symbol = left.pop()
+            if symbol not in exprs or symbol in found or symbol in done:
+                continue
+            found.add(symbol)
+            expr = exprs[symbol]
+            heavy = isinstance(expr, Piecewise) and self._heavy(expr, done)
+            left += (parted(expr)[0] if heavy else expr).free_symbols
+        return found
 
-    return block(tuple(e for _, e in routine.results), set())
+    def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:
+        """Whether a choice has work in it: steps of its own, or calls."""
+        _, yes, no = parted(expr)
+        return any(side.atoms(Function) - side.atoms(Piecewise, sp.Abs) for side in (yes, no)) or (
+            self._closure((yes,), done) != self._closure((no,), done)
+        )
+
+    def _branches(self, expr: Expr, exprs: dict[Symbol, Expr], there: set[Symbol]) -> bool:
+        """Whether a choice that is worth a branch has steps that are not done anyway."""
+        if not isinstance(expr, Piecewise):
+            return False
+        _, yes, no = parted(expr)
+        own = self._closure((yes, no), there)
+        calls = any(side.atoms(Function) - side.atoms(Piecewise, sp.Abs) for side in (yes, no))
+        return bool(own) or calls
+
+
+def _decided(condition: Boolean, value: Boolean) -> Facts:
+    return {condition: value, sp.Not(condition): sp.Not(value)}
+
+
+def parted(expr: Piecewise) -> tuple[Boolean, Expr, Expr]:
+    """The first condition of a choice, the value there, and what holds else."""
+    (yes, condition), *others = expr.args
+    return condition, yes, (Piecewise(*others) if len(others) > 1 else others[0][0])
 
 
 __all__ = [

@@ -8,6 +8,7 @@ from sympy.printing.rust import RustCodePrinter
 
 from symhaptic.export.c import braces
 from symhaptic.export.library import Library
+from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Routine, lazy
 from symhaptic.export.target import Printing, Target, describe, vocabulary
 
@@ -43,29 +44,35 @@ class Rust(Target):
             "tan": "({0}).tan()",
         }
     )
+    single = operations
+
+    @property
+    def real(self) -> str:
+        """The type."""
+        return f"f{64 if self.precision is DOUBLE else 32}"
 
     def number(self, value: float) -> str:
         """A literal with its type, so that methods can be called."""
-        return f"{value!r}_f64"
+        return f"{super().number(value)}_{self.real}"
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.rs, a module."""
         lines = ["#![allow(unused_parens)]", ""]
         for helper in library.helpers:
-            lines += [f"// {helper.about}", f"fn {self._head(helper)} -> f64 {{"]
+            lines += [f"// {helper.about}", f"fn {self._head(helper)} -> {self.real} {{"]
             lines += [*braces(self, lazy(helper), ["return {0};"], "let"), "}", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
             count = len(routine.results)
             values = ", ".join(f"{{{i}}}" for i in range(count))
             end = f"return ({values});" if count > 1 else "return {0};"
-            kind = f"({', '.join(['f64'] * count)})" if count > 1 else "f64"
+            kind = f"({', '.join([self.real] * count)})" if count > 1 else self.real
             lines += [f"/// {line}" for line in describe(form)]
             lines.append(f"pub fn {self._head(routine)} -> {kind} {{")
             lines += [*braces(self, lazy(routine), [end], "let"), "}", ""]
         return {f"{library.name}.rs": "\n".join(lines)}
 
     def _head(self, routine: Routine) -> str:
-        args = ", ".join(f"{self.rename(s.name)}: f64" for s in routine.arguments)
+        args = ", ".join(f"{self.rename(s.name)}: {self.real}" for s in routine.arguments)
         return f"{self.call(routine.name)}({args})"
 
     def usage(self, library: Library) -> str:
@@ -86,7 +93,9 @@ class Rust(Target):
             )
             arms.append(f'            "{r.name}" => ({count}, {got}),\n')
         return {
-            "selftest.rs": _SELFTEST.replace("NAME", library.name).replace("ARMS", "".join(arms))
+            "selftest.rs": _SELFTEST.replace("NAME", library.name)
+            .replace("ARMS", "".join(arms))
+            .replace("REAL", self.real)
         }
 
     def commands(self, name: str) -> list[list[str]]:
@@ -100,7 +109,7 @@ class Rust(Target):
 _SELFTEST = """mod NAME;
 
 // -0x1.8000000000000p+1, always with 13 digits
-fn parse(word: &str) -> f64 {
+fn parse(word: &str) -> REAL {
     let (sign, rest) = match word.strip_prefix('-') {
         Some(rest) => (-1.0, rest),
         None => (1.0, word),
@@ -109,7 +118,7 @@ fn parse(word: &str) -> f64 {
     let whole = u64::from_str_radix(&digits, 16).unwrap() as f64;
     let power: i32 = rest[18..].parse().unwrap();
     let half = (power - 52) / 2; // in two steps, since 2^-1074 is no normal number
-    sign * whole * 2f64.powi(half) * 2f64.powi(power - 52 - half)
+    (sign * whole * 2f64.powi(half) * 2f64.powi(power - 52 - half)) as REAL
 }
 
 fn main() {
@@ -118,8 +127,8 @@ fn main() {
     for line in text.lines() {
         let mut words = line.split(' ');
         let name = words.next().unwrap();
-        let x: Vec<f64> = words.map(parse).collect();
-        let (count, got): (usize, Vec<f64>) = match name {
+        let x: Vec<REAL> = words.map(parse).collect();
+        let (count, got): (usize, Vec<REAL>) = match name {
 ARMS            _ => panic!("{}", name),
         };
         for (i, value) in got.iter().enumerate() {

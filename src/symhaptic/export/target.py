@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from copy import copy
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.printing.codeprinter import CodePrinter
 
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine
 from symhaptic.model.values import ALL as ENTIRE
 from symhaptic.notation import SYMBOLS
@@ -40,11 +42,11 @@ def vocabulary(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-def called(prefix: str, **special: str) -> Mapping[str, str]:
-    """The shared operations as calls, with a prefix; some written in their own way."""
+def called(prefix: str, suffix: str = "", **special: str) -> Mapping[str, str]:
+    """The shared operations as calls, with a prefix or a suffix; some written in their own way."""
     plain = {"Abs": "abs", "Max": "max", "Min": "min"}
     table = {
-        name: f"{prefix}{plain.get(name, name)}({'{0}, {1}' if name in _PAIRS else '{0}'})"
+        name: f"{prefix}{plain.get(name, name)}{suffix}({'{0}, {1}' if name in _PAIRS else '{0}'})"
         for name in OPERATIONS
     }
     return MappingProxyType(table | special)
@@ -173,12 +175,37 @@ class Target:
     words: Mapping[str, str] = MappingProxyType({})
     """Comparisons and connectives that are written in another way."""
     ignores_case = False
+    precision = DOUBLE
+    single: Mapping[str, str] | None = None
+    """The shared operations in single precision, where the language has it."""
+    shares = True
+    """Whether a function takes in the routines of the device, to do once what they share."""
+
+    def at(self, precision: Precision) -> Target:
+        """The same language in another precision."""
+        if precision is self.precision:
+            return self
+        if self.single is None:
+            raise Refused(f"--precision {precision.name}: {self.title} is exported in double only")
+        other = copy(self)
+        other.precision, other.operations = precision, self.single
+        return other
+
+    @property
+    def real(self) -> str:
+        """What a float is called in languages with the types of C."""
+        return "double" if self.precision is DOUBLE else "float"
+
+    @property
+    def late(self) -> str:
+        """What declares a variable that gets its value later."""
+        return "let"
 
     # -- expressions -------------------------------------------------------------------
 
     def number(self, value: float) -> str:
         """A float that reads back as the same number."""
-        return repr(value)
+        return self.precision.written(value)
 
     def comparison(self, operator: str) -> str:
         """A comparison."""

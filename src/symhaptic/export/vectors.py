@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import product
 from typing import Any
 
 import mpmath
+import numpy as np
 import sympy as sp
 from mpmath import mpf
 from sympy import Expr, Symbol
 
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.model.counted import Stable, UnstableRoots, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
@@ -29,20 +30,18 @@ def allowed(form: Form) -> int:
     return _ALLOWED.get(form.name, _ELSE)
 
 
+TINIEST, BELOW, ABOVE = -1.0, -2.0, -3.0
+"""Stand for what depends on the precision: a very small number, and the neighbours of 1/4."""
+
 _HARD = {
-    gamma: (0.0, 1e-300, 1e-12, 1e-3, 1.0, 9.869604401089358, 700.0),
-    delta: (0.0, 1e-300, 1e-8, 0.02, 2.0, 60.0, 700.0),
+    gamma: (0.0, TINIEST, 1e-12, 1e-3, 1.0, 9.869604401089358, 700.0),
+    delta: (0.0, TINIEST, 1e-8, 0.02, 2.0, 60.0, 700.0),
     alpha: (0.0, 0.3, -0.1, 1e-9),
     beta: (0.0, 0.2, -0.05, 1e3),
     d: (0.0, 1.0, 2.0, 1e6, 0.5),
     theta: (1e-9, 0.01, 1.0, 3.0, 3.141592653589793 - 1e-9),
 }
-_CRITICAL = [
-    (0.25, 1.0),
-    (math.nextafter(0.25, 0), 1.0),
-    (math.nextafter(0.25, 1), 1.0),
-    (25.0, 10.0),
-]
+_CRITICAL = [(0.25, 1.0), (BELOW, 1.0), (ABOVE, 1.0), (25.0, 10.0)]
 _MOST = 40
 """Vectors a function: all combinations where these are fewer, else an even choice of them."""
 
@@ -59,16 +58,27 @@ def hexadecimal(number: float) -> str:
     return f"{whole}.{digits:0<13}p{power}"
 
 
-def points(form: Form) -> list[tuple[float, ...]]:
-    """Ordinary and hard arguments of a form."""
-    choices = [_HARD[s] for s in form.arguments]
+def points(form: Form, precision: Precision = DOUBLE) -> list[tuple[float, ...]]:
+    """Ordinary and hard arguments of a form, which are floats of the precision."""
+    kind = precision.kind
+    special = {
+        TINIEST: precision.smallest,
+        BELOW: float(np.nextafter(kind(0.25), kind(0))),
+        ABOVE: float(np.nextafter(kind(0.25), kind(1))),
+    }
+
+    def near(symbol: Symbol, value: float) -> float:
+        found = precision.nearest(special.get(value, value))
+        return min(found, precision.below_pi) if symbol == theta else found
+
+    choices = [[near(s, v) for v in _HARD[s]] for s in form.arguments]
     everything = list(product(*choices))
     step = max(1, len(everything) // _MOST) | 1
     found = everything[:: step if len(everything) > _MOST else 1]
     if gamma in form.arguments and delta in form.arguments:
         for i, (stiffness, damping) in enumerate(_CRITICAL):
             point = dict(zip(form.arguments, everything[(i * 37) % len(everything)], strict=True))
-            point |= {gamma: stiffness, delta: damping}
+            point |= {gamma: near(gamma, stiffness), delta: near(delta, damping)}
             found.append(tuple(point[s] for s in form.arguments))
     return found
 
@@ -139,30 +149,30 @@ def _swing(expr: Expr, at: Mapping[Symbol, mpf]) -> mpf:
     return (1 if isinstance(expr, Rise) else decayed) / g
 
 
-def vectors(form: Form) -> Iterator[list[float]]:
+def vectors(form: Form, precision: Precision = DOUBLE) -> Iterator[list[float]]:
     """For each point: the arguments, then each result's exact value, rounded, and its tolerance.
 
     Points where a result is no number, or too small or large for a float, are left out.
     """
-    for point in points(form):
+    for point in points(form, precision):
         with mpmath.workdps(_DIGITS):
             at = {s: mpf(v) for s, v in zip(form.arguments, point, strict=True)}
             try:
                 found = [sized(expr, at) for expr in form.expressions]
             except ArithmeticError:
                 continue
-            if any(size > 1e290 or 0 < abs(v) < 1e-290 for v, size in found):
+            if any(size > precision.huge or 0 < abs(v) < precision.tiny for v, size in found):
                 continue
             row = list(point)
             for exact, size in found:
-                row += [float(exact), allowed(form) * math.ulp(float(size))]
+                row += [precision.nearest(exact), allowed(form) * precision.ulp(float(size))]
         yield row
 
 
-def text(forms: tuple[Form, ...]) -> str:
+def text(forms: tuple[Form, ...], precision: Precision = DOUBLE) -> str:
     """One line a vector: the function's name, then its numbers."""
     lines = []
     for form in forms:
-        for row in vectors(form):
+        for row in vectors(form, precision):
             lines.append(" ".join([form.name, *(hexadecimal(x + 0.0) for x in row)]))
     return "\n".join(lines) + "\n"

@@ -1,0 +1,92 @@
+"""What depends on how many digits a float has: one line for each precision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import sympy as sp
+from sympy import Expr
+
+_GUARD = 2.0**-12
+"""A truncated series may miss this part of half a last place."""
+
+
+@dataclass(frozen=True)
+class Precision:
+    """A binary format of floats."""
+
+    name: str
+    bits: int
+    """Binary digits, the hidden one among them."""
+    kind: type[np.float64] | type[np.float32]
+    smallest: float
+    """A stiffness or a damping that is next to nothing."""
+    tiny: float
+    """Results below are not measured: what leads to them may lose its last digits."""
+    huge: float
+    """The same above."""
+
+    @property
+    def last(self) -> sp.Rational:
+        """The last place of 1."""
+        return sp.Rational(1, 2 ** (self.bits - 1))
+
+    @property
+    def below_pi(self) -> float:
+        """The largest float that is less than pi."""
+        near = self.kind(np.pi)
+        return float(
+            near if float(near) < np.pi or self.bits == 53 else np.nextafter(near, self.kind(0))
+        )
+
+    @property
+    def split(self) -> sp.Integer:
+        """Veltkamp's factor: halves of a float whose products are exact."""
+        return sp.Integer(2 ** ((self.bits + 1) // 2) + 1)
+
+    def nearest(self, number: float | Expr) -> float:
+        """The float nearest to a number.
+
+        >>> SINGLE.nearest(0.1)
+        0.10000000149011612
+        """
+        return float(self.kind(float(number)))
+
+    def parts(self, number: Expr, count: int = 2) -> tuple[sp.Rational, ...]:
+        """Floats whose sum is a number: the nearest, the one nearest to the rest, and so on."""
+        found, left = [], number
+        for _ in range(count):
+            near = sp.Rational(*self.nearest(sp.N(left, 60)).as_integer_ratio())
+            found.append(near)
+            left = left - near
+        return tuple(found)
+
+    def written(self, value: float) -> str:
+        """The shortest decimals that read back as the same float."""
+        if self.bits == 53:
+            return repr(float(value))
+        text = str(self.kind(value))
+        return text if any(c in text for c in ".en") else f"{text}.0"
+
+    def ulp(self, size: float) -> float:
+        """The last place of a number."""
+        return float(np.spacing(self.kind(abs(size))))
+
+    def terms(self, ahead: Callable[[int], Expr]) -> int:
+        """How many terms of a series serve, where ``ahead`` bounds all terms from the n-th on.
+
+        >>> DOUBLE.terms(lambda n: 1 / sp.factorial(n)), SINGLE.terms(lambda n: 1 / sp.factorial(n))
+        (21, 14)
+        """
+        n = 1
+        while float(ahead(n)) > _GUARD * float(self.last) / 2:
+            n += 1
+        return n
+
+
+DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290)
+SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30)
+
+PRECISIONS = {p.name: p for p in (DOUBLE, SINGLE)}
