@@ -5,9 +5,9 @@ import pytest
 import sympy as sp
 from oracle import sampled
 from scipy.signal import cont2discrete, dstep
+from sympy.physics.control import TransferFunction
 
 from symhaptic import Scene
-from symhaptic.systems import coefficients
 
 SCENES = {
     "everything": Scene(mass=0.4, damping=2.0, stiffness=30.0, sampling_period=0.02, delay=0.04),
@@ -73,12 +73,20 @@ def test_a_fraction_of_a_period_is_exact(name):
 
 
 @pytest.mark.parametrize("scene", [*SCENES.values(), *FRACTIONAL.values()])
-def test_the_exact_expression_has_the_same_values(scene):
-    z = sp.Symbol("z")
-    expr = scene.to_sympy()
-    assert expr.free_symbols == {z}
-    top, bottom = coefficients(scene)
+def test_sympy_has_the_same_response(scene):
+    """Its exact values on the unit circle, beside the exponentials of the device's matrix."""
+    system = scene.to_sympy()
+    assert isinstance(system, TransferFunction)
+    assert system.num.free_symbols | system.den.free_symbols == {system.var}
+    gamma, delta, delay = scene.dimensionless
+    steps = int(delay)
+    part = delay - steps
+    (free, held), (later, begun) = sampled(gamma, delta), sampled(gamma, delta, 1 - part)
+    early = sampled(gamma, delta, part)[1]
     for frequency in (0.4, 2.0):
-        at = np.exp(1j * frequency)
-        exact = complex(expr.subs(z, sp.exp(sp.I * sp.Float(frequency, 40))).evalf(30))
-        assert np.polyval(top, at) / np.polyval(bottom, at) == pytest.approx(exact, rel=1e-9)
+        z = np.exp(1j * frequency)
+        force = begun + later @ early / z if part else held
+        state = np.linalg.solve(z * np.eye(2) - free, force)
+        expected = state[0] * z**-steps * scene.sampling_period**2 / scene.mass
+        exact = system.to_expr().subs(system.var, sp.exp(sp.I * sp.Float(frequency, 40)))
+        assert complex(exact.evalf(30)) == pytest.approx(expected, rel=1e-9)

@@ -48,32 +48,31 @@ def scipy_system(scene: Scene) -> Any:
 
 
 def sympy_system(scene: Scene) -> Any:
-    """As an exact SymPy expression in z: the scene's numbers are taken as the fractions they are.
+    """As an exact ``TransferFunction`` of SymPy, in z; floats are the fractions that they are.
 
     >>> from symhaptic.scene import Scene
-    >>> sympy_system(Scene(mass=2.0, sampling_period=1.0))
-    (z/2 + 1/2)/(2*(z**2 - 2*z + 1))
+    >>> system = sympy_system(Scene(mass=2.0, sampling_period=1.0, delay=1.0))
+    >>> system.num, system.den
+    (z/4 + 1/4, z*(z**2 - 2*z + 1))
     """
     import sympy as sp
+    from sympy.physics.control import TransferFunction
 
     from symhaptic.model import fractional, plant
-    from symhaptic.notation import delta, epsilon, gamma, l
+    from symhaptic.notation import z
 
     period, mass = (sp.Rational(v) for v in (scene.sampling_period, scene.mass))
-    own = plant.normalised(scene.parts)
-    given = {
-        gamma: sp.Rational(scene.stiffness or 0) * period**2 / mass,
-        delta: sp.Rational(scene.damping or 0) * period / mass,
-    }
-    damping = None if own.damping is None else given[delta]
-    stiffness = None if own.stiffness is None else given[gamma]
-    exact = plant.Plant(sp.S.One, damping or None, stiffness or None)
+    exact = plant.Plant(
+        sp.S.One,
+        sp.Rational(scene.damping) * period / mass if scene.damping else None,
+        sp.Rational(scene.stiffness) * period**2 / mass if scene.stiffness else None,
+    )
     delay = sp.Rational(scene.delay or 0) / period
     steps = sp.floor(delay)
     if delay == steps:
-        from symhaptic.notation import z
-
-        found = plant.sampled(exact).transfer * z**-steps
+        device = plant.sampled(exact)
+        top, bottom = device.numerator, device.denominator * z**steps
     else:
-        found = fractional.late(exact, part=delay - steps).transfer.subs({l: steps})
-    return period**2 / mass * found.subs(epsilon, delay - steps)
+        late = fractional.late(exact, part=delay - steps)
+        top, bottom = late.numerator, late.device.denominator * z ** (steps + 1)
+    return TransferFunction(sp.expand(period**2 / mass * top), bottom, z)
