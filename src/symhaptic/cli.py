@@ -200,10 +200,10 @@ def report(
     tex = build.has_tex()
     if format is ReportFormat.pdf and not tex and not check:
         _usage(f"--format pdf: {build.NO_TEX}")
-    if output.exists() and not output.is_dir():
-        _usage(f"-o {output}: is a file; a folder is allowed")
-    chapters = _chapters(library.shipped() + _own(derivation))
+    paths = library.shipped() + _own(derivation)
     try:
+        build.check(paths, output)
+        chapters = _chapters(paths)
         if check:
             diff = build.differences(chapters, output)
             typer.echo(diff, nl=False)

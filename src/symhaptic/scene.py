@@ -164,7 +164,7 @@ class Scene:
         return scipy_system(self)
 
     def to_sympy(self) -> Any:
-        """The sampled device behind its delay, from N to m, as SymPy's ``TransferFunction`` in z."""
+        """The sampled device behind its delay, from N to m, as SymPy's ``TransferFunction``."""
         from symhaptic.systems import sympy_system
 
         return sympy_system(self)

@@ -51,6 +51,21 @@ class ReportError(RuntimeError):
     """The report cannot be written; the message is one line."""
 
 
+def check(paths: list[Path], output: Path) -> None:
+    """Say before the work is done that a chapter's name is taken, or that there is no place."""
+    names = [path.stem for path in paths]
+    for path in reversed(paths):
+        if names.count(path.stem) > 1 or path.stem in RESERVED:
+            raise ReportError(
+                f"--derivation {path}: the name {path.stem!r} is taken; rename the file"
+            )
+    for folder in (output, *output.parents):
+        if folder.exists():
+            if not folder.is_dir():
+                raise ReportError(f"-o {output}: {folder} is a file; a folder is allowed")
+            return
+
+
 def text_files(chapters: list[Chapter]) -> dict[str, str]:
     """Name and content of every text file of the report."""
     try:
@@ -71,12 +86,6 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
         comment_start_string="<#",
         comment_end_string="#>",
     )
-    names = [chapter.name for chapter in chapters]
-    for chapter in chapters:
-        if names.count(chapter.name) > 1 or chapter.name in RESERVED:
-            raise ReportError(
-                f"--derivation {chapter.path}: the name {chapter.name!r} is taken; rename the file"
-            )
     entries = ledger(entry for chapter in chapters for entry in of_chapter(chapter))
     shared = {"generated": GENERATED, "title": TITLE, "counts": counted(entries)}
     files = {
