@@ -83,7 +83,7 @@ def _root(do: Steps, parts: tuple[_Quadratic, ...]) -> tuple[Expr, Expr]:
     first = And(sizes[1] <= sizes[0], sizes[1] <= sizes[2])
     third = And(sizes[2] < sizes[0], sizes[2] < sizes[1])
     disc = do("disc", choose(first, discs[1], choose(third, discs[2], discs[0])))
-    return do("root", sqrt(Max(disc, 0))), disc
+    return do("root", sqrt(choose(disc >= 0, disc, 0))), disc
 
 
 def _solved(do: Steps, k: _Quadratic, root: Expr) -> tuple[Expr, Expr]:
@@ -141,7 +141,7 @@ def unstable_roots() -> Routine:
     for sign, y, off, rest in zip((2, -2), ys, offs, rests, strict=True):
         small = y < rest
         edge = do("edge", choose(small, y, rest))
-        there = And(disc >= 0, y > 0, rest > 0, edge < 4)
+        there = And(y > 0, rest > 0, edge < 4)
         inside = And(sp.Abs(off) < edge, center + off > 0, beyond - off > 0)
         at = do("at", choose(inside, center + off, choose(small, y, 4 - rest)))
         still = do("still", choose(inside, beyond - off, choose(small, 4 - y, rest)))
@@ -149,6 +149,7 @@ def unstable_roots() -> Routine:
         at, still = do("at", choose(there, at, 2)), do("still", choose(there, still, 2))
         found = _turns(do, e, v, do("at", Max(at, 0)), do("still", Max(still, 0)), away)
         total = do("total", total + choose(there, sign * found, 0))
+    total = do("total", choose(disc >= 0, total, 0))
     side = do("side", choose(v.slope >= 0, 1, -1))
     begin = choose(alpha > 0, 0, side)
     end = do(

@@ -211,16 +211,17 @@ def _delayed(do: Steps) -> tuple[Expr, Expr, Expr, Expr]:
 
 def _next(do: Steps) -> tuple[Expr, Expr]:
     """(k + 1) x and what the float misses."""
-    angle, off, more = _next_parts(do)
-    return angle, do("off", off + more)
+    angle, off, missed = _next_parts(do)
+    return angle, do("off", off + missed * x)
 
 
 def _next_parts(do: Steps) -> tuple[Expr, Expr, Expr]:
+    """The product of x and k + 1 rounded, its rounding error, and the sum's rounding error."""
     count = do("count", k + 1)
     before = do("before", count - 1)
     angle = do("angle", count * x)
     missed = do("missed", k - before)
-    return angle, ProductError(count, x), missed * x
+    return angle, ProductError(count, x), missed
 
 
 def _turned(do: Steps, precision: Precision) -> tuple[Expr, Expr, Expr]:
@@ -228,14 +229,16 @@ def _turned(do: Steps, precision: Precision) -> tuple[Expr, Expr, Expr]:
 
     For few digits: the rounding of a long angle is no small angle then.
     """
-    angle, off, more = _next_parts(do)
+    angle, off, missed = _next_parts(do)
     large, middle, small = precision.parts(sp.pi / 2, 3)
     count = do("quarters", floor(angle * 2 / sp.pi + sp.S.Half))
     left = do("left", angle - count * large)  # exact
     left, one = difference(do, left, ProductError(count, large))
     left, two = difference(do, left, count * middle)
     left, three = difference(do, left, -off)
-    low = do("low", one + two + three + more - (ProductError(count, middle) + count * small))
+    left, four = difference(do, left, -missed * x)
+    low = do("low", one + two + three + four - (ProductError(count, middle) + count * small))
+    low = do("low", low + ProductError(missed, x))
     sine, cosine = do("wave", sin(left)), do("still", cos(left))
     turn = do("turn", count - 4 * floor(count / 4))
     return turn, do("sine", sine + low * cosine), do("cosine", cosine - low * sine)

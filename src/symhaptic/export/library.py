@@ -9,11 +9,13 @@ from itertools import chain, count
 
 import sympy as sp
 from sympy import Expr, Symbol
+from sympy.core.function import AppliedUndef
 
 from symhaptic.export import counting, device, elementary, pairs
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine
+from symhaptic.export.routine import Routine, expm1
 from symhaptic.export.target import Refused, Target, calls, code_name, operations
+from symhaptic.model.entire import CosNext, Entire, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
 from symhaptic.model.stable import Form
 
@@ -67,40 +69,58 @@ def _with_named_bases(expr: Expr, done: list[tuple[Symbol, Expr]], fresh: Iterab
 
 
 def shared(user: Routine, routines: Mapping[str, Routine]) -> Routine:
-    """The routine with the device's taken in; a step that two of them have is done once."""
+    """The routine with those of SHARED taken in; a step that two of them have is done once."""
     taken = {s.name for s in (*user.arguments, *(s for s, _ in user.steps))}
     done: dict[Expr, Symbol] = {}
 
     def step(name: str, expr: Expr) -> Symbol:
+        if expr.is_Symbol:
+            return expr
         if expr not in done:
             fresh = chain([name], (f"{name}_{i}" for i in count(2)))
             done[expr] = Symbol(next(n for n in fresh if n not in taken))
             taken.add(done[expr].name)
         return done[expr]
 
-    def taken_in(expr: Expr) -> Expr:
-        found = {}
-        for call in expr.atoms(*SHARED):
-            own = routines[type(call).__name__]
-            names = dict(zip(own.arguments, call.args, strict=True))
-            for symbol, value in own.steps:
-                names[symbol] = step(symbol.name, value.xreplace(names))
-            found[call] = step(f"{code_name(own.name)}_found", own.results[0][1].xreplace(names))
-        return expr.xreplace(found)
+    def named(expr: Expr) -> Expr:
+        """Every call is a step of its own."""
+        while inner := [c for c in expr.atoms(*_CALLS) if c != expr and not _calls(c)]:
+            call = min(inner, key=sp.default_sort_key)
+            expr = expr.xreplace({call: value(call)})
+        return value(expr) if isinstance(expr, SHARED) else expr
 
-    steps: list[tuple[Symbol, Expr]] = []
+    def value(call: Expr) -> Symbol:
+        name = code_name(type(call).__name__)
+        if not isinstance(call, SHARED):
+            return step(f"{name}_of", call)
+        own = routines[type(call).__name__]
+        names = {s: step(s.name, arg) for s, arg in zip(own.arguments, call.args, strict=True)}
+        for symbol, expr in own.steps:
+            names[symbol] = step(symbol.name, named(expr.xreplace(names)))
+        return step(f"{name}_of", named(own.results[0][1].xreplace(names)))
+
+    steps: dict[Symbol, Expr] = {}
     for symbol, expr in user.steps:
-        value = taken_in(expr)
-        steps += [(s, e) for e, s in done.items()][len(steps) :]
-        done[value] = symbol
-        steps.append((symbol, value))
-    results = tuple((name, taken_in(expr)) for name, expr in user.results)
-    steps += [(s, e) for e, s in done.items()][len(steps) :]
-    return replace(user, steps=tuple(steps), results=results)
+        found = named(expr)
+        steps |= {s: e for e, s in done.items()}
+        if found in done:
+            steps[symbol] = done[found]
+        else:
+            done[found] = symbol
+            steps[symbol] = found
+    results = tuple((name, named(expr)) for name, expr in user.results)
+    steps |= {s: e for e, s in done.items()}
+    return replace(user, steps=tuple(steps.items()), results=results)
 
 
-SHARED = (Apart, Fall, Nyquist, Rise, Swing, Together)
-"""Functions of gamma and delta that begin with the same steps."""
+def _calls(call: Expr) -> bool:
+    return any(arg.atoms(*_CALLS) for arg in call.args)
+
+
+SHARED = (Apart, Fall, Nyquist, Rise, Swing, Together, CosNext, SinNext)
+"""Functions that begin with the same steps as another one of the same arguments."""
+
+_CALLS = (Entire, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
 def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Library:

@@ -74,9 +74,11 @@ def waving(do: Steps, square: Expr, square_low: Expr, angle: Expr, angle_low: Ex
     slow = square > -SLOW
     given = do("given", choose(slow, square, 0))
     first, lost = fast_sum(do, sp.S.One, given / 2)
-    even, more = fast_sum(do, first, given * given * sp.Function("CosSeries")(given))
+    curved = do("curved", given * given * sp.Function("CosSeries")(given))
+    even, more = fast_sum(do, first, curved)
     even_low = do("even_low", lost + more + square_low / 2)
-    odd, rest = fast_sum(do, sp.S.One, given * sp.Function("SinSeries")(given))
+    bent = do("bent", given * sp.Function("SinSeries")(given))
+    odd, rest = fast_sum(do, sp.S.One, bent)
     odd_low = do("odd_low", rest + square_low / 6)
     sine, cosine = do("sine", sin(angle)), do("cosine", cos(angle))
     some = do("some", choose(slow, 1, angle))
