@@ -1,0 +1,137 @@
+"""What a part costs: the largest relative error on a box when it is left out, between two bounds.
+
+Branch and bound.  On a piece the error lies in a ball by the limits of both models there, and in
+another by the error in the middle and the slopes on the piece; the piece whose ball reaches
+farthest is halved.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from heapq import heappop, heappush
+from typing import NamedTuple
+
+from flint import arb, ctx
+
+from symhaptic.simplest.plants import (
+    BITS,
+    NOTHING,
+    Box,
+    Found,
+    Limit,
+    NotCovered,
+    NotEnclosed,
+    number,
+)
+
+_PIECES = 400
+"""So many pieces of the range are tried."""
+
+_CLOSE = 1.01
+"""The bounds of an error need not be closer than this factor."""
+
+_SMALL = 1e-12
+"""Nor closer than this."""
+
+
+class Cost(NamedTuple):
+    """The largest relative error on a range lies between these two."""
+
+    least: float
+    most: float
+
+
+class Model(NamedTuple):
+    """Another limit, and the intervals that it has no part for."""
+
+    limit: Limit
+    left_out: Sequence[int] = ()
+
+    def __call__(self, box: Box, hint: object = None) -> Found:
+        """The model's limit on a box of the whole model."""
+        less = tuple(NOTHING if i in self.left_out else x for i, x in enumerate(box))
+        found = self.limit(less, hint)
+        none = arb(0)
+        slopes = tuple(none if i in self.left_out else s for i, s in enumerate(found.slopes))
+        return found._replace(slopes=slopes)
+
+
+class _Piece(NamedTuple):
+    box: Box
+    hints: tuple[object, object]
+    """What the limits found on a larger box; for smaller ones to start from."""
+    least: float = 0.0
+    most: float = math.inf
+    across: int = 0
+    """The interval to halve."""
+
+
+def cost(whole: Limit, model: Model, box: Box, rtol: float) -> Cost:
+    """Bounds of the largest |reduced/whole - 1| on a box, on one side of ``rtol`` if they can.
+
+    Raises :class:`NotCovered` where there is no proof on some part of the box, with the reason.
+    """
+    with ctx.workprec(BITS):
+        heap: list[tuple[float, int, _Piece]] = []
+        least, tried, new = 0.0, 0, [_Piece(box, (None, None))]
+        while True:
+            for piece in new:
+                tried += 1
+                known = _bounded(whole, model, piece)
+                least = max(least, known.least)
+                heappush(heap, (-known.most, tried, known))
+            worst = heap[0][2]
+            most = max(worst.most, least)
+            even = most <= least + _SMALL
+            decided = most < rtol or rtol <= least or even
+            if decided and (even or most <= _CLOSE * least):
+                return Cost(least, most)
+            heappop(heap)
+            across = worst.box[worst.across]
+            if tried > _PIECES or across.low == across.high:
+                if most == math.inf:
+                    raise NotCovered("nothing is shown on some part of the range")
+                return Cost(least, most)
+            new = [
+                _Piece((*worst.box[: worst.across], half, *worst.box[worst.across + 1 :]), worst.hints)
+                for half in across.halves()
+            ]
+
+
+def _bounded(whole: Limit, model: Model, piece: _Piece) -> _Piece:
+    """The piece with bounds of its largest error."""
+    box, hints = piece.box, piece.hints
+    middle = tuple(x.point for x in box)
+    try:
+        full, less = whole(box, hints[0]), model(box, hints[1])
+    except NotCovered:
+        raise
+    except NotEnclosed:
+        widest = max(range(len(box)), key=lambda i: box[i].high - box[i].low)
+        if middle == box:
+            raise NotCovered("nothing is shown at a point of the range") from None
+        return piece._replace(across=widest)
+    there = _error(whole(middle, full.hint), model(middle, less.hint))
+    ratio = less.value / full.value
+    slopes = [(r - ratio * f) / full.value for r, f in zip(less.slopes, full.slopes, strict=True)]
+    ways = [s * (x.ball - number(x.middle)) for s, x in zip(slopes, box, strict=True)]
+    sizes = [_above(way) if x.low < x.high else -1.0 for way, x in zip(ways, box, strict=True)]
+    return _Piece(
+        box,
+        (full.hint, less.hint),
+        max(0.0, math.nextafter(float(there.abs_lower()), 0.0)) if there.is_finite() else 0.0,
+        min(_above(ratio - 1), _above(there + sum(ways, arb(0)))),
+        max(range(len(box)), key=sizes.__getitem__),
+    )
+
+
+def _error(full: Found, less: Found) -> arb:
+    if full.value <= 0:
+        raise NotCovered("no stable wall with a positive stiffness in some part of the range")
+    return less.value / full.value - 1
+
+
+def _above(value: arb) -> float:
+    """A float not below the size of any number of a ball."""
+    return math.nextafter(float(value.abs_upper()), math.inf) if value.is_finite() else math.inf
