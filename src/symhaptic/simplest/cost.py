@@ -108,11 +108,10 @@ def _bounded(whole: Limit, model: Model, piece: _Piece) -> _Piece:
     except NotCovered:
         raise
     except NotEnclosed:
+        _at_point(whole, model, middle, (None, None))  # says why where it is in vain
         widest = max(range(len(box)), key=lambda i: box[i].high - box[i].low)
-        if middle == box:
-            raise NotCovered("nothing is shown at a point of the range") from None
         return piece._replace(across=widest)
-    there = _error(whole(middle, full.hint), model(middle, less.hint))
+    there = _at_point(whole, model, middle, (full.hint, less.hint))
     ratio = less.value / full.value
     slopes = [(r - ratio * f) / full.value for r, f in zip(less.slopes, full.slopes, strict=True)]
     ways = [s * (x.ball - number(x.middle)) for s, x in zip(slopes, box, strict=True)]
@@ -126,9 +125,16 @@ def _bounded(whole: Limit, model: Model, piece: _Piece) -> _Piece:
     )
 
 
-def _error(full: Found, less: Found) -> arb:
-    if full.value <= 0:
-        raise NotCovered("no stable wall with a positive stiffness in some part of the range")
+def _at_point(whole: Limit, model: Model, point: Box, hints: tuple[object, object]) -> arb:
+    """The error at one point."""
+    try:
+        full, less = whole(point, hints[0]), model(point, hints[1])
+    except NotCovered:
+        raise
+    except NotEnclosed as error:
+        raise NotCovered(str(error)) from error
+    if not full.value > 0:
+        raise NotCovered("the stiffness limit is not positive in some part of the range")
     return less.value / full.value - 1
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from typing import NamedTuple, TypeAlias
 
 import sympy as sp
@@ -169,9 +169,10 @@ _FUNCTIONS = {
 }
 
 
-def compiled(exprs: Sequence[Expr], *variables: sp.Symbol) -> Callable[..., list[arb]]:
-    """Balls of expressions, for balls of the variables and of ``NAMES``."""
-    given = (*variables, *NAMES)
+def compiled(
+    exprs: Sequence[Expr], given: Sequence[sp.Symbol] = NAMES
+) -> Callable[..., list[arb]]:
+    """Balls of expressions, for balls of the symbols ``given``."""
     exact = [sp.sympify(x) for x in exprs]
     for x in exact:
         if x.has(sp.Float) or x.free_symbols - set(given):
@@ -190,40 +191,44 @@ class Formula:
     expr: Expr
     variable: sp.Symbol
 
-    def __post_init__(self) -> None:
-        slope = sp.diff(self.expr, self.variable)
-        parts = [sp.diff(self.expr, name) for name in NAMES]
-        for name, exprs in (
-            ("_value", [self.expr]),
-            ("_slope", [slope]),
-            ("_bend", [sp.diff(slope, self.variable)]),
-            ("_parts", parts),
-        ):
-            object.__setattr__(self, name, compiled(exprs, self.variable))
+    @cached_property
+    def _slope(self) -> Expr:
+        return sp.diff(self.expr, self.variable)
+
+    @cached_property
+    def _values(self) -> Callable[..., list[arb]]:
+        return compiled([self.expr], (self.variable, *NAMES))
+
+    @cached_property
+    def _slopes(self) -> Callable[..., list[arb]]:
+        return compiled([self._slope], (self.variable, *NAMES))
+
+    @cached_property
+    def _bends(self) -> Callable[..., list[arb]]:
+        return compiled([sp.diff(self._slope, self.variable)], (self.variable, *NAMES))
+
+    @cached_property
+    def _parts(self) -> Callable[..., list[arb]]:
+        return compiled([sp.diff(self.expr, name) for name in NAMES], (self.variable, *NAMES))
 
     def value(self, at: arb, x: Numbers) -> arb:
         """The expression."""
-        return self._value(at, *x.values)[0]  # type: ignore[attr-defined]
+        return self._values(at, *x.values)[0]
 
     def slope(self, at: arb, x: Numbers) -> arb:
         """Its derivative by the variable."""
-        return self._slope(at, *x.values)[0]  # type: ignore[attr-defined]
+        return self._slopes(at, *x.values)[0]
 
     def bend(self, at: arb, x: Numbers) -> arb:
         """Its second derivative by the variable."""
-        return self._bend(at, *x.values)[0]  # type: ignore[attr-defined]
+        return self._bends(at, *x.values)[0]
 
     def by_plant(self, at: arb, x: Numbers) -> tuple[arb, arb]:
         """Its derivatives by gamma and delta."""
-        parts = self._parts(at, *x.values)  # type: ignore[attr-defined]
+        parts = self._parts(at, *x.values)
         return chained(parts, x.by_gamma), chained(parts, x.by_delta)
 
 
 def chained(parts: Sequence[arb], slopes: Sequence[arb]) -> arb:
     """A derivative by the chain rule."""
     return sum((p * s for p, s in zip(parts, slopes, strict=True)), arb(0))
-
-
-def plain(value: object) -> Fraction:
-    """The decimal that a number prints as, exactly: 0.0003 is three ten-thousandths."""
-    return Fraction(str(value)) if isinstance(value, int | Fraction) else Fraction(repr(float(value)))  # type: ignore[arg-type]
