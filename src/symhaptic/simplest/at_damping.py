@@ -2,9 +2,9 @@
 
 On the line of one beta the number of roots outside can only change where a root lies on the unit
 circle: at alpha = -gamma, where the line crosses the explicit boundary, and at one wall with a
-root at -1.  Between those, one wall tells about all; Schur's reduction decides it in balls.  From
-some stiffness on a coefficient is too large for a stable polynomial.  Nothing else is needed: this
-holds for every spring and damper, and every whole delay.
+root at -1.  Between those, one wall of one plant tells about all; Schur's reduction decides it in
+balls.  From some stiffness on a coefficient is too large for a stable polynomial.  Nothing else is
+needed: this holds for every spring and damper, and every whole delay.
 """
 
 from __future__ import annotations
@@ -99,9 +99,8 @@ def at_damping(delay: int) -> Limit:
     arc = _arc(delay)
 
     def limit(box: Box, hint: object = None) -> Found:
-        x, beta = numbers(*box[:2]), box[2].ball
-        curve = arc(x)
-        chord = _stiffest(curve, x, beta, delay)
+        x, curve = numbers(*box[:2]), arc(numbers(*box[:2]))
+        chord = _stiffest(curve, x, box, delay)
         size = curve.size.on(chord)
         right, up = curve.right.on(chord).over(size), curve.up.on(chord).over(size)
         along = right.by_chord / up.by_chord
@@ -157,14 +156,21 @@ def line(delay: int) -> Model:
     return Model(limit)
 
 
-def _stiffest(arc: _Arc, x: Numbers, beta: arb, delay: int) -> arb:
-    """The y of the boundary below which the first walls are stable, from high stiffness down."""
+def _stiffest(arc: _Arc, x: Numbers, box: Box, delay: int) -> arb:
+    """The y of the boundary below which the first walls are stable, from high stiffness down.
+
+    Between two stiffnesses at which no plant of the box has a root on the circle all have the same
+    number of roots outside, and one plant and wall tells it.
+    """
+    beta = box[2].ball
+    spring, damper, middle = (interval.point for interval in box)
+    one = numbers(spring, damper)
     meetings = _merged([*_at_ends(x, beta, delay), *_on_boundary(arc, x, beta)])
     above = max(_bound(x, beta, delay), meetings[-1].high) + 1.0
     for meeting, upper in reversed(list(zip(meetings, [*meetings[1:], None], strict=True))):
         end = above if upper is None else upper.low
         wall = arb((meeting.high + end) / 2)
-        stable = _inside(_polynomial(x, wall, beta, delay))
+        stable = _inside(_polynomial(one, wall, middle.ball, delay))
         if stable is None:
             raise NotEnclosed("whether a wall is stable is not decided")
         if stable:
@@ -183,7 +189,7 @@ def _at_ends(x: Numbers, beta: arb, delay: int) -> list[_Meeting]:
     top, apart = 4 - 2 * loss - static, both - 2 * late  # A(-1), n_1 - n_0
     if apart > 0 or apart < 0:
         found.append(_around((-1) ** delay * top / apart - 2 * beta))
-    elif not top / abs(apart).upper() > _bound(x, beta, delay) + 2 * abs(beta):
+    elif not top > abs(apart).upper() * (_bound(x, beta, delay) + 2 * abs(beta)):
         raise NotEnclosed("whether a root lies at -1 is not decided")
     return found
 
