@@ -74,6 +74,7 @@ PROVED = [
     "linear-safe",
     "linear-two-percent",
     "stiffest-wall",
+    "stiffest-wall-undamped",
     "s5c-marginal-b",
     "s5c-pole-inside",
     "s5c-shape",

@@ -1,14 +1,15 @@
 """What a part costs: the largest relative error on a box when it is left out, between two bounds.
 
 Branch and bound.  On a piece the error lies in a ball by the limits of both models there, and in
-another by the error in the middle and the slopes on the piece; the piece whose ball reaches
-farthest is halved.
+another by the error in the middle and the slopes on the piece.  The piece whose ball reaches
+farthest is cut: where the error rises or falls with an interval all over it, its two ends are left,
+else the interval that matters most is halved.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from heapq import heappop, heappush
 from typing import NamedTuple
 
@@ -19,6 +20,7 @@ from symhaptic.simplest.plants import (
     NOTHING,
     Box,
     Found,
+    Interval,
     Limit,
     NotCovered,
     NotEnclosed,
@@ -63,8 +65,8 @@ class _Piece(NamedTuple):
     """What the limits found on a larger box; for smaller ones to start from."""
     least: float = 0.0
     most: float = math.inf
-    across: int = 0
-    """The interval to halve."""
+    parts: tuple[Box, ...] = ()
+    """Smaller boxes, one of which has the largest error."""
 
 
 def cost(whole: Limit, model: Model, box: Box, rtol: float) -> Cost:
@@ -87,16 +89,12 @@ def cost(whole: Limit, model: Model, box: Box, rtol: float) -> Cost:
             decided = most < rtol or rtol <= least or even
             if decided and (even or most <= _CLOSE * least):
                 return Cost(least, most)
-            heappop(heap)
-            across = worst.box[worst.across]
-            if tried > _PIECES or across.low == across.high:
+            if tried > _PIECES or not worst.parts:
                 if most == math.inf:
                     raise NotCovered("nothing is shown on some part of the range")
                 return Cost(least, most)
-            new = [
-                _Piece((*worst.box[: worst.across], half, *worst.box[worst.across + 1 :]), worst.hints)
-                for half in across.halves()
-            ]
+            heappop(heap)
+            new = [_Piece(part, worst.hints) for part in worst.parts]
 
 
 def _bounded(whole: Limit, model: Model, piece: _Piece) -> _Piece:
@@ -110,19 +108,39 @@ def _bounded(whole: Limit, model: Model, piece: _Piece) -> _Piece:
     except NotEnclosed:
         _at_point(whole, model, middle, (None, None))  # says why where it is in vain
         widest = max(range(len(box)), key=lambda i: box[i].high - box[i].low)
-        return piece._replace(across=widest)
+        return piece._replace(parts=_halved(box, widest))
     there = _at_point(whole, model, middle, (full.hint, less.hint))
     ratio = less.value / full.value
     slopes = [(r - ratio * f) / full.value for r, f in zip(less.slopes, full.slopes, strict=True)]
     ways = [s * (x.ball - number(x.middle)) for s, x in zip(slopes, box, strict=True)]
-    sizes = [_above(way) if x.low < x.high else -1.0 for way, x in zip(ways, box, strict=True)]
     return _Piece(
         box,
         (full.hint, less.hint),
         max(0.0, math.nextafter(float(there.abs_lower()), 0.0)) if there.is_finite() else 0.0,
         min(_above(ratio - 1), _above(there + sum(ways, arb(0)))),
-        max(range(len(box)), key=sizes.__getitem__),
+        _faces(box, slopes) or _halved(box, max(range(len(box)), key=_sizes(box, ways))),
     )
+
+
+def _sizes(box: Box, ways: Sequence[arb]) -> Callable[[int], float]:
+    return lambda i: _above(ways[i]) if box[i].low < box[i].high else -1.0
+
+
+def _halved(box: Box, across: int) -> tuple[Box, ...]:
+    """The two halves of a box; none of a point."""
+    if box[across].low == box[across].high:
+        return ()
+    return tuple((*box[:across], half, *box[across + 1 :]) for half in box[across].halves())
+
+
+def _faces(box: Box, slopes: Sequence[arb]) -> tuple[Box, ...]:
+    """The two ends of all intervals by which a value with these slopes rises or falls."""
+    high, low = list(box), list(box)
+    for i, (slope, x) in enumerate(zip(slopes, box, strict=True)):
+        if slope > 0 or slope < 0:
+            bottom, top = Interval(x.low, x.low), Interval(x.high, x.high)
+            low[i], high[i] = (bottom, top) if slope > 0 else (top, bottom)
+    return () if tuple(high) == box else (tuple(high), tuple(low))
 
 
 def _at_point(whole: Limit, model: Model, point: Box, hints: tuple[object, object]) -> arb:

@@ -103,9 +103,18 @@ class Numbers(NamedTuple):
 def numbers(spring: Interval, damper: Interval) -> Numbers:
     """The plant's numbers for all springs and dampers of two intervals.
 
-    n_0 is exp(-delta) times n_1 of the plant whose time runs backwards (s4a_discretisation).
+    Those of the middle, and the slopes times the way from there, are closer than those of the
+    whole intervals.
     """
-    g, dl = spring.ball, damper.ball
+    wide = _numbers(spring.ball, damper.ball)
+    middle = _numbers(number(spring.middle), number(damper.middle))
+    ways = spring.ball - number(spring.middle), damper.ball - number(damper.middle)
+    along = zip(middle.values, wide.by_gamma, wide.by_delta, strict=True)
+    return wide._replace(values=tuple(v + g * ways[0] + f * ways[1] for v, g, f in along))
+
+
+def _numbers(g: arb, dl: arb) -> Numbers:
+    """n_0 is exp(-delta) times n_1 of the plant whose time runs backwards (s4a_discretisation)."""
     first, first_g, first_d = _held(g, dl)
     back, back_g, back_d = _held(g, -dl)
     fall = (-dl).exp()
@@ -138,16 +147,16 @@ def _held(g: arb, dl: arb) -> tuple[arb, arb, arb]:
     return grown[0, 2], grown[0, 5], grown[0, 8]
 
 
-class _Printer(PythonCodePrinter):
-    def _print_Rational(self, expr: Expr) -> str:  # noqa: N802
+class _Printer(PythonCodePrinter):  # type: ignore[misc]
+    def _print_Rational(self, expr: Expr) -> str:
         return f"(arb({expr.p})/{expr.q})"  # a fraction of Python's would be a float
 
-    def _print_Pow(self, expr: Expr, rational: bool = False) -> str:  # noqa: N802
+    def _print_Pow(self, expr: Expr, rational: bool = False) -> str:
         if expr.exp.is_Integer:
             return f"power({self._print(expr.base)}, {expr.exp})"
         return str(super()._print_Pow(expr, rational=rational))
 
-    def _print_Pi(self, expr: Expr) -> str:  # noqa: N802
+    def _print_Pi(self, expr: Expr) -> str:
         return "arb.pi()"
 
 
@@ -169,9 +178,7 @@ _FUNCTIONS = {
 }
 
 
-def compiled(
-    exprs: Sequence[Expr], given: Sequence[sp.Symbol] = NAMES
-) -> Callable[..., list[arb]]:
+def compiled(exprs: Sequence[Expr], given: Sequence[sp.Symbol] = NAMES) -> Callable[..., list[arb]]:
     """Balls of expressions, for balls of the symbols ``given``."""
     exact = [sp.sympify(x) for x in exprs]
     for x in exact:
