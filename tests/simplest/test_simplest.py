@@ -10,8 +10,8 @@ from oracles.search import edge, stiffest
 
 from symhaptic import Scene
 from symhaptic.scene import Parts
-from symhaptic.simplest.at_damping import at_damping, line
-from symhaptic.simplest.cost import Cost, Model, cost
+from symhaptic.simplest.at_damping import at_damping, error_of_line
+from symhaptic.simplest.cost import Model, cost, error
 from symhaptic.simplest.plants import Interval, NotCovered, NotEnclosed, numbers
 from symhaptic.simplest.stiffest import stiffest as largest
 
@@ -103,7 +103,7 @@ def test_slopes_are_those_of_differences():
 @pytest.mark.parametrize("out", [(0,), (1,), (0, 1)])
 def test_bounds_of_a_cost_hold_at_random_plants(delay, out):
     whole = largest(delay)
-    found = cost(whole, Model(whole, out), ARM, 1e-9)
+    found = cost(error(whole, Model(whole, out)), ARM, 1e-9)
     assert found.least <= found.most <= 1.01 * found.least
     rng = np.random.default_rng(7 + delay)
     corners = [(1e-3, 0.02), (1e-3, 0.0), (0.0, 0.02)]
@@ -119,10 +119,10 @@ def test_bounds_of_a_cost_hold_at_random_plants(delay, out):
 
 def test_the_linear_limit_beside_a_scan():
     ranges = (ARM[0], *at("1/50"), Interval(Fraction(0), Fraction(1, 50)))
-    found = cost(at_damping(1), line(1), ranges, 0.05)
+    found = cost(error_of_line(1), ranges, 0.05)
     for gamma, beta in ((0.0, 0.0), (1e-3, 0.0), (1e-3, 0.02), (0.0, 0.02), (4e-4, 0.013)):
-        error = (beta + 0.02) / 1.5 / at_beta(beta, gamma, 0.02, 1, top=0.2) - 1
-        assert abs(error) <= found.most + 1e-8
+        seen = (beta + 0.02) / 1.5 / at_beta(beta, gamma, 0.02, 1, top=0.2) - 1
+        assert abs(seen) <= found.most + 1e-8
 
 
 # -- scenes -----------------------------------------------------------------------------------
@@ -241,8 +241,7 @@ def test_a_wrong_model_is_not_proved_close():
             value=found.value * factor, slopes=tuple(s * factor for s in found.slopes)
         )
 
-    found = cost(whole, Model(wrong), ARM, 0.01)
-    assert isinstance(found, Cost)
+    found = cost(error(whole, Model(wrong)), ARM, 0.01)
     assert found.least >= 0.01
     assert found.most == pytest.approx(0.02, rel=0.01)
 
@@ -252,4 +251,4 @@ def test_a_limit_that_is_never_shown_is_no_cost():
         raise NotEnclosed("never")
 
     with pytest.raises(NotCovered, match="never"):
-        cost(largest(0), Model(never), ARM, 0.01)
+        cost(error(largest(0), Model(never)), ARM, 0.01)

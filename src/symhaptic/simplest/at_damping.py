@@ -21,9 +21,9 @@ from flint import arb, arb_poly
 
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, e, gamma, n_0, n_1, nu, s_1, s_2
+from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
 from symhaptic.plant_balls import TOGETHER
-from symhaptic.simplest.cost import Model
+from symhaptic.simplest.cost import positive
 from symhaptic.simplest.plants import (
     BY_NAMES,
     NAMES,
@@ -47,7 +47,7 @@ _LEAST = 2**-7
 
 LIGHT = sp.Symbol("1/(n_1+n_0)")
 
-SHAPE = (nu, s_1, LIGHT, gamma)
+SHAPE = (nu, s_1, LIGHT, gamma, delta)
 """What the boundary's coefficients contain."""
 
 
@@ -78,10 +78,14 @@ class _On(NamedTuple):
 
 
 class _Arc(NamedTuple):
-    """The boundary, times a size: alpha + gamma and beta."""
+    """The boundary: quotients of polynomials by their size."""
 
-    right: _Part
+    push: _Part
+    """alpha."""
     up: _Part
+    """beta."""
+    above: _Part
+    """beta + delta - (d + 1/2) alpha."""
     size: _Part
 
 
@@ -99,44 +103,74 @@ def at_damping(delay: int) -> Limit:
     arc = _arc(delay)
 
     def limit(box: Box, hint: object = None) -> Found:
-        x, curve = numbers(*box[:2]), arc(numbers(*box[:2]))
-        chord = _stiffest(curve, x, box, delay)
+        curve = arc(box)
+        chord = _stiffest(curve, box, delay)
         size = curve.size.on(chord)
-        right, up = curve.right.on(chord).over(size), curve.up.on(chord).over(size)
-        along = right.by_chord / up.by_chord
-        slopes = (
-            right.by_gamma - 1 - along * up.by_gamma,
-            right.by_delta - along * up.by_delta,
-            along,
-        )
-        return Found(right.value - x.values[4], slopes)
+        return _along(curve.push.on(chord).over(size), curve.up.on(chord).over(size))
 
     return limit
 
 
-def _arc(delay: int) -> Callable[[Numbers], _Arc]:
+@lru_cache(maxsize=64)
+def error_of_line(delay: int) -> Limit:
+    """The error of the linear limit, alpha_lin/alpha - 1 = Delta/((d + 1/2) alpha).
+
+    alpha_lin = (beta + delta)/(d + 1/2), and Delta is the boundary's surplus over this line.
+    """
+    arc, share = _arc(delay), number(Fraction(2, 2 * delay + 1))
+
+    def error(box: Box, hint: object = None) -> Found:
+        curve = arc(box)
+        chord = _stiffest(curve, box, delay)
+        push = curve.push.on(chord)
+        positive(push.value)
+        up = curve.up.on(chord).over(curve.size.on(chord))
+        found = _along(curve.above.on(chord).over(push), up)
+        return Found(found.value * share, tuple(slope * share for slope in found.slopes))
+
+    return error
+
+
+def _along(what: _On, up: _On) -> Found:
+    """A number of the boundary as a function of gamma, delta and beta instead of y."""
+    by_damping = what.by_chord / up.by_chord
+    return Found(
+        what.value,
+        (
+            what.by_gamma - by_damping * up.by_gamma,
+            what.by_delta - by_damping * up.by_delta,
+            by_damping,
+        ),
+    )
+
+
+def _arc(delay: int) -> Callable[[Box], _Arc]:
     """Finds the boundary of a box of plants."""
     form = linear.arc(delay)
-    size = LIGHT - (1 - nu) * s_1  # s_2 with 1/(n_1 + n_0), so that equal terms meet
-    parts = [(p.subs(s_2, size).expand()) for p in (form.right, form.up, form.size)]
-    coefficients = [form.coefficients(part) for part in parts]
+    light = LIGHT - (1 - nu) * s_1  # s_2 with 1/(n_1 + n_0), so that equal terms meet
+    forms = (form.right - gamma * form.size, form.up, form.above, form.size)
+    coefficients = [form.coefficients(p.subs(s_2, light).expand()) for p in forms]
     ends = list(pairwise(accumulate(map(len, coefficients), initial=0)))
     flat = [c for part in coefficients for c in part]
     values = compiled(flat, SHAPE)
     partial = compiled([sp.diff(c, name) for c in flat for name in SHAPE], SHAPE)
     shape = {s: x.subs(BY_NAMES) for s, x in linear.numbers(Sampled(n_1, n_0, a, e)).items()}
-    meant = (shape[nu], shape[s_1], 1 / TOGETHER, gamma)
+    meant = (shape[nu], shape[s_1], 1 / TOGETHER, gamma, delta)
     named = compiled(meant)
     named_by = compiled([sp.diff(x, name) for x in meant for name in NAMES])
 
-    def arc(x: Numbers) -> _Arc:
-        at, by = named(*x.values), named_by(*x.values)
-        found = [values(*at)]
-        slopes = partial(*at)
+    def arc(box: Box) -> _Arc:
+        x, middle = numbers(*box[:2]), numbers(box[0].point, box[1].point)
+        by = _batched(named_by(*x.values), len(NAMES))
+        slopes = _batched(partial(*named(*x.values)), len(SHAPE))
+        found = []
         for along in (x.by_gamma, x.by_delta):
-            inner = [chained(part, along) for part in _batched(by, len(NAMES))]
-            found.append([chained(part, inner) for part in _batched(slopes, len(SHAPE))])
-        return _Arc(*(_Part(*(arb_poly(v[i:j]) for v in found)) for i, j in ends))
+            inner = [chained(part, along) for part in by]
+            found.append([chained(part, inner) for part in slopes])
+        ways = [y.ball - number(y.middle) for y in box[:2]]
+        there = zip(values(*named(*middle.values)), *found, strict=True)
+        rows = [[v + g * ways[0] + f * ways[1] for v, g, f in there], *found]
+        return _Arc(*(_Part(*(arb_poly(row[i:j]) for row in rows)) for i, j in ends))
 
     return arc
 
@@ -146,26 +180,16 @@ def _batched(values: Sequence[arb], size: int) -> list[Sequence[arb]]:
     return [values[i : i + size] for i in range(0, len(values), size)]
 
 
-def line(delay: int) -> Model:
-    """The linear limit, alpha = (beta + delta)/(delay + 1/2)."""
-    slope = 1 / number(delay + Fraction(1, 2))
-
-    def limit(box: Box, hint: object = None) -> Found:
-        return Found((box[1].ball + box[2].ball) * slope, (arb(0), slope, slope))
-
-    return Model(limit)
-
-
-def _stiffest(arc: _Arc, x: Numbers, box: Box, delay: int) -> arb:
+def _stiffest(arc: _Arc, box: Box, delay: int) -> arb:
     """The y of the boundary below which the first walls are stable, from high stiffness down.
 
     Between two stiffnesses at which no plant of the box has a root on the circle all have the same
     number of roots outside, and one plant and wall tells it.
     """
-    beta = box[2].ball
+    x, beta = numbers(*box[:2]), box[2].ball
     spring, damper, middle = (interval.point for interval in box)
     one = numbers(spring, damper)
-    meetings = _merged([*_at_ends(x, beta, delay), *_on_boundary(arc, x, beta)])
+    meetings = _merged([*_at_ends(x, beta, delay), *_on_boundary(arc, beta)])
     above = max(_bound(x, beta, delay), meetings[-1].high) + 1.0
     for meeting, upper in reversed(list(zip(meetings, [*meetings[1:], None], strict=True))):
         end = above if upper is None else upper.low
@@ -229,7 +253,7 @@ def _over(polynomial: arb_poly, interval: arb) -> arb:
     return polynomial(arb_poly([middle, 1]))(interval - middle)
 
 
-def _on_boundary(arc: _Arc, x: Numbers, beta: arb) -> list[_Meeting]:
+def _on_boundary(arc: _Arc, beta: arb) -> list[_Meeting]:
     """Where the boundary has the damping: pieces of it with all those points."""
     surplus = arc.up.value - arb_poly([beta]) * arc.size.value
     slope = surplus.derivative()
@@ -250,8 +274,8 @@ def _on_boundary(arc: _Arc, x: Numbers, beta: arb) -> list[_Meeting]:
         else:
             kept.append(piece)
     near = [_narrowed(surplus, slope, piece) for piece in kept]
-    found = [(piece, arc.right.on(piece).over(arc.size.on(piece))) for piece in near if piece]
-    return [_around(right.value - x.values[4], piece) for piece, right in found]
+    sizes = [(piece, arc.size.on(piece)) for piece in near if piece is not None]
+    return [_around(arc.push.on(piece).over(size).value, piece) for piece, size in sizes]
 
 
 def _narrowed(surplus: arb_poly, slope: arb_poly, piece: arb) -> arb | None:

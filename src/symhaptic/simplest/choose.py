@@ -9,8 +9,8 @@ from fractions import Fraction
 from numbers import Real
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from symhaptic.simplest.at_damping import at_damping, line
-from symhaptic.simplest.cost import Model, cost
+from symhaptic.simplest.at_damping import at_damping, error_of_line
+from symhaptic.simplest.cost import Model, cost, error
 from symhaptic.simplest.plants import NOTHING, Box, Interval, NotCovered
 from symhaptic.simplest.stiffest import stiffest
 
@@ -105,9 +105,9 @@ def _cost(
     else:
         whole = at_damping(periods)
     if kept == "linear":
-        return cost(whole, line(periods), box, rtol).most
+        return cost(error_of_line(periods), box, rtol).most
     out = [i for name, i in WITHOUT.items() if there[name] and not getattr(kept, name)]
-    return cost(whole, Model(whole, out), box, rtol).most
+    return cost(error(whole, Model(whole, out)), box, rtol).most
 
 
 def _box(scene: Scene, ranges: Mapping[str, Interval]) -> tuple[Box, dict[str, bool]]:

@@ -59,28 +59,54 @@ class Model(NamedTuple):
         return found._replace(slopes=slopes)
 
 
+def error(whole: Limit, model: Model) -> Limit:
+    """The relative error of a model's limit, reduced/whole - 1, with its slopes."""
+
+    def found(box: Box, hint: object = None) -> Found:
+        hints = hint if isinstance(hint, tuple) else (None, None)
+        full, less = whole(box, hints[0]), model(box, hints[1])
+        positive(full.value)
+        ratio = less.value / full.value
+        slopes = zip(less.slopes, full.slopes, strict=True)
+        return Found(
+            ratio - 1,
+            tuple((r - ratio * f) / full.value for r, f in slopes),
+            (full.hint, less.hint),
+        )
+
+    return found
+
+
+def positive(stiffness: arb) -> None:
+    """Raise where there is no stiffness to compare with."""
+    if stiffness <= 0:
+        raise NotCovered("the stiffness limit is not positive in some part of the range")
+    if not stiffness > 0:
+        raise NotEnclosed("the stiffness limit is not shown to be positive")
+
+
 class _Piece(NamedTuple):
     box: Box
-    hints: tuple[object, object]
-    """What the limits found on a larger box; for smaller ones to start from."""
+    hint: object = None
+    """What was found on a larger box, for smaller ones to start from."""
     least: float = 0.0
     most: float = math.inf
     parts: tuple[Box, ...] = ()
     """Smaller boxes, one of which has the largest error."""
 
 
-def cost(whole: Limit, model: Model, box: Box, rtol: float) -> Cost:
-    """Bounds of the largest |reduced/whole - 1| on a box, on one side of ``rtol`` if they can.
+def cost(error: Limit, box: Box, rtol: float) -> Cost:
+    """Bounds of the largest size of an error on a box, on one side of ``rtol`` if they can.
 
     Raises :class:`NotCovered` where there is no proof on some part of the box, with the reason.
     """
     with ctx.workprec(BITS):
         heap: list[tuple[float, int, _Piece]] = []
-        least, tried, new = 0.0, 0, [_Piece(box, (None, None))]
+        least, tried, new = 0.0, 0, [_Piece(box)]
         while True:
             for piece in new:
                 tried += 1
-                known = _bounded(whole, model, piece)
+                known = _bounded(error, piece)
                 least = max(least, known.least)
                 heappush(heap, (-known.most, tried, known))
             worst = heap[0][2]
@@ -94,31 +120,29 @@ def cost(whole: Limit, model: Model, box: Box, rtol: float) -> Cost:
                     raise NotCovered("nothing is shown on some part of the range")
                 return Cost(least, most)
             heappop(heap)
-            new = [_Piece(part, worst.hints) for part in worst.parts]
+            new = [_Piece(part, worst.hint) for part in worst.parts]
 
 
-def _bounded(whole: Limit, model: Model, piece: _Piece) -> _Piece:
+def _bounded(error: Limit, piece: _Piece) -> _Piece:
     """The piece with bounds of its largest error."""
-    box, hints = piece.box, piece.hints
+    box = piece.box
     middle = tuple(x.point for x in box)
     try:
-        full, less = whole(box, hints[0]), model(box, hints[1])
+        found = error(box, piece.hint)
     except NotCovered:
         raise
     except NotEnclosed:
-        _at_point(whole, model, middle, (None, None))  # says why where it is in vain
+        _at_point(error, middle, None)  # says why where it is in vain
         widest = max(range(len(box)), key=lambda i: box[i].high - box[i].low)
         return piece._replace(parts=_halved(box, widest))
-    there = _at_point(whole, model, middle, (full.hint, less.hint))
-    ratio = less.value / full.value
-    slopes = [(r - ratio * f) / full.value for r, f in zip(less.slopes, full.slopes, strict=True)]
-    ways = [s * (x.ball - number(x.middle)) for s, x in zip(slopes, box, strict=True)]
+    there = _at_point(error, middle, found.hint)
+    ways = [s * (x.ball - number(x.middle)) for s, x in zip(found.slopes, box, strict=True)]
     return _Piece(
         box,
-        (full.hint, less.hint),
+        found.hint,
         max(0.0, math.nextafter(float(there.abs_lower()), 0.0)) if there.is_finite() else 0.0,
-        min(_above(ratio - 1), _above(there + sum(ways, arb(0)))),
-        _faces(box, slopes) or _halved(box, max(range(len(box)), key=_sizes(box, ways))),
+        min(_above(found.value), _above(there + sum(ways, arb(0)))),
+        _faces(box, found.slopes) or _halved(box, max(range(len(box)), key=_sizes(box, ways))),
     )
 
 
@@ -143,17 +167,14 @@ def _faces(box: Box, slopes: Sequence[arb]) -> tuple[Box, ...]:
     return () if tuple(high) == box else (tuple(high), tuple(low))
 
 
-def _at_point(whole: Limit, model: Model, point: Box, hints: tuple[object, object]) -> arb:
+def _at_point(error: Limit, point: Box, hint: object) -> arb:
     """The error at one point."""
     try:
-        full, less = whole(point, hints[0]), model(point, hints[1])
+        return error(point, hint).value
     except NotCovered:
         raise
-    except NotEnclosed as error:
-        raise NotCovered(str(error)) from error
-    if not full.value > 0:
-        raise NotCovered("the stiffness limit is not positive in some part of the range")
-    return less.value / full.value - 1
+    except NotEnclosed as reason:
+        raise NotCovered(str(reason)) from reason
 
 
 def _above(value: arb) -> float:
