@@ -75,6 +75,7 @@ PROVED = [
     "linear-two-percent",
     "stiffest-wall",
     "stiffest-wall-undamped",
+    "model-costs",
     "s5c-marginal-b",
     "s5c-pole-inside",
     "s5c-shape",

@@ -10,7 +10,7 @@ from numbers import Real
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from symhaptic.simplest.at_damping import at_damping, error_of_line
-from symhaptic.simplest.cost import Model, cost, error
+from symhaptic.simplest.cost import Cost, Model, cost, error
 from symhaptic.simplest.plants import NOTHING, Box, Interval, NotCovered
 from symhaptic.simplest.stiffest import stiffest
 
@@ -64,14 +64,17 @@ def simplest(scene: Scene, rtol: float, over: Mapping[str, Range | None]) -> Sim
     box, there = _box(scene, ranges)
     parts = replace(scene.parts, **{name: there[name] for name in WITHOUT})
     delay = decimal(scene.delay or 0) / decimal(scene.sampling_period)
-    costs: dict[str, float] = {}
-    reasons: dict[str, str] = {}
     models = _models(parts)
-    for name, kept in models.items():
+    costs = dict.fromkeys(models, math.inf) | {FULL: 0.0}
+    reasons: dict[str, str] = {}
+    for name in [name for name in models if name != FULL]:
         try:
-            costs[name] = 0.0 if name == FULL else _cost(box, kept, delay, there, rtol)
-        except NotCovered as error:
-            costs[name], reasons[name] = math.inf, f"not proved: {error}"
+            least, costs[name] = _cost(box, models[name], delay, there, rtol)
+        except NotCovered as why:
+            reasons[name] = f"not proved: {why}"
+        else:
+            if costs[name] == math.inf:
+                reasons[name] = f"no bound found, and at one point {100 * least:.3g} %"
     best = next(name for name, bound in costs.items() if bound < rtol)
     return Simplest(models[best], best, costs[best], costs, reasons)
 
@@ -92,7 +95,7 @@ def _cost(
     delay: Fraction,
     there: Mapping[str, bool],
     rtol: float,
-) -> float:
+) -> Cost:
     if delay.denominator != 1:
         raise NotCovered(f"a delay of {float(delay):.6g} periods is not whole")
     periods = int(delay)
@@ -105,9 +108,9 @@ def _cost(
     else:
         whole = at_damping(periods)
     if kept == "linear":
-        return cost(error_of_line(periods), box, rtol).most
+        return cost(error_of_line(periods), box, rtol)
     out = [i for name, i in WITHOUT.items() if there[name] and not getattr(kept, name)]
-    return cost(error(whole, Model(whole, out)), box, rtol).most
+    return cost(error(whole, Model(whole, out)), box, rtol)
 
 
 def _box(scene: Scene, ranges: Mapping[str, Interval]) -> tuple[Box, dict[str, bool]]:

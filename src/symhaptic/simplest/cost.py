@@ -27,8 +27,11 @@ from symhaptic.simplest.plants import (
     number,
 )
 
-_PIECES = 400
+_PIECES = 1000
 """So many pieces of the range are tried."""
+
+_PATIENCE = 100
+"""So many, where some have no bound and a point shows that the error is too large."""
 
 _CLOSE = 1.01
 """The bounds of an error need not be closer than this factor."""
@@ -114,6 +117,8 @@ def cost(error: Limit, box: Box, rtol: float) -> Cost:
             even = most <= least + _SMALL
             decided = most < rtol or rtol <= least or even
             if decided and (even or most <= _CLOSE * least):
+                return Cost(least, most)
+            if most == math.inf and rtol <= least and tried > _PATIENCE:
                 return Cost(least, most)
             if tried > _PIECES or not worst.parts:
                 if most == math.inf:
