@@ -37,7 +37,7 @@ def derive(page):
     force = on_circle((z**2 - a * z + 1) / (n_0 * z + n_0)) * exp(I * (d + Rational(1, 2)) * theta)
     turned = (2 * cos(theta) - a) * exp(I * (d + 1) * theta) / (2 * n_0 * cos(theta / 2))
     page.step(
-        "So",
+        "With its delay",
         force,
         turned,
         name="F",

@@ -194,6 +194,14 @@ def test_a_damping_without_stable_walls_is_no_pass():
     assert "no wall with this virtual damping" in found.reasons["linear limit"]
 
 
+def test_a_model_without_a_stable_wall_is_not_close():
+    """Without damping no wall with B = 0 is stable."""
+    found = scene(0, damping=20.0).simplest(1e9, B=(0.0, 2.0))
+    assert found.costs["without damping"] == math.inf
+    assert found.reasons["without damping"]
+    assert found.model == "linear"
+
+
 def test_decimals_are_what_they_print():
     """0.0003/0.0001 is 2.9999999999999996 in floats."""
     found = Scene(mass=0.1, damping=0.5, sampling_period=0.0001, delay=0.0003).simplest(0.5)

@@ -21,12 +21,12 @@ def costs(panels: Any) -> None:
     for colour, delay in zip(COLOURS, DELAYS, strict=False):
         for axes, across, whole, part in (
             (left, dampers, (STIFF, dampers), (STIFF, 0.0)),
-            (right, springs, (springs, DAMPED), (0.0, DAMPED)),
+            (right, 1000 * springs, (springs, DAMPED), (0.0, DAMPED)),
         ):
             full, less = (max_stable_stiffness(g, f, delay).alpha for g, f in (whole, part))
             axes.plot(across, 100 * (less / full - 1), color=colour, label=f"$d={delay}$")
     left.set_xlabel(r"damping $\delta$")
-    right.set_xlabel(r"stiffness $\gamma$")
+    right.set_xlabel(r"stiffness $1000\,\gamma$")
     left.set_ylabel("error in per cent")
     for axes, names in ((left, "without damper"), (right, "without spring")):
         axes.set_title(names, loc="left", fontsize=9)

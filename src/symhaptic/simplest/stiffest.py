@@ -20,6 +20,7 @@ from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, phi, t
 from symhaptic.plant_balls import AT_ONE, TOGETHER
 from symhaptic.simplest.plants import (
     BY_NAMES,
+    NAMES,
     Box,
     Formula,
     Found,
@@ -31,7 +32,6 @@ from symhaptic.simplest.plants import (
     compiled,
     numbers,
 )
-from symhaptic.simplest.plants import NAMES as _NAMES
 from symhaptic.tracer.extremes import max_stable_stiffness
 from symhaptic.wall_balls import DEVICE, STIFFNESS
 
@@ -54,7 +54,7 @@ def stiffest(delay: int) -> Limit:
 def _undelayed() -> Limit:
     largest = boundary.largest_undelayed(DEVICE).subs(gamma, AT_ONE / TOGETHER).subs(BY_NAMES)
     value = compiled([largest])
-    parts = compiled([sp.diff(largest, name) for name in _NAMES])
+    parts = compiled([sp.diff(largest, name) for name in NAMES])
     holds = compiled(_needs_undelayed())
 
     def limit(box: Box, hint: object = None) -> Found:
