@@ -74,6 +74,8 @@ PROVED = [
     "linear-safe",
     "linear-two-percent",
     "stiffest-wall",
+    "stiffest-wall-undamped",
+    "model-costs",
     "s5c-marginal-b",
     "s5c-pole-inside",
     "s5c-shape",

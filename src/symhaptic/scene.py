@@ -9,7 +9,10 @@ import math
 from dataclasses import dataclass, fields
 from itertools import product
 from numbers import Real
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from symhaptic.simplest.choose import Simplest
 
 
 @dataclass(frozen=True)
@@ -142,6 +145,42 @@ class Scene:
         _, delta, delay = self.dimensionless
         found = max_passive_stiffness(delta, delay)
         return float(found.alpha) * self.mass / self.sampling_period**2
+
+    def simplest(
+        self,
+        rtol: float,
+        *,
+        mass: float | tuple[float, float] | None = None,
+        damping: float | tuple[float, float] | None = None,
+        stiffness: float | tuple[float, float] | None = None,
+        B: float | tuple[float, float] | None = None,
+    ) -> Simplest:
+        """The smallest model whose stiffness limit is proved to be within ``rtol`` of the scene's.
+
+        The limit is :meth:`max_stable_stiffness`, or the largest stable stiffness of walls with
+        the virtual damping ``B`` (Ns/m) where that is given; the error is |K_model/K - 1|.  Models
+        are, the smallest first: the linear limit (25) (only with ``B``, as it grows with it), the
+        loop without spring and damper, without spring, without damper, and all of it.
+
+        ``mass``, ``damping``, ``stiffness`` and ``B`` take the scene's place: a number, or a range
+        (lowest, highest) over which the bound holds.  Numbers are the decimals that they print as.
+        Bounds are proved by ball arithmetic, for whole delays; what is not proved is infinite,
+        with its reason, and does not count.
+
+        Raises :class:`ValueError` for an ``rtol`` that is not > 0 and for an impossible range.
+
+        >>> arm = Scene(mass=1.0, damping=2.0, stiffness=50.0, sampling_period=0.001, delay=0.001)
+        >>> print(arm.simplest(0.01, damping=(0.0, 20.0)))
+          linear limit: not proved: it has no largest stiffness, but grows with B; give B
+          without stiffness and damping: below 6.66 %
+        * without stiffness: below 0.0170 %
+          without damping: below 6.68 %
+          full: exact
+        """
+        from symhaptic.simplest.choose import simplest
+
+        over = {"mass": mass, "damping": damping, "stiffness": stiffness, "B": B}
+        return simplest(self, rtol, over)
 
     def to_control(self) -> Any:
         """The sampled device behind its delay, from N to m, for python-control.

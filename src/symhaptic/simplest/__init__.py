@@ -1,0 +1,1 @@
+"""The smallest model of a loop whose error is proved to be small."""

@@ -1,0 +1,241 @@
+"""Sampled plants whose spring, damper and virtual damping lie in intervals.
+
+The plant's numbers and their slopes come from one exponential of a matrix of balls; a formula in
+them is a SymPy expression of :mod:`symhaptic.model`, turned into operations on balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache, cached_property, lru_cache
+from typing import NamedTuple, TypeAlias
+
+import sympy as sp
+from flint import arb, arb_mat, fmpq
+from sympy import Expr
+from sympy.printing.pycode import PythonCodePrinter
+
+from symhaptic.model import plant
+from symhaptic.notation import a, delta, e, gamma, n_0, n_1
+from symhaptic.plant_balls import AT_ONE, LATE, LOSS, TOGETHER
+from symhaptic.scene import FULL
+
+BITS = 96
+"""Working precision."""
+
+NAMES = (LOSS, TOGETHER, LATE, AT_ONE, gamma, delta)
+"""What a formula may contain beside its own variables."""
+
+BY_NAMES = {n_1: TOGETHER - LATE, n_0: LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
+"""The plant's numbers by those that balls know well."""
+
+
+class NotEnclosed(ValueError):
+    """Nothing is shown on a box; on a smaller one it may be."""
+
+
+class NotCovered(NotEnclosed):
+    """Nothing is shown on a box, and would not be on a part of it; the message says why."""
+
+
+class Interval(NamedTuple):
+    """Numbers between two exact ones."""
+
+    low: Fraction
+    high: Fraction
+
+    @property
+    def middle(self) -> Fraction:
+        """The number half way."""
+        return (self.low + self.high) / 2
+
+    @property
+    def ball(self) -> arb:
+        """A ball around all of it."""
+        return number(self.low).union(number(self.high))
+
+    @property
+    def point(self) -> Interval:
+        """The middle alone."""
+        return Interval(self.middle, self.middle)
+
+    def halves(self) -> tuple[Interval, Interval]:
+        """The lower and the upper half."""
+        return Interval(self.low, self.middle), Interval(self.middle, self.high)
+
+
+NOTHING = Interval(Fraction(0), Fraction(0))
+"""The interval of what is left out."""
+
+Box: TypeAlias = tuple[Interval, ...]
+"""Intervals of gamma and delta, and of beta where the virtual damping is given."""
+
+
+class Found(NamedTuple):
+    """A stiffness limit on a box: its values, its slopes by each interval, and where it is."""
+
+    value: arb
+    slopes: tuple[arb, ...]
+    hint: object = None
+    """What a smaller box may start from."""
+
+
+Limit: TypeAlias = Callable[[Box, object], Found]
+"""Finds a stiffness limit on a box; raises :class:`NotEnclosed`."""
+
+
+def number(value: Fraction) -> arb:
+    """A ball around an exact number."""
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+class Numbers(NamedTuple):
+    """Balls of ``NAMES``, and of their slopes by gamma and by delta."""
+
+    values: tuple[arb, ...]
+    by_gamma: tuple[arb, ...]
+    by_delta: tuple[arb, ...]
+
+
+@lru_cache(maxsize=4096)
+def numbers(spring: Interval, damper: Interval) -> Numbers:
+    """The plant's numbers for all springs and dampers of two intervals.
+
+    Those of the middle, and the slopes times the way from there, are closer than those of the
+    whole intervals.
+    """
+    wide = _numbers(spring.ball, damper.ball)
+    middle = _numbers(number(spring.middle), number(damper.middle))
+    ways = spring.ball - number(spring.middle), damper.ball - number(damper.middle)
+    along = zip(middle.values, wide.by_gamma, wide.by_delta, strict=True)
+    return wide._replace(values=tuple(v + g * ways[0] + f * ways[1] for v, g, f in along))
+
+
+def _numbers(g: arb, dl: arb) -> Numbers:
+    """n_0 is exp(-delta) times n_1 of the plant whose time runs backwards (s4a_discretisation)."""
+    first, first_g, first_d = _held(g, dl)
+    back, back_g, back_d = _held(g, -dl)
+    fall = (-dl).exp()
+    late, late_g, late_d = fall * back, fall * back_g, -fall * (back + back_d)
+    both, both_g, both_d = first + late, first_g + late_g, first_d + late_d
+    nil, one = arb(0), arb(1)
+    return Numbers(
+        (1 - fall, both, late, g * both, g, dl),
+        (nil, both_g, late_g, both + g * both_g, one, nil),
+        (fall, both_d, late_d, g * both_d, nil, one),
+    )
+
+
+@cache
+def _motion() -> list[list[Expr]]:
+    """exp([[X, X', X.], [0, X, 0], [0, 0, X]]) has exp(X) and both its slopes in its first rows."""
+    device = plant.normalised(FULL)
+    whole = sp.zeros(3, 3)
+    whole[:2, :2], whole[:2, 2] = device.state_matrix, device.input_matrix
+    large = sp.diag(whole, whole, whole)
+    large[:3, 3:6], large[:3, 6:] = whole.diff(gamma), whole.diff(delta)
+    return [list(large.row(i)) for i in range(9)]
+
+
+def _held(g: arb, dl: arb) -> tuple[arb, arb, arb]:
+    """Position after a period of unit force, and its slopes."""
+    known = {gamma: g, -gamma: -g, delta: dl, -delta: -dl}
+    rows = [[known[x] if x in known else arb(int(x)) for x in row] for row in _motion()]
+    grown = arb_mat(rows).exp()
+    return grown[0, 2], grown[0, 5], grown[0, 8]
+
+
+class _Printer(PythonCodePrinter):  # type: ignore[misc]
+    def _print_Rational(self, expr: Expr) -> str:
+        return f"(arb({expr.p})/{expr.q})"  # a fraction of Python's would be a float
+
+    def _print_Pow(self, expr: Expr, rational: bool = False) -> str:
+        if expr.exp.is_Integer:
+            return f"power({self._print(expr.base)}, {expr.exp})"
+        return str(super()._print_Pow(expr, rational=rational))
+
+    def _print_Pi(self, expr: Expr) -> str:
+        return "arb.pi()"
+
+
+def _power(base: arb, exponent: int) -> arb:
+    """A whole power; python-flint's own takes a logarithm, which a ball around 0 has not."""
+    product = arb(1)
+    for _ in range(abs(exponent)):
+        product = product * base
+    return product if exponent > 0 else 1 / product
+
+
+_FUNCTIONS = {
+    "arb": arb,
+    "power": _power,
+    "sin": lambda x: arb(x).sin(),
+    "cos": lambda x: arb(x).cos(),
+    "tan": lambda x: arb(x).tan(),
+    "sqrt": lambda x: arb(x).sqrt(),
+}
+
+
+def compiled(exprs: Sequence[Expr], given: Sequence[sp.Symbol] = NAMES) -> Callable[..., list[arb]]:
+    """Balls of expressions, for balls of the symbols ``given``."""
+    exact = [sp.sympify(x) for x in exprs]
+    for x in exact:
+        if x.has(sp.Float) or x.free_symbols - set(given):
+            raise ValueError(f"{x} is no formula in {given}")
+    printer = _Printer({"fully_qualified_modules": False, "user_functions": {}})
+    made: Callable[..., list[arb]] = sp.lambdify(
+        given, exact, modules=[_FUNCTIONS], printer=printer, cse=True
+    )
+    return made
+
+
+@dataclass(frozen=True)
+class Formula:
+    """An expression in one variable and the plant's numbers, with its slopes, in balls."""
+
+    expr: Expr
+    variable: sp.Symbol
+
+    @cached_property
+    def _slope(self) -> Expr:
+        return sp.diff(self.expr, self.variable)
+
+    @cached_property
+    def _values(self) -> Callable[..., list[arb]]:
+        return compiled([self.expr], (self.variable, *NAMES))
+
+    @cached_property
+    def _slopes(self) -> Callable[..., list[arb]]:
+        return compiled([self._slope], (self.variable, *NAMES))
+
+    @cached_property
+    def _bends(self) -> Callable[..., list[arb]]:
+        return compiled([sp.diff(self._slope, self.variable)], (self.variable, *NAMES))
+
+    @cached_property
+    def _parts(self) -> Callable[..., list[arb]]:
+        return compiled([sp.diff(self.expr, name) for name in NAMES], (self.variable, *NAMES))
+
+    def value(self, at: arb, x: Numbers) -> arb:
+        """The expression."""
+        return self._values(at, *x.values)[0]
+
+    def slope(self, at: arb, x: Numbers) -> arb:
+        """Its derivative by the variable."""
+        return self._slopes(at, *x.values)[0]
+
+    def bend(self, at: arb, x: Numbers) -> arb:
+        """Its second derivative by the variable."""
+        return self._bends(at, *x.values)[0]
+
+    def by_plant(self, at: arb, x: Numbers) -> tuple[arb, arb]:
+        """Its derivatives by gamma and delta."""
+        parts = self._parts(at, *x.values)
+        return chained(parts, x.by_gamma), chained(parts, x.by_delta)
+
+
+def chained(parts: Sequence[arb], slopes: Sequence[arb]) -> arb:
+    """A derivative by the chain rule."""
+    return sum((p * s for p, s in zip(parts, slopes, strict=True)), arb(0))
