@@ -27,7 +27,7 @@ Worst = dict[str, tuple[float, tuple[float, ...]]]
 
 def compiled(form: Form, folder: Path) -> Callable[[list[Array]], Array]:
     """The exported C function on arrays, in a loop that is compiled with it."""
-    made, files = request.built(TARGETS["c"], [form])
+    made, files = request.built(TARGETS["c"], [form], vectors=False)
     for name, text in files.items():
         (folder / name).write_text(text)
     routine = made.public[0]
@@ -63,7 +63,7 @@ def compiled(form: Form, folder: Path) -> Callable[[list[Array]], Array]:
 
 def functions(form: Form) -> Any:
     """The routines of the array export, to find the sizes of terms with."""
-    _, files = request.built(TARGETS["numpy"], [form], "terms")
+    _, files = request.built(TARGETS["numpy"], [form], "terms", vectors=False)
     space: dict[str, Any] = {}
     exec(compile(files["terms.py"], "terms.py", "exec"), space)
     return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})

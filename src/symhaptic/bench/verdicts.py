@@ -1,0 +1,149 @@
+"""Stability of walls close to the boundary: eigenvalues, Jury's table and the counted roots."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import flint
+import numpy as np
+from flint import acb, acb_poly, arb
+from numpy.typing import NDArray
+
+from symhaptic import discretize, is_stable, stability_boundary
+from symhaptic.bench.error import compiled
+from symhaptic.bench.exact import device
+from symhaptic.bench.points import Array
+from symhaptic.bench.timing import seconds
+from symhaptic.export import request
+
+DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
+"""Relative distances from the boundary, along the line to the wall without any forces."""
+
+_SIZES = {"eigenvalues": 2, "Jury table": 200}
+"""Walls that are timed together by what is slow."""
+
+_BITS = 400
+Walls = tuple[Array, Array, Array, Array]
+"""alpha, beta, gamma and delta."""
+
+
+class Undecided(ArithmeticError):
+    """A root that the balls do not tell from the circle."""
+
+
+def outside(alpha: float, beta: float, gamma: float, delta: float, delay: int) -> int:
+    """Roots outside the unit circle, from balls that each hold one root of the polynomial.
+
+    >>> outside(5.0, 1.0, 0.0, 0.0, 0), outside(0.5, 1.0, 0.0, 0.0, 0)
+    (2, 0)
+    """
+    with flint.ctx.workprec(_BITS):
+        n1, n0, a, e = device(gamma, delta)
+        al, be = arb(alpha), arb(beta)
+        found = [arb(0)] * (delay + 4)
+        found[-1], found[-2], found[-3] = arb(1), -a, e
+        found[2] += n1 * (al + be)
+        found[1] += n0 * (al + be) - n1 * be
+        found[0] += -n0 * be
+        count = 0
+        for root in acb_poly([acb(c) for c in found]).roots(1e-40):
+            size = abs(root)
+            if not (size < 1 or size > 1):
+                raise Undecided(f"a root at {root} for {alpha, beta, gamma, delta, delay}")
+            count += bool(size > 1)
+    return count
+
+
+def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls, NDArray[np.bool_]]:
+    """Walls on both sides of the boundary of as many plants, and whether they are stable.
+
+    The truth is found by :func:`outside`; points whose two sides are both unstable are no
+    border of the stable region, and are left out.
+    """
+    rng = np.random.default_rng(seed)
+    rows: list[tuple[float, ...]] = []
+    truth: list[bool] = []
+    while len(rows) < 2 * count:
+        gamma, delta = rng.uniform(0, 1e-3), rng.uniform(0, 0.02)
+        theta = rng.uniform(0.02, 1) * np.pi / (2 * delay + 2)
+        alpha, beta = (float(v) for v in stability_boundary(theta, gamma, delta, delay))
+        sides = [(alpha * (1 + s), beta * (1 + s), gamma, delta) for s in (-distance, distance)]
+        stable = [outside(*side, delay) == 0 for side in sides]
+        if stable == [True, False]:
+            rows += sides
+            truth += stable
+    columns = np.array(rows).T
+    return (columns[0], columns[1], columns[2], columns[3]), np.array(truth)
+
+
+def coefficients(walls: Walls, delay: int) -> Array:
+    """Characteristic polynomials, a row each, the highest power first."""
+    al, be, gamma, delta = walls
+    n1, n0, a, e = discretize(gamma, delta)
+    rows = np.zeros((al.size, delay + 4))
+    rows[:, 0], rows[:, 1], rows[:, 2] = 1.0, -a, e
+    rows[:, -3] += n1 * (al + be)
+    rows[:, -2] += n0 * (al + be) - n1 * be
+    rows[:, -1] += -n0 * be
+    return rows
+
+
+def by_roots(rows: Array) -> NDArray[np.bool_]:
+    """``numpy.roots`` of one polynomial after the other."""
+    return np.array([np.abs(np.roots(row)).max() < 1 for row in rows])
+
+
+def by_jury(rows: Array) -> NDArray[np.bool_]:
+    """Jury's table, reduced row by row, of all polynomials side by side."""
+    stable = np.ones(len(rows), dtype=bool)
+    while rows.shape[1] > 1:
+        share = rows[:, -1:] / rows[:, :1]
+        stable &= np.abs(share[:, 0]) < 1
+        rows = rows[:, :-1] - share * rows[:, :0:-1]
+    return stable
+
+
+def methods(folder: Path) -> dict[str, Callable[[Walls, int], Any]]:
+    """Each method's verdicts on walls; None for one that it refuses, by name."""
+    found: dict[str, Callable[[Walls, int], Any]] = {
+        "eigenvalues": lambda walls, d: by_roots(coefficients(walls, d)),
+        "Jury table": lambda walls, d: by_jury(coefficients(walls, d)),
+        "counted": lambda walls, d: is_stable(*walls, d),
+    }
+    if shutil.which("gcc"):
+        (form,) = request.chosen(["is_stable"])
+        call = compiled(form, folder)
+        found["counted, C"] = lambda walls, d: (
+            call([*map(np.ascontiguousarray, walls), np.full(walls[0].size, float(d))])[1] == 1
+        )
+    return found
+
+
+def measured(
+    delays: tuple[int, ...], count: int, most: float, timed: int = 20_000
+) -> Iterator[dict[str, Any]]:
+    """One row for each delay and method, with the share of wrong verdicts for each distance.
+
+    ``most`` is the largest delay for which eigenvalues are asked for as many walls; beyond, for
+    two plants.
+    """
+    with tempfile.TemporaryDirectory() as place:
+        ways = methods(Path(place))
+        for delay in delays:
+            plants = count if delay <= most else 2
+            tried = {eps: near(delay, eps, plants) for eps in DISTANCES}
+            for name, verdicts in ways.items():
+                wrong = {}
+                for eps, (walls, truth) in tried.items():
+                    with np.errstate(all="ignore"):
+                        wrong[f"{eps:g}"] = float(np.mean(verdicts(walls, delay) != truth))
+                size = _SIZES.get(name, timed)
+                al, be, gamma, delta = (np.resize(a, size) for a in tried[DISTANCES[0]][0])
+                took = seconds(partial(verdicts, (al, be, gamma, delta), delay), 3) / size
+                row = {"delay": delay, "method": name, "walls": int(truth.size)}
+                yield {**row, "seconds": took, "wrong": wrong}

@@ -1,0 +1,76 @@
+"""The committed measurement as a chapter of the book: speed against error."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from symhaptic.bench import record as records
+from symhaptic.bench.tables import Table, about, tables
+from symhaptic.report.words import escaped, prose
+
+
+def measurement(path: Path) -> dict[str, Any]:
+    """What the template of the chapter needs; empty where nothing is committed.
+
+    Raises :class:`symhaptic.bench.record.BadRecord` for a file that is no record.
+    """
+    if not path.is_file():
+        return {}
+    record = records.read(path)
+    names = ("floats", "digits", "boundary", "times", "wrong", "models", "peers")
+    shown = {name: table_tex(t) for name, t in zip(names, tables(record), strict=True)}
+    return {"about": escaped(about(record)), "method": record["method"], "tables": shown}
+
+
+def table_tex(table: Table) -> str:
+    """A table over the width of text and margin, its first columns words."""
+    columns = "l" * table.words + "r" * (len(table.head) - table.words)
+    lines = [
+        "{\\footnotesize\\setlength{\\LTleft}{0pt}\\setlength{\\LTright}{-37mm}"
+        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpost}{2pt}",
+        f"\\begin{{longtable}}{{@{{}}{columns}@{{}}}}",
+        "\\toprule",
+        f"{_line(table.head)} \\\\ \\midrule\\endhead",
+        "\\bottomrule\\endfoot",
+    ]
+    before = False
+    for row in table.rows:
+        if row[0] and table.words > 1 and before:
+            lines.append("\\addlinespace[3pt]")
+        before = True
+        lines.append(f"{_line(row)} \\\\")
+    lines += ["\\end{longtable}", f"{prose(table.says)}\\par}}", "\\medskip", ""]
+    return "\n".join(lines)
+
+
+def _line(cells: tuple[str, ...]) -> str:
+    return " & ".join(cell_tex(cell) for cell in cells)
+
+
+def cell_tex(text: str) -> str:
+    r"""Plain text for LaTeX, powers of ten and units typeset.
+
+    >>> cell_tex("1.2e-7"), cell_tex("3.5 us"), cell_tex("d")
+    ('$1.2\\cdot10^{-7}$', '3.5\\,$\\mu$s', '$d$')
+    """
+    if text in ("d", "-"):
+        return {"d": "$d$", "-": "--"}[text]
+    return _NUMBER.sub(_typeset, escaped(text))
+
+
+_NUMBER = re.compile(r"(?<![\w.])(-?)(\d+(?:\.\d+)?)(?:e(-?\d+))?(?: (ns|us|ms|s)\b)?")
+
+
+_UNITS = {"us": r"$\mu$s"}
+
+
+def _typeset(found: re.Match[str]) -> str:
+    sign, digits, power, unit = found.groups()
+    shown = sign + digits
+    if power:
+        shown = f"{sign}10^{{{power}}}" if digits == "1" else rf"{shown}\cdot10^{{{power}}}"
+    if sign or power:
+        shown = f"${shown}$"
+    return shown + (rf"\,{_UNITS.get(unit, unit)}" if unit else "")
