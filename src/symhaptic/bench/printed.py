@@ -20,7 +20,8 @@ _UNITS[Symbol("omega_hat")] = theta
 """From the paper's symbols to the dimensionless parameters of Table I."""
 
 
-def expressions(form: Form, kind: str) -> list[Expr]:
+@cache
+def expressions(form: Form, kind: str) -> tuple[Expr, ...]:
     """What the paper prints, or what is derived in its place, for each result that it gives.
 
     Written as it stands: only the units and, where they occur, the abbreviations (15) are filled
@@ -28,12 +29,12 @@ def expressions(form: Form, kind: str) -> list[Expr]:
     """
     ids = STATEMENTS.get(form.name)
     if ids is None:
-        return []
+        return ()
     lines = [_placed(line) for line in _lines(ids[0], kind)]
     found = _READ.get(ids[0], _sides)(lines)
     short = {line.lhs: line.rhs for line in PRINTED["eq15"].printed}
     root = {c_1: short.pop(c_1)}
-    return [expr.xreplace(short).xreplace(root) for expr in found]
+    return tuple(expr.xreplace(short).xreplace(root) for expr in found)
 
 
 def function(form: Form, kind: str, modules: str) -> Callable[..., list[Any]]:

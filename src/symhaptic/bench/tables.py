@@ -84,6 +84,10 @@ def _names(rows: Iterable[Row], field: str) -> list[Any]:
     return list(dict.fromkeys(row[field] for row in rows))
 
 
+def _units(last: float | None) -> str:
+    return "> 1e16" if last is not None and last > 1e16 else number(last)
+
+
 def _floats(rows: list[Row]) -> Table:
     found = []
     for name in _names(rows, "function"):
@@ -102,11 +106,11 @@ def _floats(rows: list[Row]) -> Table:
                     words(name) if first else "",
                     way,
                     nanoseconds(easy["seconds"]),
-                    number(easy["median"]),
-                    number(easy["worst"]),
+                    _units(easy["median"]),
+                    _units(easy["worst"]),
                     share(easy["missing"]),
-                    number(hard["median"]),
-                    number(hard["worst"]),
+                    _units(hard["median"]),
+                    _units(hard["worst"]),
                     share(hard["missing"]),
                 )
             )
@@ -114,8 +118,8 @@ def _floats(rows: list[Row]) -> Table:
     head = ("function", "way", "time", "median", "worst", "NaN", "median", "worst", "NaN")
     says = (
         "Errors in units in the last place of the largest term of the stable form, in double "
-        "precision; first on ordinary parameters, inside (23), then on hard ones. NaN is the share "
-        "in per cent of points without a number."
+        "precision; first on ordinary parameters, inside (23), then on hard ones. Above $10^{16}$ "
+        "no digit is left. NaN is the share in per cent of points without a number."
     )
     return Table("Functions in double precision", head, tuple(found), 2, says)
 
@@ -201,7 +205,7 @@ def _wrong(rows: list[Row]) -> Table:
     walls = sum(r["walls"] for r in rows if r["method"] == rows[0]["method"])
     says = (
         f"Share in per cent of {walls} walls, of all these delays, that are judged wrongly at a "
-        "relative distance from the boundary. The truth is found with balls around the roots."
+        "relative distance from the boundary. The truth is Jury's table in balls."
     )
     return Table("Wrong verdicts near the boundary", ("method", *distances), tuple(found), 1, says)
 

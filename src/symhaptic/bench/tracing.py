@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 import flint
@@ -88,14 +88,20 @@ def rays(
     return np.asarray(inside + ((low + high) / 2)[:, None] * way)
 
 
+@cache
+def _near(delay: int) -> tuple[Array, Array]:
+    """Many angles and their points of the curve."""
+    angles = np.linspace(0, math.pi, 20_001)[1:-1]
+    return angles, np.stack(stability_boundary(angles, GAMMA, DELTA, delay), axis=1)
+
+
 def distance(point: Array, delay: int) -> float:
     """From a wall to the exact boundary: the curve, or the line alpha = -gamma.
 
     The nearest of many points of the curve, and from there Newton's steps on the foot of the
     perpendicular, with exact points.
     """
-    angles = np.linspace(0, math.pi, 20_001)[1:-1]
-    curve = np.stack(stability_boundary(angles, GAMMA, DELTA, delay), axis=1)
+    angles, curve = _near(delay)
     start = float(angles[np.argmin(np.hypot(*(curve - point).T))])
     with flint.ctx.workprec(_BITS):
         a, b = arb(float(point[0])), arb(float(point[1]))
@@ -116,9 +122,12 @@ def distance(point: Array, delay: int) -> float:
             turn = (slope(theta + step) - here) / step
             if not turn > 0:
                 break
-            theta = (theta - here / turn).mid()
+            moved = (theta - here / turn).mid()
+            theta, gone = moved, abs(moved - theta)
+            if gone < arb(2) ** -100:
+                break
         x, y = off(theta)
         best = float((x * x + y * y).sqrt().mid())
         line = float(abs(a + arb(GAMMA)))
-    nearest = min(float(np.hypot(*(curve - point).T).min()), best) if best == best else best
-    return min(nearest, line) if point[1] > -1 else nearest
+    sampled = float(np.hypot(*(curve - point).T).min())
+    return min(sampled, line, *([best] if math.isfinite(best) else []))

@@ -11,7 +11,7 @@ from typing import Any
 
 import flint
 import numpy as np
-from flint import acb, acb_poly, arb
+from flint import arb
 from numpy.typing import NDArray
 
 from symhaptic import discretize, is_stable, stability_boundary
@@ -27,43 +27,54 @@ DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 _SIZES = {"eigenvalues": 2, "Jury table": 200}
 """Walls that are timed together by what is slow."""
 
-_BITS = 400
+_BITS = 256
 Walls = tuple[Array, Array, Array, Array]
 """alpha, beta, gamma and delta."""
 
 
-class Undecided(ArithmeticError):
-    """A root that the balls do not tell from the circle."""
+def stable(alpha: float, beta: float, gamma: float, delta: float, delay: int) -> bool:
+    """The truth: Jury's table in balls, with as many bits as it takes.
 
-
-def outside(alpha: float, beta: float, gamma: float, delta: float, delay: int) -> int:
-    """Roots outside the unit circle, from balls that each hold one root of the polynomial.
-
-    >>> outside(5.0, 1.0, 0.0, 0.0, 0), outside(0.5, 1.0, 0.0, 0.0, 0)
-    (2, 0)
+    >>> stable(5.0, 1.0, 0.0, 0.0, 0), stable(0.5, 1.0, 0.0, 0.0, 0)
+    (False, True)
     """
-    with flint.ctx.workprec(_BITS):
-        n1, n0, a, e = device(gamma, delta)
-        al, be = arb(alpha), arb(beta)
-        found = [arb(0)] * (delay + 4)
-        found[-1], found[-2], found[-3] = arb(1), -a, e
-        found[2] += n1 * (al + be)
-        found[1] += n0 * (al + be) - n1 * be
-        found[0] += -n0 * be
-        count = 0
-        for root in acb_poly([acb(c) for c in found]).roots(1e-40):
-            size = abs(root)
-            if not (size < 1 or size > 1):
-                raise Undecided(f"a root at {root} for {alpha, beta, gamma, delta, delay}")
-            count += bool(size > 1)
-    return count
+    bits = _BITS
+    while True:
+        with flint.ctx.workprec(bits):
+            decided = _table(_polynomial(alpha, beta, gamma, delta, delay))
+        if decided is not None:
+            return decided
+        bits *= 2
+
+
+def _polynomial(
+    alpha: float, beta: float, gamma: float, delta: float, delay: int
+) -> list[arb]:  # fmt: skip
+    """Coefficients in balls, the highest power first."""
+    n1, n0, a, e = device(gamma, delta)
+    al, be = arb(alpha), arb(beta)
+    row = [arb(0)] * (delay + 4)
+    row[0], row[1], row[2] = arb(1), -a, e
+    row[-3] += n1 * (al + be)
+    row[-2] += n0 * (al + be) - n1 * be
+    row[-1] += -n0 * be
+    return row
+
+
+def _table(row: list[arb]) -> bool | None:
+    """Whether all its zeros lie inside the unit circle; None where the balls are too wide."""
+    while len(row) > 1:
+        share = row[-1] / row[0]
+        if not abs(share) < 1:
+            return False if abs(share) >= 1 else None
+        row = [x - share * y for x, y in zip(row[:-1], row[:0:-1], strict=True)]
+    return True
 
 
 def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls, NDArray[np.bool_]]:
     """Walls on both sides of the boundary of as many plants, and whether they are stable.
 
-    The truth is found by :func:`outside`; points whose two sides are both unstable are no
-    border of the stable region, and are left out.
+    Points whose two sides are both unstable are no border of the stable region, and are left out.
     """
     rng = np.random.default_rng(seed)
     rows: list[tuple[float, ...]] = []
@@ -73,10 +84,10 @@ def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls,
         theta = rng.uniform(0.02, 1) * np.pi / (2 * delay + 2)
         alpha, beta = (float(v) for v in stability_boundary(theta, gamma, delta, delay))
         sides = [(alpha * (1 + s), beta * (1 + s), gamma, delta) for s in (-distance, distance)]
-        stable = [outside(*side, delay) == 0 for side in sides]
-        if stable == [True, False]:
+        found = [stable(*side, delay) for side in sides]
+        if found == [True, False]:
             rows += sides
-            truth += stable
+            truth += found
     columns = np.array(rows).T
     return (columns[0], columns[1], columns[2], columns[3]), np.array(truth)
 
@@ -100,12 +111,12 @@ def by_roots(rows: Array) -> NDArray[np.bool_]:
 
 def by_jury(rows: Array) -> NDArray[np.bool_]:
     """Jury's table, reduced row by row, of all polynomials side by side."""
-    stable = np.ones(len(rows), dtype=bool)
+    inside = np.ones(len(rows), dtype=bool)
     while rows.shape[1] > 1:
         share = rows[:, -1:] / rows[:, :1]
-        stable &= np.abs(share[:, 0]) < 1
+        inside &= np.abs(share[:, 0]) < 1
         rows = rows[:, :-1] - share * rows[:, :0:-1]
-    return stable
+    return inside
 
 
 def methods(folder: Path) -> dict[str, Callable[[Walls, int], Any]]:

@@ -1,4 +1,4 @@
-"""Names beside points, where no other name or point is."""
+"""Names beside points, where no other name, point or line is."""
 
 from __future__ import annotations
 
@@ -11,14 +11,20 @@ import numpy as np
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_AWAY = (5, 9, 14, 20, 28, 38, 50, 64)
+_AWAY = (5, 8, 12, 16, 21, 27, 34, 42, 52, 64)
 """Points of the page between a point and its name, the nearest place first."""
 
+_NEAR = 16
+"""Up to here a name needs no line."""
 
-def place(
-    axes: Axes, names: Sequence[tuple[float, float, str, Any]], others: Sequence[Any] = ()
-) -> None:
-    """Write each name, with its colour, beside its point; ``others`` are points to keep clear.
+_SIDES = [side for side in product((1, 0, -1), (0, 1, -1)) if side != (0, 0)]
+
+Named = tuple[float, float, str, Any]
+"""Where a point is, its name and its colour."""
+
+
+def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] = ()) -> None:
+    """Write each name beside its point, clear of all ``lines``, of which each has its x and y.
 
     A name that had to go far is joined to its point by a thin line.  The limits of the axes must
     be set.
@@ -29,35 +35,48 @@ def place(
     figure.draw_without_rendering()  # a layout that moves axes has moved them
     scale = figure.dpi / 72
     renderer = figure.canvas.get_renderer()
-    points = [axes.transData.transform(p) for p in [(x, y) for x, y, *_ in names] + [*others]]
-    near = 3 * scale
-    taken = [Bbox.from_extents(x - near, y - near, x + near, y + near) for x, y in points]
+    points = axes.transData.transform([(x, y) for x, y, *_ in names])
+    crowd = [(p, 3.0) for p in points]
+    for xs, ys in lines:
+        ends = axes.transData.transform(np.column_stack([xs, ys]))
+        steps = np.linspace(0, len(ends) - 1, 40 * len(ends))
+        along = [np.interp(steps, range(len(ends)), ends[:, k]) for k in (0, 1)]
+        crowd += [(p, 1.0) for p in np.column_stack(along)]
+    taken = [Bbox.from_extents(*(p - radius * scale), *(p + radius * scale)) for p, radius in crowd]
     inside = axes.get_window_extent(renderer)
-    for (x, y, name, colour), at in zip(names, points, strict=False):
+    for (x, y, name, colour), at in zip(names, points, strict=True):
         text = axes.annotate(
             name, (x, y), (0, 0), textcoords="offset points", fontsize=7, color=colour
         )
+        text.set_in_layout(False)
         size = text.get_window_extent(renderer)
-        best, least = None, float("inf")
-        for away, (right, up) in product(_AWAY, product((1, 0, -1), (0, 1, -1))):
-            if not right and not up:
-                continue
-            left = away * right * scale - (size.width if right < 0 else 0)
-            left -= size.width / 2 if right == 0 else 0
-            low = away * up * scale - size.height / 2
-            box = Bbox.from_bounds(at[0] + left, at[1] + low, size.width, size.height)
-            out = not (inside.x0 <= box.x0 and box.x1 <= inside.x1 + 2 * scale)
-            out = out or not (inside.y0 <= box.y0 and box.y1 <= inside.y1)
-            hit = sum(box.overlaps(t) for t in taken) + 3 * out
+        drop = size.y0 - at[1]
+        best, least = (at, _AWAY[0]), float("inf")
+        for away, (right, up) in product(_AWAY, _SIDES):
+            corner = at + scale * away * np.array([right, up])
+            corner -= np.array([(1 - right) / 2 * size.width, size.height / 2])
+            box = Bbox.from_bounds(*corner, size.width, size.height)
+            out = box.x0 < inside.x0 + 2 or box.x1 > inside.x1 + 2
+            out = out or box.y0 < inside.y0 + 2 or box.y1 > inside.y1 + 2
+            hit = sum(box.overlaps(other) for other in taken) + 100 * out
+            if away > _NEAR:  # nor may the line that joins it cross a name
+                end = np.clip(at, box.min, box.max)
+                way = at + np.linspace(0, 1, 30)[:, None] * (end - at)
+                hit += sum(other.count_contains(way) > 0 for other in taken[len(crowd) :])
             if hit < least:
-                best, least = (left, low, box, away), hit
+                best, least = (corner, away), hit
             if not hit:
                 break
-        assert best is not None
-        left, low, box, away = best
-        text.set_position((left / scale, low / scale + 0.2 * size.height / scale))
+        corner, away = best
+        shift = (corner - at) / scale
+        text.set_position((shift[0], shift[1] - drop / scale))
+        box = Bbox.from_bounds(*corner, size.width, size.height)
         taken.append(box)
-        if away > 14:
-            end = (min(max(at[0], box.x0), box.x1), min(max(at[1], box.y0), box.y1))
-            line = axes.transData.inverted().transform(np.array([at, end]))
-            axes.plot(*line.T, color=colour, linewidth=0.35, zorder=1)
+        if away > _NEAR:
+            end = np.clip(at, box.min, box.max)
+            axes.plot(
+                *axes.transData.inverted().transform([at, end]).T,
+                color=colour,
+                linewidth=0.35,
+                zorder=1,
+            )
