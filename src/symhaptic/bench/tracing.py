@@ -126,8 +126,7 @@ def distance(point: Array, delay: int) -> float:
             theta, gone = moved, abs(moved - theta)
             if gone < arb(2) ** -100:
                 break
-        x, y = off(theta)
-        best = float((x * x + y * y).sqrt().mid())
+        ends = [off(arb(start)), off(theta)]
+        found = [float((x * x + y * y).sqrt().mid()) for x, y in ends]
         line = float(abs(a + arb(GAMMA)))
-    sampled = float(np.hypot(*(curve - point).T).min())
-    return min(sampled, line, *([best] if math.isfinite(best) else []))
+    return min(line, *(f for f in found if math.isfinite(f)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -18,18 +18,22 @@ from symhaptic import discretize, is_stable, stability_boundary
 from symhaptic.bench.error import compiled
 from symhaptic.bench.exact import device
 from symhaptic.bench.points import Array
+from symhaptic.bench.printed import function
 from symhaptic.bench.timing import seconds
 from symhaptic.export import request
 
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 """Relative distances from the boundary, along the line to the wall without any forces."""
 
-_SIZES = {"eigenvalues": 2, "Jury table": 200}
+_SIZES = {"eigenvalues": 2, "(14) as printed": 2, "Jury table": 200}
 """Walls that are timed together by what is slow."""
 
 _BITS = 256
 Walls = tuple[Array, Array, Array, Array]
 """alpha, beta, gamma and delta."""
+
+Plant = Callable[[Array, Array], Sequence[Array]]
+"""n1, n0, a and e from gamma and delta."""
 
 
 def stable(alpha: float, beta: float, gamma: float, delta: float, delay: int) -> bool:
@@ -74,6 +78,7 @@ def _table(row: list[arb]) -> bool | None:
 def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls, NDArray[np.bool_]]:
     """Walls on both sides of the boundary of as many plants, and whether they are stable.
 
+    Two of four plants are ordinary ones inside (23), one has no stiffness, one critical damping.
     Points whose two sides are both unstable are no border of the stable region, and are left out.
     """
     rng = np.random.default_rng(seed)
@@ -81,6 +86,8 @@ def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls,
     truth: list[bool] = []
     while len(rows) < 2 * count:
         gamma, delta = rng.uniform(0, 1e-3), rng.uniform(0, 0.02)
+        kind = len(rows) // 2 % 4
+        gamma = 0.0 if kind == 2 else delta * delta / 4 if kind == 3 else gamma
         theta = rng.uniform(0.02, 1) * np.pi / (2 * delay + 2)
         alpha, beta = (float(v) for v in stability_boundary(theta, gamma, delta, delay))
         sides = [(alpha * (1 + s), beta * (1 + s), gamma, delta) for s in (-distance, distance)]
@@ -92,10 +99,10 @@ def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls,
     return (columns[0], columns[1], columns[2], columns[3]), np.array(truth)
 
 
-def coefficients(walls: Walls, delay: int) -> Array:
+def coefficients(walls: Walls, delay: int, plant: Plant = discretize) -> Array:
     """Characteristic polynomials, a row each, the highest power first."""
     al, be, gamma, delta = walls
-    n1, n0, a, e = discretize(gamma, delta)
+    n1, n0, a, e = plant(gamma, delta)
     rows = np.zeros((al.size, delay + 4))
     rows[:, 0], rows[:, 1], rows[:, 2] = 1.0, -a, e
     rows[:, -3] += n1 * (al + be)
@@ -104,9 +111,12 @@ def coefficients(walls: Walls, delay: int) -> Array:
     return rows
 
 
-def by_roots(rows: Array) -> NDArray[np.bool_]:
-    """``numpy.roots`` of one polynomial after the other."""
-    return np.array([np.abs(np.roots(row)).max() < 1 for row in rows])
+def by_roots(rows: Array) -> Array:
+    """``numpy.roots`` of one polynomial after the other; NaN, refused, where one is not known."""
+    known = np.isfinite(rows).all(axis=1)
+    return np.array(
+        [np.abs(np.roots(r)).max() < 1 if k else np.nan for r, k in zip(rows, known, strict=True)]
+    )
 
 
 def by_jury(rows: Array) -> NDArray[np.bool_]:
@@ -120,9 +130,16 @@ def by_jury(rows: Array) -> NDArray[np.bool_]:
 
 
 def methods(folder: Path) -> dict[str, Callable[[Walls, int], Any]]:
-    """Each method's verdicts on walls; None for one that it refuses, by name."""
+    """Each method's verdicts on walls, by name; NaN for a wall that it refuses."""
+    (plant,) = request.chosen(["discretize"])
+    paper = function(plant, "printed", "numpy")
+
+    def printed(gamma: Array, delta: Array) -> Sequence[Array]:
+        return [np.real(v) for v in paper(gamma + 0j, delta + 0j)]
+
     found: dict[str, Callable[[Walls, int], Any]] = {
         "eigenvalues": lambda walls, d: by_roots(coefficients(walls, d)),
+        "(14) as printed": lambda walls, d: by_roots(coefficients(walls, d, printed)),
         "Jury table": lambda walls, d: by_jury(coefficients(walls, d)),
         "counted": lambda walls, d: is_stable(*walls, d),
     }
@@ -140,21 +157,22 @@ def measured(
 ) -> Iterator[dict[str, Any]]:
     """One row for each delay and method, with the share of wrong verdicts for each distance.
 
-    ``most`` is the largest delay for which eigenvalues are asked for as many walls; beyond, for
-    two plants.
+    Beyond the delay ``most`` the number of plants falls with its square, down to one.
     """
     with tempfile.TemporaryDirectory() as place:
         ways = methods(Path(place))
         for delay in delays:
-            plants = count if delay <= most else 2
+            plants = count if delay <= most else max(1, round(count * (most / delay) ** 2))
             tried = {eps: near(delay, eps, plants) for eps in DISTANCES}
             for name, verdicts in ways.items():
-                wrong = {}
+                wrong, refused = {}, []
                 for eps, (walls, truth) in tried.items():
                     with np.errstate(all="ignore"):
-                        wrong[f"{eps:g}"] = float(np.mean(verdicts(walls, delay) != truth))
+                        said = np.asarray(verdicts(walls, delay), dtype=float)
+                    refused.append(np.isnan(said))
+                    wrong[f"{eps:g}"] = float(np.mean((said != truth) & ~np.isnan(said)))
                 size = _SIZES.get(name, timed)
                 al, be, gamma, delta = (np.resize(a, size) for a in tried[DISTANCES[0]][0])
                 took = seconds(partial(verdicts, (al, be, gamma, delta), delay), 3) / size
                 row = {"delay": delay, "method": name, "walls": int(truth.size)}
-                yield {**row, "seconds": took, "wrong": wrong}
+                yield {**row, "seconds": took, "wrong": wrong, "refused": float(np.mean(refused))}

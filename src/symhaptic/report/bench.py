@@ -10,6 +10,9 @@ from symhaptic.bench import record as records
 from symhaptic.bench.tables import Table, about, tables
 from symhaptic.report.words import escaped, prose
 
+_SHORT = 14
+"""Rows of a table that stays on one page."""
+
 
 def measurement(path: Path) -> dict[str, Any]:
     """What the template of the chapter needs; empty where nothing is committed.
@@ -25,23 +28,28 @@ def measurement(path: Path) -> dict[str, Any]:
 
 
 def table_tex(table: Table) -> str:
-    """A table over the width of text and margin, its first columns words."""
+    """What a table says and the table below, which may be as wide as text and margin together.
+
+    A long one goes on over pages, but not in the midst of a group.
+    """
+    long = len(table.rows) > _SHORT
     columns = "l" * table.words + "r" * (len(table.head) - table.words)
+    kind = "longtable" if long else "tabular"
     lines = [
         "{\\footnotesize\\setlength{\\LTleft}{0pt}\\setlength{\\LTright}{-37mm}"
-        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpost}{2pt}",
-        f"\\begin{{longtable}}{{@{{}}{columns}@{{}}}}",
+        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpre}{3pt}\\setlength{\\LTpost}{0pt}",
+        "\\needspace{8\\baselineskip}",
+        f"\\emph{{{table.title}.}}\\enspace {prose(table.says)}\\par\\nopagebreak",
+        f"\\begin{{{kind}}}{{@{{}}{columns}@{{}}}}",
         "\\toprule",
-        f"{_line(table.head)} \\\\ \\midrule\\endhead",
-        "\\bottomrule\\endfoot",
+        f"{_line(table.head)} \\\\ \\midrule" + ("\\endhead" if long else ""),
+        *(["\\bottomrule\\endfoot"] if long else []),
     ]
-    before = False
-    for row in table.rows:
-        if row[0] and table.words > 1 and before:
-            lines.append("\\addlinespace[3pt]")
-        before = True
-        lines.append(f"{_line(row)} \\\\")
-    lines += ["\\end{longtable}", f"{prose(table.says)}\\par}}", "\\medskip", ""]
+    for at, row in enumerate(table.rows):
+        ends = at + 1 == len(table.rows) or bool(table.rows[at + 1][0])
+        end = "\\\\" if ends else "\\\\*"
+        lines.append(f"{_line(row)} {end}{'[3pt]' if ends and table.words > 1 else ''}")
+    lines += [*([] if long else ["\\bottomrule"]), f"\\end{{{kind}}}\\par}}", "\\medskip", ""]
     return "\n".join(lines)
 
 

@@ -27,6 +27,7 @@ _COLOURS = {
     "rays, counted": COLOURS[1],
     "explicit": COLOURS[0],
     "eigenvalues": COLOURS[5],
+    "(14) as printed": COLOURS[4],
     "Jury table": COLOURS[6],
     "counted": COLOURS[0],
     "counted, C": COLOURS[2],
@@ -54,8 +55,8 @@ def drawings(record: dict[str, Any]) -> dict[str, tuple[Any, tuple[int, int], fl
     known = {row["function"] for row in record["functions"]}
     some = [n for n in _CHOSEN if n in known] or sorted(known)[:2]
     return {
-        "bench_functions": (partial(_functions, record, some), (len(some), 2), 0.55 * len(some)),
-        "bench_boundary": (partial(_boundary, record), (1, 2), 0.55),
+        "bench_functions": (partial(_functions, record, some), (len(some), 2), 0.5 * len(some)),
+        "bench_boundary": (partial(_boundary, record), (1, 2), 0.48),
         "bench_stability": (partial(_stability, record), (1, 2), 0.5),
         "bench_models": (partial(_models, record), (1, 1), 0.5),
     }

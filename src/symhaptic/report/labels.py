@@ -48,14 +48,16 @@ def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] =
         text = axes.annotate(
             name, (x, y), (0, 0), textcoords="offset points", fontsize=7, color=colour
         )
+        text.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.2})
         text.set_in_layout(False)
         size = text.get_window_extent(renderer)
         drop = size.y0 - at[1]
+        extent = np.array([size.width, size.height])
         best, least = (at, _AWAY[0]), float("inf")
         for away, (right, up) in product(_AWAY, _SIDES):
             corner = at + scale * away * np.array([right, up])
             corner -= np.array([(1 - right) / 2 * size.width, size.height / 2])
-            box = Bbox.from_bounds(*corner, size.width, size.height)
+            box = Bbox([corner, corner + extent])
             out = box.x0 < inside.x0 + 2 or box.x1 > inside.x1 + 2
             out = out or box.y0 < inside.y0 + 2 or box.y1 > inside.y1 + 2
             hit = sum(box.overlaps(other) for other in taken) + 100 * out
@@ -70,7 +72,7 @@ def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] =
         corner, away = best
         shift = (corner - at) / scale
         text.set_position((shift[0], shift[1] - drop / scale))
-        box = Bbox.from_bounds(*corner, size.width, size.height)
+        box = Bbox([corner, corner + extent])
         taken.append(box)
         if away > _NEAR:
             end = np.clip(at, box.min, box.max)
