@@ -249,6 +249,42 @@ def mutants(
 
 
 @app.command()
+def bench(
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Fewer points and delays; under a minute.")
+    ] = False,
+    output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the record.")] = Path(
+        "reports/bench"
+    ),
+) -> None:
+    """Measure speed against error; write bench.json, tables and plots."""
+    import os
+
+    if output.exists() and not output.is_dir():
+        _usage(f"-o {output}: is a file; a folder is allowed")
+    for library in ("OPENBLAS", "MKL", "OMP"):  # one thread, whatever the library
+        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    from symhaptic.bench import output as written
+    from symhaptic.bench import record
+
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+        if not os.access(output, os.W_OK):
+            _usage(f"-o {output}: cannot write there; a folder that can be written is allowed")
+    except OSError as wrong:
+        _usage(f"-o {output}: cannot write there ({wrong.strerror}); another folder is allowed")
+    with _progress(len(record.FIELDS)) as told:
+        found = record.measured(
+            record.QUICK if quick else record.FULL, lambda done, name: told(done, Path(name))
+        )
+    try:
+        written.write(found, output)
+    except OSError as wrong:
+        _usage(f"-o {output}: cannot write there ({wrong.strerror}); another folder is allowed")
+    typer.echo(f"wrote {output / 'bench.json'}, tables and plots in {found['seconds']} s")
+
+
+@app.command()
 def trace(
     gamma: Annotated[str, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m.")],
     delta: Annotated[str, typer.Option("--delta", metavar="D", help="Damping b T/m.")],

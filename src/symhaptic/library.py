@@ -61,6 +61,11 @@ def expected_mutants() -> Path:
     return _beside("reports") / "mutants.json"
 
 
+def expected_bench() -> Path:
+    """The committed measurement of `symhaptic bench`, which the report shows."""
+    return _beside("reports") / "bench.json"
+
+
 def shipped() -> list[Path]:
     """The paper's derivations, in the order of the paper."""
     return sorted(folder().glob("s*.py"))

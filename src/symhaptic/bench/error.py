@@ -67,7 +67,7 @@ def compiled(
 
 def functions(form: Form) -> Any:
     """The routines of the array export, to find the sizes of terms with."""
-    _, files = request.built(TARGETS["numpy"], [form], "terms")
+    _, files = request.built(TARGETS["numpy"], [form], "terms", vectors=False)
     space: dict[str, Any] = {}
     exec(compile(files["terms.py"], "terms.py", "exec"), space)
     return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})

@@ -13,9 +13,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from symhaptic.bench.record import BadRecord
 from symhaptic.ledger import GENERATED, Entry, committed, counted, ledger, of_chapter
-from symhaptic.library import Chapter, expected_mutants
+from symhaptic.library import Chapter, expected_bench, expected_mutants
 from symhaptic.proof.verdict import Kind
+from symhaptic.report.bench import measurement
 from symhaptic.report.errata import errata
 from symhaptic.report.mutants import mutants_listed
 from symhaptic.report.page import chapter_tex
@@ -37,7 +39,7 @@ DRAFT = ".draft-"
 STALE = 3600
 """Seconds after which a draft is taken to be left over."""
 
-RESERVED = ("book", "errata", "ledger", "mutants", "preamble")
+RESERVED = ("bench", "book", "errata", "ledger", "mutants", "preamble")
 """Names of the report's own files, which no chapter may have."""
 
 NO_TEX = (
@@ -95,6 +97,10 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
     numbers = {chapter.source: number for number, chapter in enumerate(chapters, 1)}
     rows = [_row(entry, numbers) for entry in entries]
     trials = mutants_listed(expected_mutants())
+    try:
+        speed = measurement(expected_bench())
+    except BadRecord as wrong:
+        raise ReportError(str(wrong)) from None
     parts: list[tuple[str, dict[str, Any]]] = [
         ("preamble", {}),
         (
@@ -103,12 +109,18 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
                 "chapters": [c.name for c in chapters],
                 "kinds": [(str(k), m) for k, m in MEANINGS],
                 "count": f"{len(entries)} statements",
-                "appendices": ["errata", "ledger", *(["mutants"] if trials else [])],
+                "appendices": [
+                    "errata",
+                    "ledger",
+                    *(["mutants"] if trials else []),
+                    *(["bench"] if speed else []),
+                ],
             },
         ),
         ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
         ("ledger", {"rows": rows}),
         *([("mutants", trials)] if trials else []),
+        *([("bench", speed)] if speed else []),
     ]
     for name, extra in parts:
         files[f"{name}.tex"] = environment.get_template(f"{name}.tex").render(**shared, **extra)
@@ -198,6 +210,14 @@ def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) 
 
                 say(f"figure {block.title}")
                 save(block.draw, folder / f"{block.title}.pdf", block.panels, block.height)
+    if expected_bench().is_file():
+        from symhaptic.bench.record import read
+        from symhaptic.report.bench_figures import drawings
+        from symhaptic.report.figures import save
+
+        for name, (draw, panels, height) in drawings(read(expected_bench())).items():
+            say(f"figure {name}")
+            save(draw, folder / f"{name}.pdf", panels, height)
 
 
 def differences(chapters: list[Chapter], target: Path) -> str:

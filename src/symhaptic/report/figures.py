@@ -150,13 +150,20 @@ def free_mass_inequalities(axes: Axes) -> None:
     axes.set_ylabel(r"virtual damping $\beta$")
 
 
+_METADATA: dict[str, Any] = {
+    ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    ".svg": {"Date": None},
+    ".png": {"Software": None},
+}
+
+
 def save(
     draw: Callable[..., None],
     target: Path,
     panels: tuple[int, int] = (1, 1),
     height: float = 0.62,
 ) -> None:
-    """Draw a figure into a PDF that is the same from run to run.
+    """Draw a figure into a file, PDF, SVG or PNG, that is the same from run to run.
 
     ``panels`` are rows and columns; ``draw`` gets the axes, or the array of them where there are
     several.  ``height`` is in widths of the text.
@@ -170,5 +177,5 @@ def save(
         size = (WIDTH, height * WIDTH)
         figure, axes = plt.subplots(*panels, figsize=size, layout="constrained")
         draw(axes)
-        figure.savefig(target, metadata={"CreationDate": None, "Creator": None, "Producer": None})
+        figure.savefig(target, dpi=200, metadata=_METADATA[target.suffix])
         plt.close(figure)

@@ -1,0 +1,103 @@
+"""The paper's forms, printed or derived, as functions of a stable form's arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, Symbol
+
+from symhaptic.library import run, shipped
+from symhaptic.listing import needed
+from symhaptic.model.stable import STATEMENTS, Form
+from symhaptic.notation import B, K, T, alpha, b, beta, c_1, d, delta, m, omega, theta, z
+from symhaptic.paper import STATEMENTS as PRINTED
+
+_UNITS = {K: alpha, B: beta, T: sp.S.One, b: delta, m: sp.S.One, omega: theta}
+_UNITS[Symbol("omega_hat")] = theta
+"""From the paper's symbols to the dimensionless parameters of Table I."""
+
+
+@cache
+def expressions(form: Form, kind: str) -> tuple[Expr, ...]:
+    """What the paper prints, or what is derived in its place, for each result that it gives.
+
+    Written as it stands: only the units and, where they occur, the abbreviations (15) are filled
+    in.  Empty where the paper has no such formula.
+    """
+    ids = STATEMENTS.get(form.name)
+    if ids is None:
+        return ()
+    lines = [_placed(line) for line in _lines(ids[0], kind)]
+    found = _READ.get(ids[0], _sides)(lines)
+    short = {line.lhs: line.rhs for line in PRINTED["eq15"].printed}
+    root = {c_1: short.pop(c_1)}
+    return tuple(expr.xreplace(short).xreplace(root) for expr in found)
+
+
+def function(form: Form, kind: str, modules: str) -> Callable[..., list[Any]]:
+    """The same as a function of numbers; complex where the abbreviation c_1 is."""
+    found: Callable[..., list[Any]] = sp.lambdify(
+        form.arguments, expressions(form, kind), modules, cse=True
+    )
+    return found
+
+
+def swings(form: Form, kind: str) -> bool:
+    """Whether square roots make the arithmetic complex."""
+    roots = (p for e in expressions(form, kind) for p in e.atoms(sp.Pow))
+    return any(p.exp.is_Rational and not p.exp.is_Integer for p in roots)
+
+
+@cache
+def _lines(id: str, kind: str) -> tuple[Any, ...]:
+    """One relation for each line; only the chapter that derives it is run."""
+    if kind == "printed":
+        return tuple(PRINTED[id].printed)
+    settled = [run(path).page.settled for path in needed([id], shipped())]
+    return tuple(next(found[id] for found in settled if id in found).settlement.derived)
+
+
+def _placed(line: Any) -> Any:
+    names = {s: _UNITS.get(s, _UNITS.get(Symbol(s.name), s)) for s in line.free_symbols}
+    return line.xreplace(names)
+
+
+def _sides(lines: list[Any]) -> list[Expr]:
+    return [line.rhs for line in lines]
+
+
+def _gap(lines: list[Any]) -> list[Expr]:
+    """By how much an inequality holds."""
+    return [lines[0].gts - lines[0].lts]
+
+
+def _limit(lines: list[Any]) -> list[Expr]:
+    """The alpha at which an inequality, linear in it, is an equality."""
+    (gap,) = _gap(lines)
+    return [-gap.subs(alpha, 0) / sp.diff(gap, alpha)]
+
+
+def _coefficient(expr: Expr, power: int) -> Expr:
+    """Of z, by derivatives: nothing is multiplied out."""
+    return sp.diff(expr, z, power).subs(z, 0) / sp.factorial(power)
+
+
+def _transfer(lines: list[Any]) -> list[Expr]:
+    """n1, n0, a and e of a transfer function."""
+    top, bottom = sp.fraction(lines[0].rhs)
+    lead = _coefficient(bottom, 2)
+    one, nought = _coefficient(top, 1) / lead, _coefficient(top, 0) / lead
+    return [one, nought, -_coefficient(bottom, 1) / lead, _coefficient(bottom, 0) / lead]
+
+
+def _polynomial(lines: list[Any]) -> list[Expr]:
+    """Coefficients of the monic polynomial for a delay of one period, highest power first."""
+    expr = lines[0].rhs.subs(d, 1)
+    found = [_coefficient(expr, power) for power in range(4, -1, -1)]
+    return [c / found[0] for c in found]
+
+
+_READ = {"eq5": _gap, "eq14": _transfer, "eq18": _polynomial, "eq25": _limit}

@@ -1,0 +1,178 @@
+"""Stability of walls close to the boundary: eigenvalues, Jury's table and the counted roots."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import flint
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from symhaptic import discretize, is_stable, stability_boundary
+from symhaptic.bench.error import compiled
+from symhaptic.bench.exact import device
+from symhaptic.bench.points import Array
+from symhaptic.bench.printed import function
+from symhaptic.bench.timing import seconds
+from symhaptic.export import request
+
+DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
+"""Relative distances from the boundary, along the line to the wall without any forces."""
+
+_SIZES = {"eigenvalues": 2, "(14) as printed": 2, "Jury table": 200}
+"""Walls that are timed together by what is slow."""
+
+_BITS = 256
+Walls = tuple[Array, Array, Array, Array]
+"""alpha, beta, gamma and delta."""
+
+Plant = Callable[[Array, Array], Sequence[Array]]
+"""n1, n0, a and e from gamma and delta."""
+
+
+def stable(alpha: float, beta: float, gamma: float, delta: float, delay: int) -> bool:
+    """The truth: Jury's table in balls, with as many bits as it takes.
+
+    >>> stable(5.0, 1.0, 0.0, 0.0, 0), stable(0.5, 1.0, 0.0, 0.0, 0)
+    (False, True)
+    """
+    bits = _BITS
+    while True:
+        with flint.ctx.workprec(bits):
+            decided = _table(_polynomial(alpha, beta, gamma, delta, delay))
+        if decided is not None:
+            return decided
+        bits *= 2
+
+
+def _polynomial(
+    alpha: float, beta: float, gamma: float, delta: float, delay: int
+) -> list[arb]:  # fmt: skip
+    """Coefficients in balls, the highest power first."""
+    n1, n0, a, e = device(gamma, delta)
+    al, be = arb(alpha), arb(beta)
+    row = [arb(0)] * (delay + 4)
+    row[0], row[1], row[2] = arb(1), -a, e
+    row[-3] += n1 * (al + be)
+    row[-2] += n0 * (al + be) - n1 * be
+    row[-1] += -n0 * be
+    return row
+
+
+def _table(row: list[arb]) -> bool | None:
+    """Whether all its zeros lie inside the unit circle; None where the balls are too wide."""
+    while len(row) > 1:
+        share = row[-1] / row[0]
+        if not abs(share) < 1:
+            return False if abs(share) >= 1 else None
+        row = [x - share * y for x, y in zip(row[:-1], row[:0:-1], strict=True)]
+    return True
+
+
+def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls, NDArray[np.bool_]]:
+    """Walls on both sides of the boundary of as many plants, and whether they are stable.
+
+    Two of four plants are ordinary ones inside (23), one has no stiffness, one critical damping.
+    Points whose two sides are both unstable are no border of the stable region, and are left out.
+    """
+    rng = np.random.default_rng(seed)
+    rows: list[tuple[float, ...]] = []
+    truth: list[bool] = []
+    while len(rows) < 2 * count:
+        gamma, delta = rng.uniform(0, 1e-3), rng.uniform(0, 0.02)
+        kind = len(rows) // 2 % 4
+        gamma = 0.0 if kind == 2 else delta * delta / 4 if kind == 3 else gamma
+        theta = rng.uniform(0.02, 1) * np.pi / (2 * delay + 2)
+        alpha, beta = (float(v) for v in stability_boundary(theta, gamma, delta, delay))
+        sides = [(alpha * (1 + s), beta * (1 + s), gamma, delta) for s in (-distance, distance)]
+        found = [stable(*side, delay) for side in sides]
+        if found == [True, False]:
+            rows += sides
+            truth += found
+    columns = np.array(rows).T
+    return (columns[0], columns[1], columns[2], columns[3]), np.array(truth)
+
+
+def coefficients(walls: Walls, delay: int, plant: Plant = discretize) -> Array:
+    """Characteristic polynomials, a row each, the highest power first."""
+    al, be, gamma, delta = walls
+    n1, n0, a, e = plant(gamma, delta)
+    rows = np.zeros((al.size, delay + 4))
+    rows[:, 0], rows[:, 1], rows[:, 2] = 1.0, -a, e
+    rows[:, -3] += n1 * (al + be)
+    rows[:, -2] += n0 * (al + be) - n1 * be
+    rows[:, -1] += -n0 * be
+    return rows
+
+
+def by_roots(rows: Array) -> Array:
+    """``numpy.roots`` of one polynomial after the other; NaN, refused, where one is not known."""
+    known = np.isfinite(rows).all(axis=1)
+    return np.array(
+        [np.abs(np.roots(r)).max() < 1 if k else np.nan for r, k in zip(rows, known, strict=True)]
+    )
+
+
+def by_jury(rows: Array) -> NDArray[np.bool_]:
+    """Jury's table, reduced row by row, of all polynomials side by side."""
+    inside = np.ones(len(rows), dtype=bool)
+    while rows.shape[1] > 1:
+        share = rows[:, -1:] / rows[:, :1]
+        inside &= np.abs(share[:, 0]) < 1
+        rows = rows[:, :-1] - share * rows[:, :0:-1]
+    return inside
+
+
+def methods(folder: Path) -> dict[str, Callable[[Walls, int], Any]]:
+    """Each method's verdicts on walls, by name; NaN for a wall that it refuses."""
+    (plant,) = request.chosen(["discretize"])
+    paper = function(plant, "printed", "numpy")
+
+    def printed(gamma: Array, delta: Array) -> Sequence[Array]:
+        return [np.real(v) for v in paper(gamma + 0j, delta + 0j)]
+
+    found: dict[str, Callable[[Walls, int], Any]] = {
+        "eigenvalues": lambda walls, d: by_roots(coefficients(walls, d)),
+        "(14) as printed": lambda walls, d: by_roots(coefficients(walls, d, printed)),
+        "Jury table": lambda walls, d: by_jury(coefficients(walls, d)),
+        "counted": lambda walls, d: is_stable(*walls, d),
+    }
+    if shutil.which("gcc"):
+        (form,) = request.chosen(["is_stable"])
+        call = compiled(form, folder)
+        found["counted, C"] = lambda walls, d: (
+            call([*map(np.ascontiguousarray, walls), np.full(walls[0].size, float(d))])[1] == 1
+        )
+    return found
+
+
+def measured(
+    delays: tuple[int, ...], count: int, most: float, timed: int = 20_000
+) -> Iterator[dict[str, Any]]:
+    """One row for each delay and method, with the share of wrong verdicts for each distance.
+
+    Beyond the delay ``most`` the number of plants falls with its square, down to one.
+    """
+    with tempfile.TemporaryDirectory() as place:
+        ways = methods(Path(place))
+        for delay in delays:
+            plants = count if delay <= most else max(1, round(count * (most / delay) ** 2))
+            tried = {eps: near(delay, eps, plants) for eps in DISTANCES}
+            for name, verdicts in ways.items():
+                wrong, refused = {}, []
+                for eps, (walls, truth) in tried.items():
+                    with np.errstate(all="ignore"):
+                        said = np.asarray(verdicts(walls, delay), dtype=float)
+                    refused.append(np.isnan(said))
+                    wrong[f"{eps:g}"] = float(np.mean((said != truth) & ~np.isnan(said)))
+                size = _SIZES.get(name, timed)
+                al, be, gamma, delta = (np.resize(a, size) for a in tried[DISTANCES[0]][0])
+                took = seconds(partial(verdicts, (al, be, gamma, delta), delay), 3) / size
+                row = {"delay": delay, "method": name, "walls": int(truth.size)}
+                yield {**row, "seconds": took, "wrong": wrong, "refused": float(np.mean(refused))}

@@ -1,0 +1,84 @@
+"""The committed measurement as a chapter of the book: speed against error."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from symhaptic.bench import record as records
+from symhaptic.bench.tables import Table, about, tables
+from symhaptic.report.words import escaped, prose
+
+_SHORT = 14
+"""Rows of a table that stays on one page."""
+
+
+def measurement(path: Path) -> dict[str, Any]:
+    """What the template of the chapter needs; empty where nothing is committed.
+
+    Raises :class:`symhaptic.bench.record.BadRecord` for a file that is no record.
+    """
+    if not path.is_file():
+        return {}
+    record = records.read(path)
+    names = ("floats", "digits", "boundary", "times", "wrong", "models", "peers")
+    shown = {name: table_tex(t) for name, t in zip(names, tables(record), strict=True)}
+    return {"about": escaped(about(record)), "method": record["method"], "tables": shown}
+
+
+def table_tex(table: Table) -> str:
+    """What a table says and the table below, which may be as wide as text and margin together.
+
+    A long one goes on over pages, but not in the midst of a group.
+    """
+    long = len(table.rows) > _SHORT
+    columns = "l" * table.words + "r" * (len(table.head) - table.words)
+    kind = "longtable" if long else "tabular"
+    lines = [
+        "{\\footnotesize\\setlength{\\LTleft}{0pt}\\setlength{\\LTright}{-37mm}"
+        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpre}{3pt}\\setlength{\\LTpost}{0pt}",
+        "\\needspace{8\\baselineskip}",
+        f"\\emph{{{table.title}.}}\\enspace {prose(table.says)}\\par\\nopagebreak",
+        f"\\begin{{{kind}}}{{@{{}}{columns}@{{}}}}",
+        "\\toprule",
+        f"{_line(table.head)} \\\\ \\midrule" + ("\\endhead" if long else ""),
+        *(["\\bottomrule\\endfoot"] if long else []),
+    ]
+    for at, row in enumerate(table.rows):
+        ends = at + 1 == len(table.rows) or bool(table.rows[at + 1][0])
+        end = "\\\\" if ends else "\\\\*"
+        lines.append(f"{_line(row)} {end}{'[3pt]' if ends and table.words > 1 else ''}")
+    lines += [*([] if long else ["\\bottomrule"]), f"\\end{{{kind}}}\\par}}", "\\medskip", ""]
+    return "\n".join(lines)
+
+
+def _line(cells: tuple[str, ...]) -> str:
+    return " & ".join(cell_tex(cell) for cell in cells)
+
+
+def cell_tex(text: str) -> str:
+    r"""Plain text for LaTeX, powers of ten and units typeset.
+
+    >>> cell_tex("1.2e-7"), cell_tex("3.5 us"), cell_tex("d")
+    ('$1.2\\cdot10^{-7}$', '3.5\\,$\\mu$s', '$d$')
+    """
+    if text in ("d", "-"):
+        return {"d": "$d$", "-": "--"}[text]
+    return _NUMBER.sub(_typeset, escaped(text))
+
+
+_NUMBER = re.compile(r"(?<![\w.])(-?)(\d+(?:\.\d+)?)(?:e(-?\d+))?(?: (ns|us|ms|s)\b)?")
+
+
+_UNITS = {"us": r"$\mu$s"}
+
+
+def _typeset(found: re.Match[str]) -> str:
+    sign, digits, power, unit = found.groups()
+    shown = sign + digits
+    if power:
+        shown = f"{sign}10^{{{power}}}" if digits == "1" else rf"{shown}\cdot10^{{{power}}}"
+    if sign or power:
+        shown = f"${shown}$"
+    return shown + (rf"\,{_UNITS.get(unit, unit)}" if unit else "")

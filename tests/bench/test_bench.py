@@ -1,0 +1,194 @@
+"""A measurement on tiny sizes: what is measured is right; how long it takes is not tested."""
+
+import json
+import math
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from flint import arb
+
+from symhaptic.bench import functions, models, peers, record, tables, timing, tracing, verdicts
+from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, errors
+from symhaptic.bench.printed import expressions, function, swings
+from symhaptic.export import request
+
+TINY = record.Size(
+    Effort(12, 2, 20), (0, 1), (1e-3, 1e-5), 15, 3, (0, 2), 2, 4, 3, 4, ("max_passive_stiffness",)
+)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _no_waiting():
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(timing, "LEAST", 1e-9)
+        yield
+
+
+@pytest.fixture(scope="module")
+def tiny(_no_waiting):
+    return record.measured(TINY)
+
+
+def form(name):
+    return request.chosen([name])[0]
+
+
+# -- errors -------------------------------------------------------------------------------
+
+
+def test_errors_of_a_hand_made_case():
+    """linear limit (25): (beta + delta)/(d + 1/2) = 3/(3/2) = 2, whose last place is 2^-51."""
+    points = [[1.0, 2.0, 1.0]] * 3
+    found = [[2.0], [2.0 + 3 * 2.0**-51], [math.nan]]
+    row = errors(form("linear_limit"), points, found, 2.0**-52)
+    assert (row["points"], row["worst"], row["median"]) == (3, 3.0, 1.5)
+    assert row["missing"] == pytest.approx(1 / 3)
+
+
+def test_the_error_of_a_ball_is_its_radius():
+    row = errors(form("linear_limit"), [[1.0, 2.0, 1.0]], [[arb(2, 2.0**-50)]], 2.0**-52)
+    assert row["worst"] == pytest.approx(2.0, rel=1e-8)  # radii are rounded upwards, 30 bits
+
+
+def test_a_wrong_exact_value_is_noticed(monkeypatch):
+    exact = functions.EXACT["linear_limit"]
+    points = [np.array([0.3]), np.array([0.01]), np.array([4.0])]
+    confirm(form("linear_limit"), points)
+    functions.truth.cache_clear()
+    wrong = {"linear_limit": lambda *p: tuple(v * (1 + arb(2) ** -120) for v in exact(*p))}
+    monkeypatch.setattr(functions, "EXACT", wrong)
+    with pytest.raises(WrongExact, match="linear_limit, alpha"):
+        confirm(form("linear_limit"), points)
+    functions.truth.cache_clear()
+
+
+@pytest.mark.parametrize("name", list(functions.EXACT))
+def test_the_exact_values_are_those_of_another_road(name):
+    for which in functions.SETS:
+        confirm(form(name), [a[:3] for a in chosen(form(name), which, 40)])
+
+
+def test_the_print_is_read_as_it_stands():
+    """A free mass pushed for one period: n1 = n0 = 1/2, a = 2, e = 1; (14) is 0/0 there."""
+    plant = form("discretize")
+    near = [complex(v) for v in function(plant, "printed", "numpy")(1e-6 + 0j, 0j)]
+    assert near == pytest.approx([0.5, 0.5, 2.0, 1.0], abs=1e-3)
+    with np.errstate(all="ignore"):
+        there = function(plant, "printed", "numpy")(np.array([0j]), np.array([0j]))
+    assert np.isnan(there[0]).all()
+    assert swings(plant, "printed")
+    assert not swings(form("linear_limit"), "printed")
+    assert expressions(form("stability_boundary"), "printed") == ()
+
+
+# -- the other sections -------------------------------------------------------------------
+
+
+def test_the_distance_of_a_point_from_the_curve():
+    """Beside a point of the curve, along its normal, by differences of exact points."""
+    with_root = np.array(
+        [tracing.stability_boundary(t, tracing.GAMMA, tracing.DELTA, 1) for t in (0.4, 0.4 + 1e-6)]
+    )
+    way = with_root[1] - with_root[0]
+    normal = np.array([-way[1], way[0]]) / np.hypot(*way)
+    assert tracing.distance(with_root[0], 1) < 1e-15
+    assert tracing.distance(with_root[0] + 1e-5 * normal, 1) == pytest.approx(1e-5, rel=1e-4)
+
+
+def test_the_truth_of_a_verdict_agrees_with_eigenvalues_away_from_the_boundary():
+    for distance in (1e-3, 1e-2):
+        for delay in (0, 3):
+            walls, truth = verdicts.near(delay, distance, 3)
+            rows = verdicts.coefficients(walls, delay)
+            assert (verdicts.by_roots(rows) == truth).all()
+            assert (verdicts.by_jury(rows) == truth).all()
+
+
+def test_the_limit_at_a_virtual_damping_is_on_the_boundary():
+    gamma, delta, beta = np.array([5e-4]), np.array([0.01]), np.array([0.02])
+    alpha = models.limit(beta, gamma, delta, 1)
+    for side in (-1e-9, 1e-9):
+        one = verdicts.stable(float(alpha[0] * (1 + side)), 0.02, 5e-4, 0.01, 1)
+        assert one is (side < 0)
+
+
+def test_peers_answer_the_same(tiny):
+    for row in tiny["peers"]:
+        if row["installed"] and row["worst"] is not None:
+            assert row["worst"] < 1e-9, row
+
+
+def test_a_tool_that_is_missing_is_said_to_be(monkeypatch, tiny):
+    monkeypatch.setattr(peers, "find_spec", lambda name: None)
+    rows = [r for r in peers.measured(4) if r["tool"].startswith("python-control")]
+    assert rows
+    assert not any(r["installed"] for r in rows)
+    text = tables.markdown({**tiny, "peers": rows})
+    assert "not installed" in text
+
+
+# -- the record ---------------------------------------------------------------------------
+
+
+def test_a_record_is_read_back(tiny, tmp_path):
+    path = tmp_path / "bench.json"
+    path.write_text(record.text(tiny))
+    assert record.read(path) == json.loads(path.read_text())
+    assert tiny["quick"] is True
+    for table in tables.tables(tiny):
+        assert all(len(row) == len(table.head) for row in table.rows), table.title
+
+
+@pytest.mark.parametrize("section", list(record.FIELDS))
+def test_a_record_that_lacks_something_is_refused(section, tiny, tmp_path):
+    path = tmp_path / "bench.json"
+    path.write_text(record.text({k: v for k, v in tiny.items() if k != section}))
+    with pytest.raises(record.BadRecord, match=f"has no {section}"):
+        record.read(path)
+    field = next(iter(record.FIELDS[section]))
+    rows = [{k: v for k, v in tiny[section][0].items() if k != field}]
+    path.write_text(record.text({**tiny, section: rows}))
+    with pytest.raises(record.BadRecord, match=f"{section}, row 0: {field}"):
+        record.read(path)
+
+
+@pytest.mark.parametrize("content", ["", "[]", '{"schema": 0}', "\x00"])
+def test_what_is_no_record_is_refused_in_one_line(content, tmp_path):
+    path = tmp_path / "bench.json"
+    path.write_text(content)
+    with pytest.raises(record.BadRecord) as wrong:
+        record.read(path)
+    assert "\n" not in str(wrong.value)
+    assert str(path) in str(wrong.value)
+
+
+def test_bad_input_gives_one_line_and_writes_nothing(tmp_path):
+    taken = tmp_path / "file"
+    taken.write_text("x")
+    for place in (taken, taken / "inside"):
+        run = subprocess.run(
+            [sys.executable, "-m", "symhaptic", "bench", "--quick", "-o", str(place)],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert run.returncode == 2
+        assert run.stderr.startswith("symhaptic: error: -o ")
+        assert run.stderr.count("\n") == 1
+    assert taken.read_text() == "x"
+
+
+def test_plots_and_tables_are_written(tiny, tmp_path):
+    from symhaptic.bench.output import FORMATS, write
+    from symhaptic.report.bench import measurement
+
+    write(tiny, tmp_path)
+    names = {p.name for p in tmp_path.iterdir()}
+    assert {"bench.json", "bench.md"} < names
+    for format in FORMATS:
+        assert f"bench_functions.{format}" in names
+    shown = measurement(tmp_path / "bench.json")
+    assert r"\begin{longtable}" in shown["tables"]["floats"]
+    assert measurement(tmp_path / "none.json") == {}
