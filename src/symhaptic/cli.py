@@ -321,6 +321,10 @@ def export(
             "--delay", metavar="D", help="Whole periods, where one delay has to be chosen."
         ),
     ] = None,
+    derivative: Annotated[
+        str,
+        typer.Option("--derivative", metavar="X,...", help="Arguments to differentiate by, too."),
+    ] = "",
     name: Annotated[str, typer.Option("--name", help="Name of the module.")] = "haptic",
     listing: Annotated[bool, typer.Option("--list", help="Print what can be exported.")] = False,
 ) -> None:
@@ -329,7 +333,8 @@ def export(
     from symhaptic.export.target import Refused
 
     try:
-        forms = request.chosen(formulas or [], request.scene(scene), delay)
+        by = [word.strip() for word in derivative.split(",") if word.strip()]
+        forms = request.chosen(formulas or [], request.scene(scene), delay, by)
         if listing:
             for form in forms:
                 args = ", ".join(symbol.name for symbol in form.arguments)

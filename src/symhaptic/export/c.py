@@ -138,7 +138,7 @@ static void read_all(FILE *file, double *into, int count) {
 }
 
 int main(void) {
-    double x[64], got[32];
+    double x[256], got[128];
     char name[64];
     int tried = 0, missed = 0;
     FILE *file = fopen("vectors.txt", "r");

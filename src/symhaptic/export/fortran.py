@@ -184,9 +184,9 @@ _SELFTEST = """program selftest
   use, intrinsic :: iso_fortran_env, only: dp => real64, int64
   use NAME
   implicit none
-  character(len=4000) :: line
+  character(len=8000) :: line
   character(len=64) :: name
-  real(dp) :: x(64), got(32), expected, allowed
+  real(dp) :: x(256), got(128), expected, allowed
   integer :: file, status, arguments, results, i, tried, missed
   tried = 0
   missed = 0

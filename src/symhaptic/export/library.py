@@ -9,7 +9,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.export import counting, device, elementary
+from symhaptic.export import counting, device, elementary, slopes
 from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused, Target, calls, operations
 from symhaptic.model.stable import Form
@@ -29,7 +29,8 @@ class Library:
 @cache
 def known() -> dict[str, Routine]:
     """All routines by name."""
-    made = [f() for f in (*elementary.ROUTINES, *device.ROUTINES, *counting.ROUTINES)]
+    parts = elementary, device, slopes, counting
+    made = [f() for part in parts for f in part.ROUTINES]
     return {r.name: r for r in made}
 
 
