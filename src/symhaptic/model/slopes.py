@@ -237,8 +237,13 @@ class Ripple(Entire):
 
     @classmethod
     def term(cls, k: int, steps: Expr, x: Expr) -> Expr:
-        """By odd powers of x."""
-        return _series_term(cls, k, steps, x)
+        """By odd powers of x: those of a quotient of sines, each found from those before it."""
+        found: list[Expr] = []
+        for j in range(k + 2):
+            own = (-1) ** j * (steps + 1) ** (2 * j + 1) / factorial(2 * j + 1)
+            rest = ((-1) ** i * found[j - i] / factorial(2 * i + 1) for i in range(1, j + 1))
+            found.append(sp.expand(own - sp.Add(*rest)))
+        return (2 * k + 2) * found[-1] * x ** (2 * k + 1)
 
 
 class SpreadSlope(Entire):
@@ -281,14 +286,6 @@ class ChordSlope(Entire):
         """By odd powers of x."""
         symbol = sp.Dummy()
         return Chord.term(k + 1, steps, symbol).diff(symbol).subs(symbol, x)
-
-
-def _series_term(cls: Any, k: int, steps: Expr, x: Expr) -> Expr:
-    """The k-th odd power of a function of x that is odd, by SymPy's own series."""
-    symbol, count = sp.Dummy(), sp.Dummy()
-    order = 2 * k + 1
-    known = sp.series(cls.definition(count, symbol), symbol, 0, order + 1).coeff(symbol, order)
-    return sp.expand(known.subs(count, steps)) * x**order
 
 
 # -- which is the derivative of which -----------------------------------------------------
