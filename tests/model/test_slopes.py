@@ -77,6 +77,7 @@ def test_no_derivative_is_taken_factor_by_factor_where_it_would_cancel():
 
 # -- numbers ------------------------------------------------------------------------------
 
+
 @pytest.mark.parametrize("cls", BY_MATRIX, ids=lambda c: c.__name__)
 def test_values_of_the_device_beside_derivatives_of_a_closed_form(cls):
     """mpmath.diff of the textbook step response, away from where it is 0/0."""
@@ -148,13 +149,24 @@ def test_forms_beside_power_series_in_balls(name):
 
 
 def test_an_argument_that_is_not_there_is_refused_with_those_that_are():
-    with pytest.raises(stable.NoForm, match="no argument 'gamma'; it has delta$"):
+    with pytest.raises(stable.NoForm, match=r"no argument 'gamma'; it has delta$"):
         with_derivatives(stable.form("discretize", Parts(stiffness=False)), ("gamma",))
 
 
 def test_what_counts_has_no_derivative():
-    with pytest.raises(stable.NoForm, match="is_stable: counts"):
+    with pytest.raises(
+        stable.NoForm, match="is_stable: has no derivative, since Stable, UnstableRoots counts"
+    ):
         with_derivatives(stable.form("is_stable"), ("gamma",))
+
+
+def test_a_function_whose_derivative_is_not_known_is_refused():
+    """Better than its closed form, which is 0/0 somewhere."""
+    with pytest.raises(stable.NoForm, match="no stable derivative of Apart"):
+        derivative(values.ALL["Apart"](gamma, delta), delta)
+    twice = with_derivatives(stable.form("discretize"), ("gamma",))
+    with pytest.raises(stable.NoForm, match="no stable derivative of RiseDrop"):
+        with_derivatives(twice, ("gamma",))
 
 
 def test_results_come_first_and_their_derivatives_behind():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from itertools import islice
 
@@ -61,8 +62,8 @@ def _meanings(library: Library) -> dict[str, str]:
     """What the formulas are made of, and what that is made of."""
     atoms = {f for form in library.forms for e in form.expressions for f in e.atoms(sp.Function)}
     found = {type(f).__name__: f.meaning for f in atoms if hasattr(f, "meaning")}
-    for name in ("C", "S", "Rise"):
-        if any(f"{name}(" in text for text in found.values()):
+    for name in ("Kick", "Echo", "Fall", "Rise", "Spread", "Chord", "C", "S"):
+        if any(re.search(rf"\b{name}\b", text) for text in found.values()):
             found[name] = ALL[name].meaning
     return found
 

@@ -25,11 +25,14 @@ from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 _ALLOWED = {"discretize": 4, "passivity_margin": 4, "stability_conditions": 64}
 _ELSE = 8
 _SLOPES = 16
+"""The same with derivatives."""
 
 
 def allowed(form: Form) -> int:
     """Units in the last place that a self-test allows, of the largest term of the stable form."""
-    return _ALLOWED.get(form.name, _ELSE if form.plain is None else _SLOPES)
+    if form.plain is not None:
+        return max(_SLOPES, allowed(form.plain))
+    return _ALLOWED.get(form.name, _ELSE)
 
 
 _HARD = {

@@ -15,7 +15,7 @@ from sympy import Expr, Symbol, exp, sin
 
 from symhaptic.model.entire import Chord, CosNext, Decay, Entire, Fade, Gap, Lag, S, Sinc, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Together
-from symhaptic.model.slopes import ApartDrop, Echo, Kick, Ripple
+from symhaptic.model.slopes import STABLE, ApartDrop, Echo, Kick, Ripple
 from symhaptic.model.stable import Form, NoForm
 from symhaptic.notation import delta, gamma
 
@@ -62,6 +62,8 @@ class _By:
         if expr.is_Pow:
             base, power = expr.args
             return power * base ** (power - 1) * self(base)
+        if isinstance(expr, Entire) and type(expr) not in STABLE:
+            raise NoForm(f"no stable derivative of {type(expr).__name__} is known")
         return sp.Add(*(expr.fdiff(i + 1) * self(arg) for i, arg in enumerate(expr.args)))
 
     def _product(self, expr: Expr) -> Expr:
@@ -98,10 +100,10 @@ def derivative(expr: Expr, by: Symbol) -> Expr:
     return _By(by)(expr)
 
 
-def differentiable(form: Form) -> bool:
-    """Whether the form is made of smooth functions only."""
+def counting(form: Form) -> list[str]:
+    """What a form is made of that is not smooth."""
     functions = {f for e in form.expressions for f in e.atoms(sp.Function)}
-    return all(isinstance(f, _PLAIN) for f in functions)
+    return sorted({type(f).__name__ for f in functions if not isinstance(f, _PLAIN)})
 
 
 def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
@@ -113,8 +115,8 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
     for name in by:
         if name not in symbols:
             raise NoForm(f"{form.name}: has no argument {name!r}; it has {', '.join(symbols)}")
-    if not differentiable(form):
-        raise NoForm(f"{form.name}: counts, and so has no derivative")
+    if rough := counting(form):
+        raise NoForm(f"{form.name}: has no derivative, since {', '.join(rough)} counts or searches")
     every = {name: _By(symbols[name]) for name in by}
     slopes = tuple(
         (f"{result}_by_{name}", every[name](expr))

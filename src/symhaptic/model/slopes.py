@@ -20,6 +20,7 @@ import sympy as sp
 from sympy import Expr, cos, exp, factorial, sin
 
 from symhaptic.model.entire import (
+    C,
     Chord,
     CosNext,
     Creep,
@@ -113,7 +114,7 @@ class Ebb(Entire):
     """Echo - n_0 = d n_0/d delta."""
 
     nargs = 2
-    meaning = "d n0/d delta = exp(-delta/2) (C(w) - S(w))/(2 w) - n0, w = delta^2/4 - gamma"
+    meaning = "Echo - Fall, of gamma and delta: d n0/d delta"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
@@ -130,7 +131,7 @@ class RiseDrop(Entire):
     """exp[0, -p, -p, -q, -q] = -d n_1/d gamma."""
 
     nargs = 2
-    meaning = "-d n1/d gamma = (n1 - (kick + delta echo)/2)/gamma"
+    meaning = "(Rise - (Kick + delta Echo)/2)/gamma: -d n1/d gamma"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
@@ -148,7 +149,7 @@ class FallDrop(Entire):
     """exp[-p - q, -p, -p, -q, -q] = -d n_0/d gamma."""
 
     nargs = 2
-    meaning = "-d n0/d gamma = (n0 - (kick - delta echo)/2)/gamma"
+    meaning = "(Fall - (Kick - delta Echo)/2)/gamma: -d n0/d gamma"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
@@ -166,7 +167,7 @@ class ApartDrop(Entire):
     """exp[0, -p - q, -p, -p, -q, -q] = (RiseDrop - FallDrop)/delta."""
 
     nargs = 2
-    meaning = "-d (n1 - n0)/d gamma/delta = ((n1 - n0)/delta - echo)/gamma"
+    meaning = "((Rise - Fall)/delta - Echo)/gamma: -d ((n1 - n0)/delta)/d gamma"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
@@ -312,6 +313,9 @@ SLOPES: dict[Any, tuple[Callable[..., Expr], ...]] = {
     ),
 }
 """The derivative by each argument.  C, SinNext and CosNext state their own."""
+
+STABLE = frozenset((*SLOPES, C, CosNext, SinNext))
+"""Functions whose derivatives are made of entire functions."""
 
 NEW = (
     Kick, Coast, Echo, Ebb, RiseDrop, FallDrop, ApartDrop, Bend, Wane, Ripple, SpreadSlope,
