@@ -1,6 +1,6 @@
 """How far exported C is off, in units in the last place, beside exact values in ball arithmetic.
 
-python benchmarks/accuracy.py [POINTS] [SEED] [double|single] [FUNCTION ...]
+python benchmarks/accuracy.py [--derivatives] [POINTS] [SEED] [double|single] [FUNCTION ...]
 """
 
 import sys
@@ -9,16 +9,19 @@ from symhaptic.bench.error import measure
 from symhaptic.bench.exact import EXACT
 from symhaptic.export import request
 from symhaptic.export.precision import PRECISIONS
+from symhaptic.model.derivatives import with_derivatives
 
 
 def main():
     numbers = [int(word) for word in sys.argv[1:] if word.isdigit()]
     count, seed = [*numbers, *(100_000, 1)[len(numbers) :]]
-    words = [word for word in sys.argv[1:] if not word.isdigit()]
+    words = [word for word in sys.argv[1:] if not word.isdigit() and word != "--derivatives"]
     asked = [PRECISIONS[word] for word in words if word in PRECISIONS] or list(PRECISIONS.values())
     names = [word for word in words if word not in PRECISIONS]
     for precision in asked:
         for form in request.chosen(names or list(EXACT)):
+            if "--derivatives" in sys.argv:
+                form = with_derivatives(form, tuple(s.name for s in form.arguments))
             for name, (error, point) in measure(form, count, seed, precision).items():
                 print(f"{precision.name} {form.name:26} {name:7} {error:7.2f}  at {point}",
                       flush=True)  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any
 
@@ -14,7 +14,8 @@ from sympy.core.relational import Relational
 from symhaptic.export import request
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
-from symhaptic.model.stable import STATEMENTS, Form
+from symhaptic.model.derivatives import with_derivatives
+from symhaptic.model.stable import STATEMENTS, Form, NoForm
 from symhaptic.model.values import value
 from symhaptic.scene import FULL, Parts, Scene
 
@@ -23,7 +24,11 @@ MODULES = ("numpy", "jax", "torch", "cupy", "mpmath")
 
 
 def lambdify(
-    id: str, form: str = "stable", modules: str = "numpy", scene: Scene | Parts | None = None
+    id: str,
+    form: str = "stable",
+    modules: str = "numpy",
+    scene: Scene | Parts | None = None,
+    derivatives: Sequence[str] = (),
 ) -> Callable[..., Any]:
     """A function of numbers from a formula.
 
@@ -33,7 +38,9 @@ def lambdify(
     ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries, or mpmath, which gives
     as many digits as ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out.  The arguments of a
     stable form are dimensionless and in the order that `--list` prints; those of the others are in
-    the order of their names.  Returns one number or a tuple.
+    the order of their names.  ``derivatives`` names arguments of a stable form: after its results
+    come their derivatives with respect to the first of these, then to the next.  Returns one number
+    or a tuple.
 
     Raises :class:`ValueError` for what is not known, or not in the scene.
 
@@ -44,12 +51,19 @@ def lambdify(
     [2.0, 0.828427]
     >>> [float(x) for x in lambdify("discretize", scene=Parts(stiffness=False))(0.0)]
     [0.5, 0.5, 2.0, 1.0]
+    >>> alpha, alpha_by_d = lambdify("linear_limit", derivatives=["d"])(0.0, 1.0, 1.5)
+    >>> float(alpha), float(alpha_by_d)
+    (0.5, -0.25)
     """
     for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
         if given not in known:
             raise ValueError(f"{name}: {given!r} is not allowed; {', '.join(known)} are")
     parts = scene.parts if isinstance(scene, Scene) else scene or FULL
     if form != "stable":
+        if derivatives:
+            raise ValueError(
+                f"derivatives: is not allowed with form={form!r}; stable forms have them"
+            )
         if scene is not None:
             raise ValueError(f"scene: is not allowed with form={form!r}; stable forms have scenes")
         return _of_the_paper(id, form, modules)
@@ -57,6 +71,11 @@ def lambdify(
         (wanted,) = request.chosen([id], parts)
     except Refused as wrong:
         raise ValueError(f"id: {wrong}") from None
+    if derivatives:
+        try:
+            wanted = with_derivatives(wanted, tuple(derivatives))
+        except NoForm as lacking:
+            raise ValueError(f"derivatives: {lacking}") from None
     return _in_digits(wanted) if modules == "mpmath" else _on_arrays(wanted)
 
 

@@ -358,6 +358,10 @@ def export(
     precision: Annotated[
         str, typer.Option("--precision", help="double, or single where the language has it.")
     ] = "double",
+    derivative: Annotated[
+        str,
+        typer.Option("--derivative", metavar="X,...", help="Arguments to differentiate by, too."),
+    ] = "",
     name: Annotated[str, typer.Option("--name", help="Name of the module.")] = "haptic",
     listing: Annotated[bool, typer.Option("--list", help="Print what can be exported.")] = False,
 ) -> None:
@@ -366,7 +370,8 @@ def export(
     from symhaptic.export.target import Refused
 
     try:
-        forms = request.chosen(formulas or [], request.scene(scene), delay)
+        by = [word.strip() for word in derivative.split(",") if word.strip()]
+        forms = request.chosen(formulas or [], request.scene(scene), delay, by)
         if listing:
             for form in forms:
                 args = ", ".join(symbol.name for symbol in form.arguments)

@@ -15,6 +15,7 @@ import numpy as np
 from flint import arb
 
 from symhaptic.bench.exact import EXACT, bits
+from symhaptic.bench.exact_slopes import slopes
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized
 from symhaptic.export import request
@@ -73,6 +74,17 @@ def functions(form: Form) -> Any:
     return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})
 
 
+def exactly(form: Form, point: list[float]) -> list[Any]:
+    """The results of a form, and after them their derivatives if it has any."""
+    plain = form.plain or form
+    found = list(EXACT[plain.name](*point))
+    named = {s.name: v for s, v in zip(form.arguments, point, strict=True)}
+    names = [name.rpartition("_by_")[2] for name, _ in form.results[len(plain.results) :]]
+    for by in dict.fromkeys(names):
+        found += slopes(plain.name, named, by)
+    return found
+
+
 def measure(form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE) -> Worst:
     """The worst error of each result, with its arguments; NaN counts as infinitely wrong."""
     arrays = columns(form, np.random.default_rng(seed), count, precision)
@@ -91,7 +103,7 @@ def compare(form: Form, arrays: list[Array], found: Array, precision: Precision 
     for k in range(count):
         point = [float(a[k]) for a in arrays]
         with flint.ctx.workprec(bits(point)):
-            exact = EXACT[form.name](*point)
+            exact = exactly(form, point)
             for i, (name, _) in enumerate(form.results):
                 size = float(sizes[i][k])
                 if not precision.tiny <= size <= precision.huge or not exact[i].is_finite():

@@ -61,7 +61,11 @@ def columns(
     delay = rng.choice(DELAYS, count)
     some = rng.random(count) < 0.5
     delay = np.where(some, delay, np.floor(10 ** rng.uniform(0, 6, count)))
-    most = np.pi / (delay + 1) if form.name == "passivity_boundary" else np.full(count, np.pi)
+    most = (
+        np.pi / (delay + 1)
+        if (form.plain or form).name == "passivity_boundary"
+        else np.full(count, np.pi)
+    )
     theta = most * np.where(some, rng.uniform(0, 1, count), 10 ** rng.uniform(-6, 0, count))
     theta = np.where(rng.random(count) < 0.1, most * (1 - 10 ** rng.uniform(-12, -1, count)), theta)
     values = {

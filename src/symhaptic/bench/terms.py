@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.export.sizes import size as slope_size
 from symhaptic.export.target import code_name
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
@@ -44,7 +45,7 @@ def swing(expr: Expr, args: list[Any]) -> Any:
         w = np.minimum(args[0], -1)
         return np.where(args[0] < -1, 1 if isinstance(expr, C) else 1 / np.sqrt(-w), 0)
     if not isinstance(expr, (Rise, Fall, Swing, Apart)):
-        return 0.0
+        return slope_size(type(expr), args)
     g, d = args
     swings = (g >= 4) & (d * d < 4 * g)
     decayed, g = np.exp(-d / 2), np.maximum(g, 4)

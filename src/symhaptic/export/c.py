@@ -165,7 +165,7 @@ static void read_all(FILE *file, %s *into, int count) {
 }
 
 int main(void) {
-    %s x[64], got[32];
+    %s x[256], got[128];
     char name[64];
     int tried = 0, missed = 0;
     FILE *file = fopen("vectors.txt", "r");

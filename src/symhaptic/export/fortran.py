@@ -194,9 +194,9 @@ _SELFTEST = """program selftest
   use, intrinsic :: iso_fortran_env, only: wp => KIND, int64
   use NAME
   implicit none
-  character(len=4000) :: line
+  character(len=8000) :: line
   character(len=64) :: name
-  real(wp) :: x(64), got(32), expected, allowed
+  real(wp) :: x(256), got(128), expected, allowed
   integer :: file, status, arguments, results, i, tried, missed
   tried = 0
   missed = 0

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.export import counting, device, elementary, pairs
+from symhaptic.export import counting, device, elementary, pairs, slopes
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, expm1
 from symhaptic.export.target import Refused, Target, calls, code_name, operations
@@ -39,7 +39,7 @@ def known(precision: Precision = DOUBLE) -> dict[str, Routine]:
     return {r.name: r for r in made}
 
 
-_MODULES = (elementary, pairs, device, counting)
+_MODULES = (elementary, pairs, device, slopes, counting)
 
 
 def routine(form: Form) -> Routine:

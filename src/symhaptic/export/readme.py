@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import shlex
+from itertools import islice
 
 import sympy as sp
+from sympy import Expr
 
-from symhaptic.export.accuracy import MEASURED
+from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.library import Library
 from symhaptic.export.target import Target
 from symhaptic.export.vectors import allowed
@@ -59,10 +62,28 @@ def _meanings(library: Library) -> dict[str, str]:
     """What the formulas are made of, and what that is made of."""
     atoms = {f for form in library.forms for e in form.expressions for f in e.atoms(sp.Function)}
     found = {type(f).__name__: f.meaning for f in atoms if hasattr(f, "meaning")}
-    for name in ("C", "S", "Rise"):
-        if any(f"{name}(" in text for text in found.values()):
+    for name in ("Kick", "Echo", "Fall", "Rise", "Spread", "Chord", "C", "S"):
+        if any(re.search(rf"\b{name}\b", text) for text in found.values()):
             found[name] = ALL[name].meaning
     return found
+
+
+_LONG = 60
+"""Operations from which on a derivative is named, and not written out."""
+
+
+def _derivatives(form: Form, results: tuple[tuple[str, Expr], ...]) -> list[str]:
+    by = form.title.rpartition("with respect to ")[2]
+    lines = [
+        "",
+        f"Derivatives with respect to {by}, of any real value, and made of functions without",
+    ]
+    lines += ["singularities like the rest:", ""]
+    for name, expr in results:
+        result, _, argument = name.rpartition("_by_")
+        short = len(list(islice(sp.preorder_traversal(expr), _LONG))) < _LONG
+        lines.append(f"    {name} = {expr}" if short else f"    {name} = d {result}/d {argument}")
+    return lines
 
 
 def _function(form: Form) -> list[str]:
@@ -75,10 +96,13 @@ def _function(form: Form) -> list[str]:
         lines.append("")
     if form.domain:
         lines += [f"Domain: {', '.join(form.domain)}.", ""]
-    for name, expr in form.results:
+    plain = form.plain or form
+    for name, expr in plain.results:
         lines += [f"    {name} = {expr}", ""]
-    lines += [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in form.results]
-    measured = MEASURED.get(form.name)
+    lines += [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in plain.results]
+    if form.plain is not None:
+        lines += _derivatives(form, form.results[len(plain.results) :])
+    measured = (MEASURED | DERIVATIVES).get(form.name)
     if measured is not None:
         lines += [
             "",

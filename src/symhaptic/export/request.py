@@ -16,6 +16,7 @@ from symhaptic.export.target import Refused, Target
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
 from symhaptic.model import stable
+from symhaptic.model.derivatives import with_derivatives
 from symhaptic.model.stable import Form, NoForm
 from symhaptic.scene import FULL, Parts
 
@@ -54,18 +55,55 @@ def scene(words: str) -> Parts:
     return parts
 
 
-def chosen(names: Sequence[str], parts: Parts = FULL, delay: int | None = None) -> list[Form]:
-    """The forms of these names, or of these formulas of the paper; all of the scene if none."""
+def chosen(
+    names: Sequence[str],
+    parts: Parts = FULL,
+    delay: int | None = None,
+    derivatives: Sequence[str] = (),
+) -> list[Form]:
+    """The forms of these names, or of these formulas of the paper; all of the scene if none.
+
+    With derivatives by these arguments, where any are named; of all forms, by those that each has.
+    """
     if delay is not None and not 0 <= delay <= _LONGEST:
         raise Refused(f"--delay {delay}: whole numbers from 0 to {_LONGEST} are allowed")
     periods = (1 if delay is None else delay) if parts.delay else (delay or None)
     if not names:
-        return list(stable.forms(parts, periods))
+        every = list(stable.forms(parts, periods))
+        return _all_differentiated(every, derivatives) if derivatives else every
     found = {}
     for name in dict.fromkeys(names):
         form = _by_name(name, parts, periods)
         found[form.name] = form
-    return list(found.values())
+    if not derivatives:
+        return list(found.values())
+    return [_differentiated(form, derivatives) for form in found.values()]
+
+
+def _differentiated(form: Form, by: Sequence[str]) -> Form:
+    try:
+        return with_derivatives(form, tuple(dict.fromkeys(by)))
+    except NoForm as lacking:
+        raise Refused(f"--derivative: {lacking}") from None
+
+
+def _all_differentiated(every: list[Form], by: Sequence[str]) -> list[Form]:
+    """Each form by those arguments that it has; what has none is left as it is."""
+    known = sorted({symbol.name for form in every for symbol in form.arguments})
+    for name in by:
+        if name not in known:
+            raise Refused(
+                f"--derivative {name}: is no argument of any function; allowed are "
+                f"{', '.join(known)}"
+            )
+    found = []
+    for form in every:
+        own = tuple(n for n in dict.fromkeys(by) if n in {s.name for s in form.arguments})
+        try:
+            found.append(with_derivatives(form, own) if own else form)
+        except NoForm:
+            found.append(form)
+    return found
 
 
 def _by_name(name: str, parts: Parts, delay: int | None) -> Form:

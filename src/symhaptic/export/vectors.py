@@ -14,19 +14,25 @@ from mpmath import mpf
 from sympy import Expr, Symbol
 
 from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.sizes import size as slope_size
 from symhaptic.model.counted import Stable, UnstableRoots, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.stable import Form
 from symhaptic.model.values import value
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 
 _ALLOWED = {"discretize": 4, "passivity_margin": 4, "stability_conditions": 64}
 _ELSE = 8
+_SLOPES = 16
+"""The same with derivatives."""
 
 
 def allowed(form: Form) -> int:
     """Units in the last place that a self-test allows, of the largest term of the stable form."""
+    if form.plain is not None:
+        return max(_SLOPES, allowed(form.plain))
     return _ALLOWED.get(form.name, _ELSE)
 
 
@@ -89,12 +95,22 @@ _DIGITS = 60
 _PLAIN = {sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan}
 
 
-def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
+Known = dict[Expr, tuple[mpf, mpf]]
+
+
+def sized(expr: Expr, at: Mapping[Symbol, mpf], known: Known | None = None) -> tuple[mpf, mpf]:
     """Value and largest term of a form at a point: what its last place is measured by.
 
     A difference is as large as its larger side, a sum at least as large as its value, a product
-    as large as its factors.
+    as large as its factors.  What is ``known`` at the point is not computed again.
     """
+    known = {} if known is None else known
+    if expr not in known:
+        known[expr] = _sized(expr, at, known)
+    return known[expr]
+
+
+def _sized(expr: Expr, at: Mapping[Symbol, mpf], known: Known) -> tuple[mpf, mpf]:
     if expr.is_Symbol:
         return at[expr], abs(at[expr])
     if expr.is_Rational:
@@ -104,9 +120,9 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
         return +mpmath.pi, +mpmath.pi
     if isinstance(expr, Entire):
         cls: Any = type(expr)
-        exact = _entire(cls, tuple(sized(arg, at)[0] for arg in expr.args))
-        return exact, max(abs(exact), _swing(expr, at))
-    parts = [sized(arg, at) for arg in expr.args]
+        exact = _entire(cls, tuple(sized(arg, at, known)[0] for arg in expr.args))
+        return exact, max(abs(exact), _swing(expr, [known[arg][0] for arg in expr.args]))
+    parts = [sized(arg, at, known) for arg in expr.args]
     if isinstance(expr, UnstableRoots):
         count = outside(*(v for v, _ in parts))
         return count, count
@@ -127,18 +143,20 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
 
 @cache
 def _entire(cls: Any, args: tuple[mpf, ...]) -> mpf:
+    if cls in BY_MATRIX:
+        return BY_MATRIX[cls](*args)
     symbols = sp.symbols(f"x:{len(args)}")
     return value(cls(*symbols), dict(zip(symbols, args, strict=True)), _DIGITS)
 
 
-def _swing(expr: Expr, at: Mapping[Symbol, mpf]) -> mpf:
+def _swing(expr: Expr, args: list[mpf]) -> mpf:
     """The size of the sines and cosines in a function that swings through zero."""
     if isinstance(expr, (C, S)):
-        w = sized(expr.args[0], at)[0]
+        w = args[0]
         return mpf(0) if w >= -1 else 1 if isinstance(expr, C) else 1 / mpmath.sqrt(-w)
     if not isinstance(expr, (Rise, Fall, Swing, Apart)):
-        return mpf(0)
-    g, dl = (sized(arg, at)[0] for arg in expr.args)
+        return mpf(float(slope_size(type(expr), [float(arg) for arg in args])))
+    g, dl = args
     if g < 4 or dl**2 >= 4 * g:
         return mpf(0)
     decayed = mpmath.exp(-dl / 2)
@@ -158,7 +176,8 @@ def vectors(form: Form, precision: Precision = DOUBLE) -> Iterator[list[float]]:
         with mpmath.workdps(_DIGITS):
             at = {s: mpf(v) for s, v in zip(form.arguments, point, strict=True)}
             try:
-                found = [sized(expr, at) for expr in form.expressions]
+                known: Known = {}
+                found = [sized(expr, at, known) for expr in form.expressions]
             except ArithmeticError:
                 continue
             if any(size > precision.huge or 0 < abs(v) < precision.tiny for v, size in found):

@@ -54,6 +54,8 @@ class Form:
     """Pairs, stable and derived from first principles, that together make it the same formula."""
     domain: tuple[str, ...]
     """Where it is meant, one condition each."""
+    plain: Form | None = None
+    """The form without the derivatives that are among the results."""
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
@@ -278,8 +280,8 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
     share = 1 / (d + 1)
     quarter = pi * share / 4
     stiffness = 2 * delta * sp.tan(quarter)
-    damping = delta * (share - 2 * sin(quarter) ** 2) / sin(pi * share / 2)
     angle = pi * share / 2
+    damping = delta * (2 / (pi * Sinc(angle)) - sp.tan(quarter))
     results = [("alpha", _undelayed(parts, stiffness))]
     if parts.virtual_damping:
         results.append(("beta", _undelayed(parts, damping)))
@@ -324,8 +326,8 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     """The wall that puts a root at exp(j theta).
 
     A and M = n1 z + n0 on the circle from their values at 1 and -1, so that no cosines are
-    subtracted: with t = tan(theta/2), (1 + t^2) A/z = A(1) - A(-1) t^2 + 2 j t (1 - e), and
-    (1 + t^2) M = n1 + n0 - (n1 - n0) t^2 + 2 j t n1.
+    subtracted: with cosine c and sine s of theta/2, A/z = A(1) c^2 - A(-1) s^2 + 2 j s c (1 - e),
+    and M = (n1 + n0) c^2 - (n1 - n0) s^2 + 2 j s c n1.
     """
     if not parts.virtual_damping:
         raise NoForm("stability_boundary: a scene without virtual damping has no such curve")
@@ -344,18 +346,19 @@ def stability_boundary(parts: Parts = FULL) -> Form:
 
 
 def _boundary(parts: Parts, x: _Device) -> tuple[Expr, Expr]:
-    t = sp.tan(theta / 2)
-    above, above_j = x.at_one - x.at_minus_one * t**2, 2 * t * x.loss
-    below, below_j = x.together - x.apart * t**2, t * (x.together + x.apart)  # 2 t n1
-    size = below**2 + below_j**2
-    ratio = (above * below + above_j * below_j) / size
+    c, s = cos(theta / 2), sin(theta / 2)
+    above, above_j = x.at_one * c**2 - x.at_minus_one * s**2, 2 * x.loss
+    below, below_j = x.together * c**2 - x.apart * s**2, x.together + x.apart  # 2 n1
+    flat = (s * c) ** 2  # the imaginary parts are without s c
+    size = below**2 + flat * below_j**2
+    ratio = (above * below + flat * above_j * below_j) / size
     ratio_j = (above_j * below - above * below_j) / size
     if parts.delay:
-        cosine, sine = CosNext(d, theta), SinNext(d, theta)
+        cosine, sine, fan = CosNext(d, theta), SinNext(d, theta), SinNext(d, theta) / sin(theta)
     else:
-        cosine, sine = cos(theta), sin(theta)
-    real, imaginary = ratio_j * sine - ratio * cosine, -ratio_j * cosine - ratio * sine
-    return real - imaginary * t, imaginary * (1 + t**2) / (2 * t)
+        cosine, sine, fan = cos(theta), sin(theta), sp.S.One
+    damping = -(ratio_j * cosine / 2 + ratio * fan)
+    return s * c * ratio_j * sine - ratio * cosine - 2 * s**2 * damping, damping
 
 
 def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:

@@ -26,6 +26,8 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.model.slope_values import BY_MATRIX
+from symhaptic.model.slopes import NEW
 
 _TRIES = 4
 """Precisions tried, each with more digits than the one before, until two agree."""
@@ -34,7 +36,7 @@ ALL: dict[str, Any] = {
     cls.__name__: cls
     for cls in (
         C, S, Decay, Creep, Fade, Lag, Sinc, Gap, CosNext, SinNext, Spread, Chord,
-        Rise, Fall, Together, Apart, Swing, Nyquist,
+        Rise, Fall, Together, Apart, Swing, Nyquist, *NEW,
     )
 }  # fmt: skip
 """All entire functions by name."""
@@ -77,13 +79,16 @@ def _digits(at: dict[Symbol, mpf], digits: int) -> int:
 
 @cache
 def _compiled(expr: Expr, names: tuple[Symbol, ...]) -> Callable[..., mpf]:
-    modules = [{name: numeric(cls) for name, cls in ALL.items()}, "mpmath"]
+    used = {type(f) for f in expr.atoms(sp.Function)}
+    modules = [{name: numeric(cls) for name, cls in ALL.items() if cls in used}, "mpmath"]
     return cast(Callable[..., mpf], sp.lambdify(names, expr, modules, cse=True))
 
 
 @cache
 def numeric(cls: Any) -> Callable[..., mpf]:
     """The function in mpmath: its closed form, and its limit where that is 0/0."""
+    if cls in BY_MATRIX:
+        return BY_MATRIX[cls]
     arguments = [sp.Dummy() for _ in range(next(iter(cls.nargs)))]
     closed = sp.lambdify(arguments, cls.definition(*arguments), "mpmath")
 
@@ -108,7 +113,7 @@ _WITHOUT_SPRING: dict[Any, Any] = {
 
 def _hidden(cls: Any, at: list[mpf]) -> mpf | None:
     """The value where the closed form is 0/0, else None."""
-    if cls in (CosNext, SinNext, Spread, Chord, C, Swing, Nyquist):
+    if cls in (CosNext, SinNext, Spread, Chord, C, Swing, Nyquist) or (len(at) == 2 and cls in NEW):
         return None
     if len(at) == 1:
         first = cls.term(0, sp.S.Zero)

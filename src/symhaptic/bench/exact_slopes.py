@@ -1,0 +1,112 @@
+"""Exact derivatives in ball arithmetic: textbook formulas in power series of one argument.
+
+The device's come from the exponential of a block matrix, exp([[A, dA], [0, A]]).  Nothing here
+comes from the package's own forms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import flint
+from flint import arb, arb_series
+
+Series = Any
+
+
+def variables(point: dict[str, float], by: str) -> dict[str, Series]:
+    """Each argument as a series, to the first power of the one that is varied."""
+    return {
+        name: arb_series([arb(value), arb(int(name == by))], 2) for name, value in point.items()
+    }
+
+
+def moved(matrix: list[list[Series]]) -> list[list[Series]]:
+    """The exponential of a matrix of series, by that of the block matrix."""
+    n = len(matrix)
+    if all(entry[1] == 0 for row in matrix for entry in row):
+        still = flint.arb_mat([[entry[0] for entry in row] for row in matrix]).exp()
+        return [[arb_series([still[i, j]], 2) for j in range(n)] for i in range(n)]
+    both = [[arb(0)] * (2 * n) for _ in range(2 * n)]
+    for i in range(n):
+        for j in range(n):
+            both[i][j] = both[n + i][n + j] = matrix[i][j][0]
+            both[i][n + j] = matrix[i][j][1]
+    found = flint.arb_mat(both).exp()
+    return [[arb_series([found[i, j], found[i, n + j]], 2) for j in range(n)] for i in range(n)]
+
+
+def device(gamma: Series, delta: Series) -> tuple[Series, ...]:
+    """n1, n0, a and e."""
+    none, one = arb_series([0], 2), arb_series([1], 2)
+    m = moved([[none, one, none], [-gamma, -delta, one], [none, none, none]])
+    return m[0][2], m[0][1] * m[1][2] - m[1][1] * m[0][2], m[0][0] + m[1][1], (-delta).exp()
+
+
+def polynomial(alpha: Series, beta: Series, gamma: Series, delta: Series) -> tuple[Series, ...]:
+    """Coefficients for a delay of one period."""
+    n1, n0, a, e = device(gamma, delta)
+    al, be = alpha, beta
+    return arb_series([1], 2), -a, e + n1 * (al + be), n0 * (al + be) - n1 * be, -n0 * be
+
+
+def boundary(theta: Series, gamma: Series, delta: Series, d: Series) -> tuple[Series, ...]:
+    """-z^(d+1) (A/z)/(n1 z + n0) on the unit circle, in real and imaginary parts."""
+    n1, n0, a, e = device(gamma, delta)
+    cosine, sine, turn = theta.cos(), theta.sin(), (d + 1) * theta
+    top, top_j = cosine * (1 + e) - a, sine * (1 - e)
+    low, low_j = n1 * cosine + n0, n1 * sine
+    size = low * low + low_j * low_j
+    ratio, ratio_j = (top * low + top_j * low_j) / size, (top_j * low - top * low_j) / size
+    beta = -(turn.cos() * ratio_j + turn.sin() * ratio) / sine
+    real = turn.sin() * ratio_j - turn.cos() * ratio
+    return real - beta * (1 - cosine), beta
+
+
+def margin(theta: Series, alpha: Series, beta: Series, delta: Series, d: Series) -> Any:
+    """(5) of the paper in half angles."""
+    n = d + 1
+    kernel = ((n - arb(1) / 2) * theta).sin() / (2 * (theta / 2).sin())
+    return (delta - alpha * kernel + beta * (n * theta).cos(),)
+
+
+def envelope(theta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
+    """Where the margin and its slope vanish: two linear equations."""
+    t, n = theta, d + 1
+    up, half = (n - arb(1) / 2) * t, t / 2
+    k = up.sin() / (2 * half.sin())
+    k1 = (n - arb(1) / 2) * up.cos() / (2 * half.sin())
+    k1 = k1 - up.sin() * half.cos() / 4 / (half.sin() * half.sin())
+    c, c1 = -(n * t).cos(), n * (n * t).sin()
+    det = k * c1 - k1 * c
+    return delta * c1 / det, -delta * k1 / det
+
+
+def stiffest(delta: Series, d: Series) -> tuple[Series, ...]:
+    """(11) of the paper."""
+    n = d + 1
+    angle = arb.pi() / (2 * n)
+    beta = ((angle * d).sin() - d / n) / angle.sin()
+    return 2 * delta * (angle / 2).tan(), delta * beta, angle
+
+
+def line(beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
+    """(25) of the paper."""
+    return ((beta + delta) / (d + arb(1) / 2),)
+
+
+SERIES: dict[str, Callable[..., tuple[Any, ...]]] = {
+    "discretize": device,
+    "characteristic_polynomial": polynomial,
+    "stability_boundary": boundary,
+    "passivity_margin": margin,
+    "passivity_boundary": envelope,
+    "max_passive_stiffness": stiffest,
+    "linear_limit": line,
+}
+
+
+def slopes(name: str, point: dict[str, float], by: str) -> tuple[Any, ...]:
+    """The derivatives of all results of a function, with respect to one argument."""
+    return tuple(result[1] for result in SERIES[name](**variables(point, by)))

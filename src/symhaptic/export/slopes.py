@@ -1,0 +1,364 @@
+r"""The derivatives of the entire functions as routines: where each form keeps its digits.
+
+Divided differences of exp with repeated nodes.  For real poles all of them are positive, and one
+with a node less comes from two that are no nearly equal numbers:
+
+    exp[0, -p, -p, -q, -q] = ((Fade(q) - exp(-q) Creep(p - q))/p - exp(-q) Lag(p - q))/p.
+
+For complex poles of some size they are sums of cos and sin of sqrt(gamma - delta^2/4), and for
+small poles power series about their mean.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy import And, Expr, Max, binomial, cos, exp, factorial, sin
+
+from symhaptic.export.device import Motion, h, motion, w
+from symhaptic.export.elementary import k, x
+from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.model.entire import (
+    Chord,
+    CosNext,
+    Creep,
+    Decay,
+    Fade,
+    Gap,
+    Lag,
+    Sinc,
+    SinNext,
+    Spread,
+)
+from symhaptic.model.entire_device import Fall, Rise
+from symhaptic.model.slopes import Echo, FallDrop, Kick, RiseDrop
+from symhaptic.notation import delta, gamma
+
+STIFF = sp.Integer(9)
+"""Up to this gamma of complex poles the series of repeated nodes are used."""
+
+RISE, FALL, APART = sp.Integer(4), sp.Rational(5, 2), sp.Integer(5)
+"""Up to this size of the larger real pole, for RiseDrop, FallDrop and ApartDrop."""
+
+BENT = sp.Integer(4)
+"""Up to this |w| Bend is a series."""
+
+TURN = sp.Rational(3, 2)
+"""Up to this angle (k + 1) x the functions of an angle are series, as in elementary."""
+
+
+@dataclass(frozen=True)
+class _Shared:
+    """What the functions of the device share."""
+
+    m: Motion
+    gap: Expr
+    """p - q."""
+    fall: Expr
+    """exp(-q)."""
+    ratio: Expr
+    """exp(-(p - q))."""
+    cosine: Expr
+    sine: Expr
+    envelope: Expr
+
+    @property
+    def swings(self) -> sp.logic.boolalg.Boolean:
+        """Whether the poles are complex."""
+        return self.m.w < 0
+
+
+def _shared(do: Steps) -> _Shared:
+    m = motion(do)
+    fall = do("fall", exp(-m.q))
+    fall = do("fall", fall - fall * m.q_low)
+    gap = do("gap", 2 * m.root)
+    ratio = do("ratio", exp(-gap))
+    ratio = do("ratio", ratio - ratio * (2 * m.root_low))
+    sine, cosine = do("sine", sin(m.root)), do("cosine", cos(m.root))
+    turned = do("turned", cosine - m.root_low * sine)
+    swung = do("swung", (sine + m.root_low * cosine) / m.some)
+    return _Shared(m, gap, fall, ratio, turned, swung, do("envelope", exp(-m.half)))
+
+
+def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
+    return do.routine(name, about, (gamma, delta), result)
+
+
+# -- of the device ------------------------------------------------------------------------
+
+
+def kick() -> Routine:
+    """exp[-p, -q]."""
+    do = Steps()
+    v = _shared(do)
+    found = choose(v.swings, v.envelope * v.sine, v.fall * Decay(v.gap))
+    return _two(do, "Kick", "displacement by a unit impulse after a period", found)
+
+
+def coast() -> Routine:
+    """exp(-p) - q exp[-p, -q], and the same with cos and sin."""
+    do = Steps()
+    v = _shared(do)
+    creep = v.fall * (v.ratio - v.m.q * Decay(v.gap))
+    swing = v.envelope * (v.cosine - v.m.half * v.sine)
+    return _two(do, "Coast", "speed by a unit impulse after a period",
+                choose(v.swings, swing, creep))  # fmt: skip
+
+
+def echo() -> Routine:
+    """exp[-p, -p, -q, -q]."""
+    do = Steps()
+    v = _shared(do)
+    slow = v.m.w > -BENT
+    near = sp.Function("BendSeries")(choose(And(v.swings, slow), v.m.w, 0))
+    far = (v.sine - v.cosine) / (2 * Max(-v.m.w, BENT))
+    swing = v.envelope * choose(slow, near, far)
+    return _two(do, "Echo", "-d n1/d delta", choose(v.swings, swing, v.fall * Lag(v.gap)))
+
+
+def ebb() -> Routine:
+    """Echo - n_0; for poles far apart without the difference."""
+    do = Steps()
+    v = _shared(do)
+    p, q = do("large", Max(v.m.p, 2)), v.m.q
+    far = do("far", Max(v.gap, 2))
+    slow = do("slow", q * (far - 2) - 2 * far)
+    fast = do("fast", 2 * far * (far + 1) + q * (far + 2) + far * far * far * Decay(q))
+    creep = v.fall * (slow + v.ratio * fast) / (p * (far * far * far))
+    near = Echo(gamma, delta) - Fall(gamma, delta)
+    apart = And(sp.Not(v.swings), v.gap > 2)
+    return _two(do, "Ebb", "d n0/d delta", choose(apart, creep, near))
+
+
+def _small(do: Steps, v: _Shared, near: Expr) -> tuple[Expr, Expr, Expr]:
+    """Whether a series serves, and its arguments, which are 0 where it does not."""
+    reach = do("range", choose(v.swings, gamma / STIFF, v.m.p / near))
+    small = reach < 1
+    return small, choose(sp.Not(small), 0, v.m.half), choose(sp.Not(small), 0, v.m.w)
+
+
+def rise_drop() -> Routine:
+    """exp[0, -p, -p, -q, -q]."""
+    do = Steps()
+    v = _shared(do)
+    small, half, mean = _small(do, v, RISE)
+    near = v.envelope * sp.Function("DropSeries")(half, mean)
+    top = do("top", (Fade(v.m.q) - v.fall * Creep(v.gap)) / v.m.whole)
+    creep = (top - v.fall * Lag(v.gap)) / v.m.whole
+    own, other = Kick(gamma, delta), Echo(gamma, delta)
+    swing = (Rise(gamma, delta) - (own + delta * other) / 2) / Max(gamma, STIFF)
+    return _two(do, "RiseDrop", "-d n1/d gamma",
+                choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
+
+
+def fall_drop() -> Routine:
+    """exp[-p - q, -p, -p, -q, -q]."""
+    do = Steps()
+    v = _shared(do)
+    small, half, mean = _small(do, v, FALL)
+    near = v.envelope * sp.Function("DropSeries")(-half, mean)
+    top = do("top", (Fade(v.gap) - v.ratio * Creep(v.m.q)) / v.m.whole)
+    creep = v.fall * (Lag(v.gap) - top) / v.m.whole
+    own, other = Kick(gamma, delta), Echo(gamma, delta)
+    swing = (Fall(gamma, delta) - (own - delta * other) / 2) / Max(gamma, STIFF)
+    return _two(do, "FallDrop", "-d n0/d gamma",
+                choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
+
+
+def apart_drop() -> Routine:
+    """exp[0, -p - q, -p, -p, -q, -q]."""
+    do = Steps()
+    v = _shared(do)
+    small, half, mean = _small(do, v, APART)
+    near = v.envelope * sp.Function("LeanSeries")(half, mean)
+    creep = (RiseDrop(gamma, delta) - FallDrop(gamma, delta)) / do.nonzero(delta)
+    stiff = do("stiff", Max(gamma, STIFF))
+    swing = ((Decay(delta) - v.envelope * v.sine) / stiff - Echo(gamma, delta)) / stiff
+    return _two(do, "ApartDrop", "-d ((n1 - n0)/delta)/d gamma",
+                choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
+
+
+def drop_series(precision: Precision = DOUBLE) -> Routine:
+    """Divided difference of exp at h and twice at sqrt w and -sqrt w."""
+    do = Steps()
+    terms = precision.terms(lambda i: 48 * binomial(i + 4, 4) * RISE**i / factorial(i + 4))
+    once = [sp.S.Zero] * (terms + 2)
+    twice = [sp.S.Zero] * (terms + 2)
+    total: Expr = sp.S.Zero
+    for i in range(terms - 1, -1, -1):
+        once[i] = do(f"e{i}", 1 / factorial(i + 4) + w * once[i + 2])
+        twice[i] = do(f"f{i}", once[i] + w * twice[i + 2])
+        total = do(f"b{i}", twice[i] + h * total)
+    return do.routine("DropSeries", "divided difference of exp at h, twice at sqrt(w), -sqrt(w)",
+                      (h, w), total)  # fmt: skip
+
+
+def lean_series(precision: Precision = DOUBLE) -> Routine:
+    """Divided difference of exp at h, -h and twice at sqrt w and -sqrt w."""
+    do = Steps()
+    terms = precision.terms(
+        lambda i: 240 * binomial(2 * i + 5, 5) * APART ** (2 * i) / factorial(2 * i + 5)
+    )
+    square = do("square", h * h)
+    once: Expr = sp.S.Zero
+    twice: Expr = sp.S.Zero
+    total: Expr = sp.S.Zero
+    for i in range(terms - 1, -1, -1):
+        once = do(f"e{i}", 1 / factorial(2 * i + 5) + w * once)
+        twice = do(f"f{i}", once + w * twice)
+        total = do(f"b{i}", twice + square * total)
+    return do.routine("LeanSeries", "divided difference of exp at h, -h, twice at sqrt(w), "
+                      "-sqrt(w)", (h, w), total)  # fmt: skip
+
+
+# -- of one variable ----------------------------------------------------------------------
+
+
+def bend() -> Routine:
+    """(C(w) - S(w))/(2 w)."""
+    do = Steps()
+    size = do("size", sp.Abs(w))
+    root = do("root", sp.sqrt(size))
+    some = do.nonzero(root)
+    left = do("left", size - root * root)
+    low = do("low", left / some / 2)
+    sine, cosine = do("sine", sin(root)), do("cosine", cos(root))
+    whole = do("whole", 2 * Max(size, BENT))
+    swing = ((sine + low * cosine) / some - (cosine - low * sine)) / whole
+    grown = do("grown", exp(choose(w < 0, 0, root)))
+    creep = ((grown + 1 / grown) - (grown - 1 / grown) / some) / 2 / whole
+    near = sp.Function("BendSeries")(choose(size >= BENT, 0, w))
+    return do.routine("Bend", "(C(w) - S(w))/(2 w)", (w,),
+                      choose(size < BENT, near, choose(w < 0, swing, creep)))  # fmt: skip
+
+
+def bend_series(precision: Precision = DOUBLE) -> Routine:
+    """Derivative of sinh(sqrt w)/sqrt w."""
+    return _powers("BendSeries", "derivative of sinh(sqrt(w))/sqrt(w)", w, w, BENT, precision,
+                   lambda i: (i + 1) / factorial(2 * i + 3))  # fmt: skip
+
+
+def wane() -> Routine:
+    """(2 - (x^2 + 2 x + 2) exp(-x))/x^3; for small x exp(-x) times a positive series."""
+    do = Steps()
+    near = exp(-x) * sp.Function("WaneSeries")(choose(x >= 3, 0, x))
+    whole = do("whole", Max(x, 3))
+    far = (2 - (x * (x + 2) + 2) * exp(-x)) / (whole * whole) / whole
+    return do.routine("Wane", "(2 - (x^2 + 2 x + 2) exp(-x))/x^3", (x,), choose(x < 3, near, far))
+
+
+def wane_series(precision: Precision = DOUBLE) -> Routine:
+    """2/3! + 2 x/4! + ..."""
+    return _powers("WaneSeries", "sum of 2 x^k/(k+3)!", x, x, sp.Integer(3), precision,
+                   lambda i: 2 / factorial(i + 3))  # fmt: skip
+
+
+def _powers(
+    name: str,
+    about: str,
+    symbol: Expr,
+    variable: Expr,
+    most: Expr,
+    precision: Precision,
+    number: Callable[[int], Expr],
+) -> Routine:
+    """A sum of powers of an expression up to a size, after Horner."""
+    do = Steps()
+    count = precision.terms(lambda i: 2 * number(i) / number(0) * most**i)
+    numbers = [number(i) for i in range(count)]
+    step = symbol if variable == symbol else do("step", variable)
+    total: Expr = numbers[-1]
+    for i in range(len(numbers) - 2, -1, -1):
+        total = do(f"b{i}", numbers[i] + step * total)
+    return do.routine(name, about, (symbol,), total)
+
+
+# -- of an angle and a delay --------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Turn:
+    """(k + 1), (k + 1) x, and x and that angle, which are 0 where the angle is not small."""
+
+    n: Expr
+    turn: Expr
+    near: Expr
+    angle: Expr
+    some: Expr
+    """x, or 1 where the angle is small."""
+
+
+def _turn(do: Steps) -> _Turn:
+    n = do("n", k + 1)
+    turn = do("turn", n * x)
+    near, angle = (do("near", choose(turn >= TURN, 0, v)) for v in (x, turn))
+    return _Turn(n, turn, near, angle, do("some", choose(turn < TURN, 1, x)))
+
+
+def ripple() -> Routine:
+    """From Chord, where the angle is small."""
+    do = Steps()
+    t = _turn(do)
+    wave = Sinc(t.near)
+    near = SinNext(k, x) / (2 * cos(t.near / 2) ** 2) - t.near * Chord(k, x) / (2 * wave * wave)
+    own = do("own", choose(t.turn < TURN, 1, sin(x)))
+    far = (t.n * CosNext(k, x) - SinNext(k, x) * cos(x) / own) / own
+    return do.routine("Ripple", "derivative of sin((k + 1) x)/sin(x) by x", (k, x),
+                      choose(t.turn < TURN, near, far))  # fmt: skip
+
+
+def spread_slope() -> Routine:
+    """Differences of sines, or of the slopes of x - sin(x)."""
+    do = Steps()
+    t = _turn(do)
+    order, square = do("order", 2 * t.n), do("square", 4 * t.n * t.n)
+    slope = sp.Function("GapSlopeSeries")
+    near = -order * t.near * (square * square * slope(2 * t.angle) - slope(t.near))
+    wave, half = do("wave", SinNext(k, x)), do("half", sin(x / 2))
+    far = 2 * order * (wave * wave - half * half) / (t.some * t.some) - 3 * Spread(k, x)
+    return do.routine("SpreadSlope", "derivative of Spread by x", (k, x),
+                      choose(t.turn < TURN, near, far / t.some))  # fmt: skip
+
+
+def chord_slope() -> Routine:
+    """The same for Chord."""
+    do = Steps()
+    t = _turn(do)
+    square = do("square", t.n * t.n)
+    first = 4 * square * square * sp.Function("CurlSeries")(-t.angle * t.angle)
+    rest = sp.Function("GapSlopeSeries")(t.near) * CosNext(k, x)
+    inner = first + rest + square * Gap(t.near) * Sinc(t.angle)
+    near = -2 * t.n * t.near * inner
+    half = do("half", sin(x / 2))
+    turned = 2 * half * half * CosNext(k, x) + t.n * sin(x) * SinNext(k, x)
+    far = 2 * t.n * turned / (t.some * t.some) - 3 * Chord(k, x)
+    return do.routine("ChordSlope", "derivative of Chord by x", (k, x),
+                      choose(t.turn < TURN, near, far / t.some))  # fmt: skip
+
+
+def gap_slope_series(precision: Precision = DOUBLE) -> Routine:
+    """(2 x + x cos(x) - 3 sin(x))/x^5."""
+    return _powers("GapSlopeSeries", "(2 x + x cos(x) - 3 sin(x))/x^5", x, -x * x,
+                   (2 * TURN) ** 2, precision,
+                   lambda i: 2 * (i + 1) / factorial(2 * i + 5))  # fmt: skip
+
+
+def curl_series(precision: Precision = DOUBLE) -> Routine:
+    """Second derivative of sinh(sqrt w)/sqrt w."""
+    return _powers("CurlSeries", "second derivative of sinh(sqrt(w))/sqrt(w)", w, w, TURN**2,
+                   precision,
+                   lambda i: (i + 1) * (i + 2) / factorial(2 * i + 5))  # fmt: skip
+
+
+ROUTINES = (
+    kick, coast, echo, ebb, rise_drop, fall_drop, apart_drop, bend, wane, ripple, spread_slope,
+    chord_slope,
+)  # fmt: skip
+PRECISE = (drop_series, lean_series, bend_series, wane_series, gap_slope_series, curl_series)
+SERIES = (
+    "DropSeries", "LeanSeries", "BendSeries", "WaneSeries", "GapSlopeSeries", "CurlSeries",
+)  # fmt: skip

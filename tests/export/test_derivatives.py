@@ -1,0 +1,167 @@
+"""Exports with derivatives: compiled, run over their vectors, measured; bad requests refused."""
+
+import shutil
+import subprocess
+import time
+
+import mpmath
+import numpy as np
+import pytest
+from export.test_request import symhaptic
+from export.test_targets import run_all
+
+from symhaptic import lambdify
+from symhaptic.bench.error import measure
+from symhaptic.export import library, request
+from symhaptic.export.accuracy import DERIVATIVES, MEASURED
+from symhaptic.export.routine import Routine
+from symhaptic.export.target import Refused
+from symhaptic.export.targets import TARGETS
+from symhaptic.scene import Parts, Scene
+
+needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
+
+EVERY = ("theta", "alpha", "beta", "gamma", "delta", "d")
+SCENES = {
+    "everything": Parts(),
+    "no stiffness": Parts(stiffness=False),
+    "no damping": Parts(damping=False, delay=False),
+}
+
+
+def asked(name, parts=None):
+    """One form with its derivatives by all of its arguments."""
+    (plain,) = request.chosen([name], parts or Parts())
+    (form,) = request.chosen(
+        [name], parts or Parts(), derivatives=[s.name for s in plain.arguments]
+    )
+    return form
+
+
+@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("language", TARGETS)
+def test_the_self_test_of_every_target_passes_with_derivatives(language, scene, tmp_path):
+    target, parts = TARGETS[language], SCENES[scene]
+    known = {s.name for form in request.chosen([], parts) for s in form.arguments}
+    by = [name for name in EVERY if name in known]
+    made, files = request.built(target, request.chosen([], parts, derivatives=by))
+    request.write(files, tmp_path / "out")
+    said = run_all(target, "haptic", tmp_path / "out")
+    lines = [line.split()[0] for line in files["vectors.txt"].splitlines()]
+    assert int(said.split()[0]) == sum(len(r.results) * lines.count(r.name) for r in made.public)
+    assert any(name.endswith("_and_derivatives") for name in lines)
+
+
+@needs_gcc
+@pytest.mark.parametrize("name", ["Echo", "RiseDrop", "FallDrop", "Ebb", "Kick", "DropSeries"])
+def test_a_wrong_routine_is_found_by_the_self_test(name, tmp_path, monkeypatch):
+    """One part in 10^12 off."""
+    right = library.known()
+    old = right[name]
+    ((result, value),) = old.results
+    factor = 1 + 2.0**-40
+    wrong = Routine(name, old.about, old.arguments, old.steps, ((result, value * factor),))
+    monkeypatch.setattr(library, "known", lambda: right | {name: wrong})
+    _, files = request.built(TARGETS["c"], [asked("discretize")])
+    request.write(files, tmp_path / "out")
+    compile_, execute = TARGETS["c"].commands("haptic")
+    subprocess.run(compile_, cwd=tmp_path / "out", check=True)
+    run = subprocess.run(execute, cwd=tmp_path / "out", capture_output=True, text=True, check=False)
+    assert run.returncode == 1
+    assert "discretize_and_derivatives" in run.stdout
+
+
+def test_beside_the_plain_function_in_one_library(tmp_path):
+    forms = [*request.chosen(["discretize"]), asked("discretize")]
+    made, files = request.built(TARGETS["c"], forms)
+    assert [r.name for r in made.public] == ["discretize", "discretize_and_derivatives"]
+    assert "void haptic_discretize(double gamma, double delta, " in files["haptic.h"]
+    request.write(files, tmp_path / "out")
+    run_all(TARGETS["c"], "haptic", tmp_path / "out")
+
+
+@pytest.mark.parametrize("name", MEASURED)
+@needs_gcc
+def test_no_derivative_is_farther_off_than_recorded(name):
+    """All hard cases; the record is that of 10^4 points."""
+    form = asked(name)
+    for result, (error, point) in measure(form, 400, seed=2).items():
+        assert error <= DERIVATIVES[form.name], (result, point)
+
+
+def test_one_function_with_a_derivative_takes_little_time():
+    request.chosen([])
+    begin = time.process_time()
+    request.built(
+        TARGETS["fortran"], request.chosen(["stability_boundary"], derivatives=["gamma", "theta"])
+    )
+    assert time.process_time() - begin < 2
+
+
+HOSTILE = {
+    "not its argument": (["discretize", "--derivative", "theta"], "it has gamma, delta"),
+    "not in the scene": (["discretize", "--derivative", "gamma", "--scene", "no-stiffness"],
+                         "it has delta"),
+    "what counts": (["is_stable", "--derivative", "gamma"], "is_stable: has no derivative"),
+    "of no function": (["--derivative", "mass"], "--derivative mass"),
+    "of one of two": (["discretize", "linear_limit", "--derivative", "gamma"], "linear_limit"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_bad_request_is_one_line(name, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    words, named = HOSTILE[name]
+    code, out, err = symhaptic(monkeypatch, capsys, "export", "--target", "c", *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "--derivative" in err
+    assert named in err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_name_given_twice_counts_once():
+    (form,) = request.chosen(["linear_limit"], derivatives=["d", "d"])
+    assert [name for name, _ in form.results] == ["alpha", "alpha_by_d"]
+    with pytest.raises(Refused, match="has no argument"):
+        request.chosen(["linear_limit"], derivatives=[""])
+
+
+def test_the_list_and_the_readme_name_them(monkeypatch, capsys):
+    code, out, _ = symhaptic(monkeypatch, capsys, "export", "--list", "--derivative", "d")
+    assert code == 0
+    assert "linear_limit_and_derivatives(beta, delta, d)" in out
+    assert "is_stable(" in out
+    assert "discretize(" in out
+    text = request.built(TARGETS["c"], [asked("discretize")])[1]["README.md"]
+    assert "Derivatives with respect to gamma, delta" in text
+    assert "    n1_by_gamma = -RiseDrop(gamma, delta)" in text
+    assert "- RiseDrop: " in text
+
+
+def test_lambdify_gives_them_behind_the_results():
+    """Beside mpmath.diff of (25) of the paper, and of a scene's own."""
+    function = lambdify("eq25", derivatives=("beta", "d"))
+    at = (0.25, 0.5, 1.5)
+    alpha, by_beta, by_d = function(*at)
+    slope = mpmath.diff(lambda x: 0.75 / (x + 0.5), 1.5)
+    assert (float(alpha), float(by_beta)) == (0.375, 0.5)
+    assert float(by_d) == pytest.approx(float(slope), rel=1e-14)
+    free = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
+    found = lambdify("discretize", scene=free, derivatives=["delta"])(np.array([0.0, 1e-9]))
+    assert [float(np.max(x)) for x in found[4:6]] == pytest.approx([-1 / 6, -1 / 3])
+    exact = lambdify("discretize", modules="mpmath", derivatives=["gamma"])
+    with mpmath.workdps(30):
+        assert mpmath.almosteq(exact(0, 0)[4], -mpmath.mpf(1) / 24, 1e-28)
+
+
+@pytest.mark.parametrize(
+    ("options", "named"),
+    [
+        ({"id": "discretize", "derivatives": ("theta",)}, "derivatives: discretize: has no argu"),
+        ({"id": "is_stable", "derivatives": ("gamma",)}, "derivatives: is_stable: has no deriv"),
+        ({"id": "eq11", "form": "printed", "derivatives": ("d",)}, "derivatives: is not allowed"),
+    ],
+)  # fmt: skip
+def test_lambdify_refuses_what_has_none(options, named):
+    with pytest.raises(ValueError, match=named):
+        lambdify(**options)

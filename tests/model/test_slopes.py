@@ -1,0 +1,178 @@
+"""Derivatives of stable forms: proved by the normal form, and beside ball arithmetic."""
+
+import itertools
+
+import flint
+import mpmath
+import pytest
+import sympy as sp
+from flint import arb
+from mpmath import mpf
+
+from symhaptic.bench.exact_slopes import slopes as in_balls
+from symhaptic.export.vectors import sized
+from symhaptic.model import slopes, stable, values
+from symhaptic.model.derivatives import derivative, with_derivatives
+from symhaptic.model.entire import Entire, written_out
+from symhaptic.model.entire_device import Fall, Rise, Together
+from symhaptic.model.slope_values import BY_MATRIX
+from symhaptic.model.slopes import SLOPES
+from symhaptic.notation import alpha, beta, d, delta, gamma, theta
+from symhaptic.proof.decide import compare
+from symhaptic.scene import ALL, FULL, Parts
+
+CLAIMS = [
+    (cls, i) for cls in (*SLOPES, values.ALL["CosNext"], values.ALL["SinNext"], values.ALL["C"])
+    for i in range(next(iter(cls.nargs)))
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("cls", "index"), CLAIMS, ids=lambda x: getattr(x, "__name__", str(x)))
+def test_each_function_that_is_called_a_derivative_is_one(cls, index):
+    """Of the closed form, by the normal form."""
+    symbols = sp.symbols(f"x:{next(iter(cls.nargs))}", positive=True)
+    claimed = written_out(cls(*symbols).fdiff(index + 1))
+    assert compare(claimed, cls.definition(*symbols).diff(symbols[index])).equal
+
+
+@pytest.mark.parametrize("cls", [Rise, Fall, Together], ids=lambda c: c.__name__)
+def test_a_wrong_derivative_is_not_proved(cls):
+    for index in (0, 1):
+        claimed = cls(gamma, delta).fdiff(index + 1)
+        exact = cls.definition(gamma, delta).diff((gamma, delta)[index])
+        for node in claimed.atoms(Entire):
+            for wrong in (-node, node.func(gamma, 2 * delta), node.func(2 * gamma, delta)):
+                mutant = written_out(claimed.xreplace({node: wrong}))
+                assert not compare(mutant, exact).equal, (cls, wrong)
+
+
+@pytest.mark.parametrize("parts", ALL, ids=lambda p: p.name)
+def test_derivatives_of_forms_are_those_of_what_is_derived(parts):
+    """By the normal form, of all but the largest, which is compared in numbers below."""
+    positive = {s: sp.Symbol(s.name, positive=True) for s in (theta, d)}
+    proved = 0
+    for form in stable.forms(parts, 1 if parts.delay else None):
+        if form.name in ("is_stable", "stability_conditions", "stability_boundary"):
+            continue
+        for (name, ours), symbol in itertools.product(form.results, form.arguments):
+            left = written_out(derivative(ours, symbol).xreplace(positive))
+            right = written_out(ours).diff(symbol).xreplace(positive)
+            assert compare(left, right).equal, (form.name, name, symbol)
+            proved += 1
+    assert proved
+
+
+def test_no_derivative_is_taken_factor_by_factor_where_it_would_cancel():
+    """1 - a + e, n1 - n0 and 1 - e are differentiated as a whole."""
+    assert derivative(gamma * Together(gamma, delta), gamma) == slopes.Kick(gamma, delta)
+    assert derivative(delta**2 * values.Decay(delta) ** 2, delta) == (
+        2 * delta * values.Decay(delta) * sp.exp(-delta)
+    )
+    for form in stable.forms(FULL, 1):
+        if form.name != "is_stable":
+            wanted = with_derivatives(form, tuple(s.name for s in form.arguments))
+            found = {type(f) for e in wanted.expressions for f in e.atoms(Entire)}
+            assert found <= {*values.ALL.values()}
+
+
+# -- numbers ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("cls", BY_MATRIX, ids=lambda c: c.__name__)
+def test_values_of_the_device_beside_derivatives_of_a_closed_form(cls):
+    """mpmath.diff of the textbook step response, away from where it is 0/0."""
+
+    def response(g, dl):
+        c = mpmath.sqrt(dl**2 / 4 - g + 0j)
+        return ((1 - mpmath.exp(-dl / 2) * (mpmath.cosh(c) + dl / 2 * mpmath.sinh(c) / c)) / g).real
+
+    def reversed_(g, dl):
+        return mpmath.exp(-dl) * response(g, -dl)
+
+    def trace(g, dl):
+        return (2 * mpmath.exp(-dl / 2) * mpmath.cosh(mpmath.sqrt(dl**2 / 4 - g + 0j))).real
+
+    def apart(g, dl):
+        return (response(g, dl) - reversed_(g, dl)) / dl
+
+    known = {
+        "Kick": (trace, (1, 0), -1),
+        "Coast": (trace, (0, 1), -1),
+        "Echo": (response, (0, 1), -1),
+        "Ebb": (reversed_, (0, 1), 1),
+        "RiseDrop": (response, (1, 0), -1),
+        "FallDrop": (reversed_, (1, 0), -1),
+        "ApartDrop": (apart, (1, 0), -1),
+    }
+    function, order, sign = known[cls.__name__]
+    for g, dl in itertools.product(("0.3", "5", "80"), ("0.1", "3", "30")):
+        with mpmath.workdps(60):
+            expected = sign * mpmath.diff(function, (mpf(g), mpf(dl)), order)
+            found = BY_MATRIX[cls](mpf(g), mpf(dl))
+            assert abs(found - expected) < 1e-20 * abs(expected), (g, dl)
+
+
+@pytest.mark.parametrize("at", [0, 1, 2, 3])
+def test_the_limits_are_the_leading_terms(at):
+    """exp over n + 1 nodes at 0 is 1/n!."""
+    expected = {"Kick": 1, "Coast": 1, "Echo": "1/6", "RiseDrop": "1/24", "FallDrop": "1/24",
+                "ApartDrop": "1/120", "Ebb": "-1/3"}  # fmt: skip
+    step = mpf(10) ** (-100 * at) if at else mpf(0)
+    for cls, number in BY_MATRIX.items():
+        with mpmath.workdps(40):
+            exact = mpmath.mpmathify(sp.Rational(expected[cls.__name__]))
+            assert abs(number(step, step) - exact) <= 2 * step + mpf(10) ** -35, cls
+
+
+@pytest.mark.parametrize("name", ["stability_boundary", "passivity_boundary", "passivity_margin"])
+def test_forms_beside_power_series_in_balls(name):
+    """Textbook formulas in ball arithmetic, differentiated as power series."""
+    form = stable.form(name)
+    some = {theta: ("0.01", "1", "2.9"), gamma: ("0", "1", "30"), delta: ("0", "2", "40"),
+            alpha: ("0.3",), beta: ("-0.2",), d: ("0", "1", "2.5")}  # fmt: skip
+    found = {s: [derivative(expr, s) for expr in form.expressions] for s in form.arguments}
+    for numbers in itertools.product(*(some[s] for s in form.arguments)):
+        point = dict(zip(form.arguments, numbers, strict=True))
+        if name == "passivity_boundary" and (float(point[d]) + 1) * float(point[theta]) > 3.1:
+            continue
+        for symbol in form.arguments:
+            with flint.ctx.workprec(400), mpmath.workdps(80):
+                at = {s: mpf(float(v)) for s, v in point.items()}
+                exact = in_balls(name, {s.name: float(v) for s, v in point.items()}, symbol.name)
+                for slope, ball in zip(found[symbol], exact, strict=True):
+                    number, size = sized(slope, at)
+                    off = abs(arb(mpmath.nstr(number, 60)) - ball)
+                    assert off <= 1e-40 * float(size), (point, symbol)
+
+
+# -- what is refused ----------------------------------------------------------------------
+
+
+def test_an_argument_that_is_not_there_is_refused_with_those_that_are():
+    with pytest.raises(stable.NoForm, match=r"no argument 'gamma'; it has delta$"):
+        with_derivatives(stable.form("discretize", Parts(stiffness=False)), ("gamma",))
+
+
+def test_what_counts_has_no_derivative():
+    with pytest.raises(
+        stable.NoForm, match="is_stable: has no derivative, since Stable, UnstableRoots counts"
+    ):
+        with_derivatives(stable.form("is_stable"), ("gamma",))
+
+
+def test_a_function_whose_derivative_is_not_known_is_refused():
+    """Better than its closed form, which is 0/0 somewhere."""
+    with pytest.raises(stable.NoForm, match="no stable derivative of Apart"):
+        derivative(values.ALL["Apart"](gamma, delta), delta)
+    twice = with_derivatives(stable.form("discretize"), ("gamma",))
+    with pytest.raises(stable.NoForm, match="no stable derivative of RiseDrop"):
+        with_derivatives(twice, ("gamma",))
+
+
+def test_results_come_first_and_their_derivatives_behind():
+    form = with_derivatives(stable.form("discretize"), ("delta", "gamma"))
+    names = [name for name, _ in form.results]
+    assert names[:4] == ["n1", "n0", "a", "e"]
+    assert names[4:8] == ["n1_by_delta", "n0_by_delta", "a_by_delta", "e_by_delta"]
+    assert names[8:] == ["n1_by_gamma", "n0_by_gamma", "a_by_gamma", "e_by_gamma"]
+    assert form.name == "discretize_and_derivatives"
