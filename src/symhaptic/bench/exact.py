@@ -12,6 +12,8 @@ from typing import Any
 import flint
 from flint import acb, arb
 
+from symhaptic.bench.searched import SEARCHED
+
 
 def device(gamma: float, delta: float) -> tuple[Any, ...]:
     """n1, n0, a and e, from the exponential of the device's matrix."""
@@ -75,10 +77,11 @@ EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
     "characteristic_polynomial": polynomial,
     "stability_boundary": boundary,
-    "passivity_margin": margin,
+    "passivity_margin_at": margin,
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
+    **SEARCHED,
 }
 
 

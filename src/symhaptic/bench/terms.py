@@ -12,6 +12,7 @@ from sympy import Expr
 from symhaptic.export.target import code_name
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.model.searched import Searched
 
 
 def sized(expr: Expr, at: dict[str, Any], functions: Any) -> tuple[Any, Any]:
@@ -24,6 +25,9 @@ def sized(expr: Expr, at: dict[str, Any], functions: Any) -> tuple[Any, Any]:
     if isinstance(expr, Entire):
         value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
         return value, np.maximum(np.abs(value), swing(expr, [v for v, _ in parts]))
+    if isinstance(expr, Searched):
+        value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
+        return value, np.abs(value)
     if expr.is_Add:
         total = sum(v for v, _ in parts)
         terms = np.broadcast_arrays(np.abs(total), *(size for _, size in parts))

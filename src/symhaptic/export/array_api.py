@@ -8,7 +8,7 @@ from sympy import Expr
 from sympy.printing.pycode import PythonCodePrinter
 
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Routine
+from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
@@ -33,6 +33,8 @@ class ArrayApi(Target):
     )
     operations = called(
         "xp.",
+        Infinity="xp.inf",
+        NaN="xp.nan",
         Max="xp.where({0} > {1}, {0}, {1})",
         Min="xp.where({0} < {1}, {0}, {1})",
         ProductError="product_error(xp, {0}, {1})",
@@ -65,10 +67,28 @@ class ArrayApi(Target):
         elif args[0] != "xp":
             one = "," if len(args) == 1 else ""
             lines.append(f"    xp, ({', '.join(args)}{one}) = _arrays({', '.join(args)})")
-        for symbol, expr in routine.steps:
-            lines.append(f"    {self.rename(symbol.name)} = {printer.doprint(expr)}")
+        for step in routine.steps:
+            if isinstance(step, Repeat):
+                lines += [f"    {line}" for line in self._repeated(step)]
+            else:
+                value = printer.doprint(step[1])
+                if step[1].is_number:
+                    value = f"xp.full_like({args[-1]}, {value})"
+                lines.append(f"    {self.rename(step[0].name)} = {value}")
         values = ", ".join(printer.doprint(value) for _, value in routine.results)
         return [*lines, f"    return {values}", "", ""]
+
+    def _repeated(self, loop: Repeat) -> list[str]:
+        """Its condition and its steps as two functions, which a helper calls."""
+        printer = self.printing()
+        states = ", ".join(self.rename(s.name) for s in loop.states)
+        over, step = (f"{word}_{loop.states[0].name}" for word in ("over", "step"))
+        lines = [f"def {over}({states}):", f"    return {printer.doprint(loop.done)}", ""]
+        lines.append(f"def {step}({states}):")
+        lines += [f"    {self.rename(n.name)} = {printer.doprint(e)}" for n, e in loop.steps]
+        lines += [f"    return {', '.join(self.rename(n.name) for n in loop.next)}", ""]
+        start = ", ".join(printer.doprint(first) for first in loop.start)
+        return [*lines, f"{states} = _repeat(xp, {loop.most}, {over}, {step}, {start})"]
 
     def usage(self, library: Library) -> str:
         """An import of the first function."""
@@ -104,6 +124,16 @@ def _arrays(*values):
     floats = [v.dtype for v in values if getattr(v, "dtype", None) in (xp.float32, xp.float64)]
     wide = xp.float64 if xp.float64 in floats or not floats else xp.float32
     return xp, [xp.asarray(v, dtype=wide) for v in values]
+
+
+def _repeat(xp, most, over, step, *states):
+    \"\"\"The states after so many steps; what is over keeps its own.\"\"\"
+    for _ in range(most):
+        done = over(*states)
+        if xp.all(done):
+            break
+        states = [xp.where(done, *pair) for pair in zip(states, step(*states))]
+    return states
 """
 
 _PRODUCT_ERROR = """def product_error(xp, y, z):

@@ -9,8 +9,8 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.export import counting, device, elementary
-from symhaptic.export.routine import Routine
+from symhaptic.export import counting, device, elementary, passive
+from symhaptic.export.routine import Routine, Step
 from symhaptic.export.target import Refused, Target, calls, operations
 from symhaptic.model.stable import Form
 
@@ -29,7 +29,8 @@ class Library:
 @cache
 def known() -> dict[str, Routine]:
     """All routines by name."""
-    made = [f() for f in (*elementary.ROUTINES, *device.ROUTINES, *counting.ROUTINES)]
+    modules = elementary, device, counting, passive
+    made = [make() for module in modules for make in module.ROUTINES]
     return {r.name: r for r in made}
 
 
@@ -38,7 +39,7 @@ def routine(form: Form) -> Routine:
     taken = {s.name for e in form.expressions for s in e.free_symbols}
     fresh = (Symbol(n) for n in (f"t{i}" for i in range(10**6)) if n not in taken)
     steps, results = sp.cse(list(form.expressions), symbols=fresh, order="none")
-    done: list[tuple[Symbol, Expr]] = []
+    done: list[Step] = []
     for name, expr in steps:
         done.append((name, _with_named_bases(expr, done, fresh)))
     found = [_with_named_bases(expr, done, fresh) for expr in results]
@@ -48,7 +49,7 @@ def routine(form: Form) -> Routine:
     )
 
 
-def _with_named_bases(expr: Expr, done: list[tuple[Symbol, Expr]], fresh: Iterable[Symbol]) -> Expr:
+def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> Expr:
     """Powers of symbols only, so that a product does not compute its factor twice."""
     for power in sorted(expr.atoms(sp.Pow), key=sp.count_ops):
         base, exponent = power.args

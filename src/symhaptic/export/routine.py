@@ -7,7 +7,7 @@ all of them or only the one that counts.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -23,6 +23,45 @@ class ProductError(Function):  # type: ignore[misc]
 
 
 @dataclass(frozen=True)
+class Repeat:
+    """``start`` put into ``states``, then ``steps`` and ``next`` until ``done``, or so many times.
+
+    Whether it is done is asked of the states, before each time.  Elements of an array that are
+    done keep their states while others go on.
+    """
+
+    states: tuple[Symbol, ...]
+    start: tuple[Expr, ...]
+    steps: tuple[tuple[Symbol, Expr], ...]
+    """Done in this order, each time."""
+    next: tuple[Symbol, ...]
+    """Of these steps, the ones that become the states."""
+    most: int
+    done: Boolean
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """All of its right-hand sides, and its condition."""
+        return (*self.start, *(e for _, e in self.steps), self.done)
+
+    @property
+    def free_symbols(self) -> set[Symbol]:
+        """What has to be known before."""
+        own = {*self.states, *(name for name, _ in self.steps)}
+        inner = {s for e in self.expressions[len(self.start) :] for s in e.free_symbols} - own
+        return inner | {s for e in self.start for s in e.free_symbols}
+
+
+Step = tuple[Symbol, Expr] | Repeat
+"""``name = expr``, or a repetition."""
+
+
+def names(step: Step) -> tuple[Symbol, ...]:
+    """What a step makes known."""
+    return step.states if isinstance(step, Repeat) else step[:1]
+
+
+@dataclass(frozen=True)
 class Routine:
     """A function with one result or several."""
 
@@ -30,30 +69,59 @@ class Routine:
     about: str
     """One line: what it computes."""
     arguments: tuple[Symbol, ...]
-    steps: tuple[tuple[Symbol, Expr], ...]
+    steps: tuple[Step, ...]
     results: tuple[tuple[str, Expr], ...]
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
         """All right-hand sides, those of the results last."""
-        return tuple(e for _, e in self.steps) + tuple(e for _, e in self.results)
+        found: tuple[Expr, ...] = ()
+        for step in self.steps:
+            found += step.expressions if isinstance(step, Repeat) else step[1:]
+        return found + tuple(e for _, e in self.results)
 
 
 @dataclass
 class Steps:
     """Collects the steps of a routine; each call adds one and gives its name."""
 
-    done: list[tuple[Symbol, Expr]] = field(default_factory=list)
+    done: list[Step] = field(default_factory=list)
+    taken: set[str] = field(default_factory=set)
+
+    def fresh(self, name: str) -> Symbol:
+        """A name; one that is taken gets a number."""
+        count, free = 1, name
+        while free in self.taken:
+            count, free = count + 1, f"{name}{count + 1}"
+        self.taken.add(free)
+        return Symbol(free)
 
     def __call__(self, name: str, expr: Expr) -> Symbol:
-        """The step ``name = expr``; a name that is taken gets a number."""
-        taken = {symbol.name for symbol, _ in self.done}
-        count, fresh = 1, name
-        while fresh in taken:
-            count, fresh = count + 1, f"{name}{count + 1}"
-        symbol = Symbol(fresh)
+        """The step ``name = expr``."""
+        symbol = self.fresh(name)
         self.done.append((symbol, sp.sympify(expr)))
         return symbol
+
+    def repeat(
+        self,
+        start: dict[str, Expr],
+        step: Callable[[Steps, tuple[Symbol, ...]], Iterable[Expr]],
+        done: Callable[[tuple[Symbol, ...]], Boolean],
+        most: int,
+    ) -> tuple[Symbol, ...]:
+        """A repetition: ``step`` makes the next states out of the states; gives the last ones."""
+        states = tuple(self.fresh(name) for name in start)
+        inner = Steps(taken=self.taken)
+        made = list(step(inner, states))
+        after = tuple(
+            inner(f"next_{name}", expr) for name, expr in zip(start, made, strict=True)
+        )
+        steps = tuple(s for s in inner.done if not isinstance(s, Repeat))
+        if len(steps) < len(inner.done):
+            raise ValueError("a repetition inside another one has to be a routine of its own")
+        first = tuple(sp.sympify(e) for e in start.values())
+        self.done.append(Repeat(states, first, steps, after, most, done(states)))
+        return states
 
     def nonzero(self, value: Expr) -> Symbol:
         """The value, or 1 in its place where it is 0."""
@@ -131,29 +199,32 @@ class Return:
     results: tuple[Expr, ...]
 
 
-Block = tuple[Assign | Choice | Return, ...]
+Block = tuple[Assign | Repeat | Choice | Return, ...]
 
 
 def lazy(routine: Routine) -> Block:
     """The routine with each step done only where its value is used."""
-    known = dict(routine.steps)
-    order = {name: i for i, (name, _) in enumerate(routine.steps)}
+    order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
 
-    def needed(exprs: Iterable[Expr], done: set[Symbol]) -> list[Symbol]:
-        found: set[Symbol] = set()
+    def needed(exprs: Iterable[Expr], done: set[int]) -> list[int]:
+        found: set[int] = set()
         left = [s for e in exprs for s in e.free_symbols]
         while left:
-            symbol = left.pop()
-            if symbol in known and symbol not in found and symbol not in done:
-                found.add(symbol)
-                left += known[symbol].free_symbols
-        return sorted(found, key=order.__getitem__)
+            at = order.get(left.pop())
+            if at is not None and at not in found and at not in done:
+                found.add(at)
+                step = routine.steps[at]
+                left += step.free_symbols if isinstance(step, Repeat) else step[1].free_symbols
+        return sorted(found)
 
-    def block(results: tuple[Expr, ...], done: set[Symbol]) -> Block:
+    def block(results: tuple[Expr, ...], done: set[int]) -> Block:
         only = results[0]
         choice = len(results) == 1 and isinstance(only, Piecewise)
         first = needed([only.args[0][1]] if choice else results, done)
-        steps: Block = tuple(Assign(name, known[name]) for name in first)
+        steps: Block = tuple(
+            step if isinstance(step, Repeat) else Assign(*step)
+            for step in (routine.steps[i] for i in first)
+        )
         done = done | set(first)
         if not choice:
             return (*steps, Return(results))
@@ -166,6 +237,7 @@ def lazy(routine: Routine) -> Block:
 
 __all__ = [
     "ProductError",
+    "Repeat",
     "Routine",
     "Steps",
     "choose",

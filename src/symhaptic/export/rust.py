@@ -20,6 +20,8 @@ class Rust(Target):
     """One module; several results are a tuple."""
 
     name, title, printer = "rust", "Rust", _Printer
+    changing = "let mut"
+    times = "for _ in 0..{1} {{"
     choice = "(if {0} {{ {1} }} else {{ {2} }})"
     keywords = vocabulary(
         "as async await break const continue crate dyn else enum extern false fn for if impl in "
@@ -30,6 +32,8 @@ class Rust(Target):
     operations = MappingProxyType(
         {
             "Abs": "({0}).abs()",
+            "Infinity": "f64::INFINITY",
+            "NaN": "f64::NAN",
             "Max": "({0}).max({1})",
             "Min": "({0}).min({1})",
             "ProductError": "({0}).mul_add({1}, -({0}*{1}))",

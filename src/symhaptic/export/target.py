@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from symhaptic.model.stable import Form
 
 OPERATIONS = (
-    "Abs", "Max", "Min", "ProductError", "atan2", "cos", "exp", "expm1", "floor", "sin", "sqrt",
-    "tan",
+    "Abs", "Infinity", "Max", "Min", "NaN", "ProductError", "atan2", "cos", "exp", "expm1", "floor",
+    "sin", "sqrt", "tan",
 )  # fmt: skip
 """Beside sums, products, quotients, comparisons and choices, what formulas are written with."""
 
@@ -94,6 +94,12 @@ class Printing(CodePrinter):  # type: ignore[misc]
 
     _print_Abs = _print_ProductError = _print_atan2 = _print_cos = _print_exp = _operation  # noqa: N815
     _print_expm1 = _print_floor = _print_sin = _print_tan = _operation
+
+    def _print_NaN(self, expr: Expr) -> str:
+        return self._written("NaN", ())
+
+    def _print_Infinity(self, expr: Expr) -> str:
+        return self._written("Infinity", ())
 
     def _folded(self, expr: Expr) -> str:
         """Max and Min of two or more, by pairs."""
@@ -173,6 +179,10 @@ class Target:
     words: Mapping[str, str] = MappingProxyType({})
     """Comparisons and connectives that are written in another way."""
     ignores_case = False
+    changing = "double"
+    """How a variable is declared that changes, in a language with braces."""
+    times = "for (int {0} = 0; {0} < {1}; ++{0}) {{"
+    """The head of what is repeated, in such a language."""
 
     # -- expressions -------------------------------------------------------------------
 

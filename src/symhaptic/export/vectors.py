@@ -16,11 +16,14 @@ from sympy import Expr, Symbol
 from symhaptic.model.counted import Stable, UnstableRoots, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.model.searched import Searched
 from symhaptic.model.stable import Form
 from symhaptic.model.values import value
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 
-_ALLOWED = {"discretize": 4, "passivity_margin": 4, "stability_conditions": 64}
+_ALLOWED = {
+    "discretize": 4, "passivity_margin_at": 4, "passivity_margin": 4, "stability_conditions": 64,
+}  # fmt: skip
 _ELSE = 8
 
 
@@ -76,7 +79,9 @@ def points(form: Form) -> list[tuple[float, ...]]:
 _DIGITS = 60
 """Of each entire function; what a stable form loses beyond is its largest term's last place."""
 
-_PLAIN = {sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan}
+_PLAIN = {
+    sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan, sp.Abs: abs,
+}  # fmt: skip
 
 
 def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
@@ -97,6 +102,9 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
         exact = _entire(cls, tuple(sized(arg, at)[0] for arg in expr.args))
         return exact, max(abs(exact), _swing(expr, at))
     parts = [sized(arg, at) for arg in expr.args]
+    if isinstance(expr, Searched):
+        exact = _searched(type(expr), tuple(v for v, _ in parts))
+        return exact, abs(exact)
     if isinstance(expr, UnstableRoots):
         count = outside(*(v for v, _ in parts))
         return count, count
@@ -111,6 +119,9 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
     if expr.is_Pow and expr.args[1].is_Integer:
         (base, size), power = parts[0], int(expr.args[1])
         return base**power, size**power if power > 0 else abs(base) ** power
+    if expr.is_Pow:
+        root = mpmath.sqrt(parts[0][0])
+        return root, root
     exact = _PLAIN[expr.func](parts[0][0])
     return exact, abs(exact)
 
@@ -119,6 +130,12 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
 def _entire(cls: Any, args: tuple[mpf, ...]) -> mpf:
     symbols = sp.symbols(f"x:{len(args)}")
     return value(cls(*symbols), dict(zip(symbols, args, strict=True)), _DIGITS)
+
+
+@cache
+def _searched(cls: Any, args: tuple[mpf, ...]) -> mpf:
+    found: mpf = cls.exact(*args)
+    return found
 
 
 def _swing(expr: Expr, at: Mapping[Symbol, mpf]) -> mpf:

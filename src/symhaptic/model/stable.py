@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Rational, Symbol, cos, exp, pi, sin
 
-from symhaptic.model import boundary, jury, loop, passivity, plant
+from symhaptic.model import boundary, jury, loop, passivity, plant, worst
 from symhaptic.model.counted import Stable, UnstableRoots
 from symhaptic.model.entire import (
     C,
@@ -30,7 +30,27 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, n_0, n_1, theta, z
+from symhaptic.model.searched import LargestNeed, LatePart, Pushed
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    a,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    e,
+    epsilon,
+    gamma,
+    l,
+    n_0,
+    n_1,
+    psi,
+    theta,
+    z,
+)
 from symhaptic.scene import FULL, Parts
 
 HALF = Rational(1, 2)
@@ -220,12 +240,12 @@ def _needs_damping(parts: Parts, name: str) -> None:
         raise NoForm(f"{name}: a scene without damping has no passive walls to speak of")
 
 
-def passivity_margin(parts: Parts = FULL) -> Form:
+def passivity_margin_at(parts: Parts = FULL) -> Form:
     """delta minus the damping that the wall needs at one angle, (5) of the paper.
 
     sin((d+1/2) theta) is that of (2d+1) halves of theta, and sin(theta/2) does not vanish.
     """
-    _needs_damping(parts, "passivity_margin")
+    _needs_damping(parts, "passivity_margin_at")
     half = theta / 2
     if parts.delay:
         kernel = SinNext(2 * d, half) / (2 * sin(half))
@@ -235,13 +255,53 @@ def passivity_margin(parts: Parts = FULL) -> Form:
     margin = delta - alpha * kernel + (beta * swing if parts.virtual_damping else 0)
     symbols = tuple(s for s in (theta, alpha, beta, delta, d) if margin.has(s))
     return Form(
-        "passivity_margin",
+        "passivity_margin_at",
         "physical damping minus the damping that the wall needs at the angle theta = omega T; "
         "the wall is passive where it is positive at every angle",
         symbols,
         (("margin", margin),),
         ((margin, _normalised(parts, passivity.margin())),),
         _domain(symbols, *(("d whole, or fractional on the principal sheet",) * parts.delay)),
+    )
+
+
+def passivity_margin(parts: Parts = FULL) -> Form:
+    """delta minus the damping that the wall needs at its worst angle; -inf for alpha < 0.
+
+    For every real delay, chapter s6d_fractional_passivity.  Proved are the need at an angle and
+    its slope, whose zero is searched for; that the slope vanishes once up to the angle where wall
+    and delay are in phase, beyond which no angle needs more, rests on comparison.  Without virtual
+    damping the worst angle is 0, without delay it is 0 or pi, as the need is linear in cos(theta).
+    """
+    _needs_damping(parts, "passivity_margin")
+    symbols = _of(parts, alpha, beta, delta, d)
+    equal: tuple[tuple[Expr, Expr], ...]
+    if not parts.delay:
+        need = alpha / 2 + (sp.Abs(beta) if parts.virtual_damping else 0)
+        damping = beta if parts.virtual_damping else 0
+        margin = _normalised(parts, passivity.margin())
+        ends = margin.subs(theta, 0), margin.subs(theta, pi)
+        equal = tuple(zip((delta - alpha / 2 + damping, delta - alpha / 2 - damping), ends))
+        largest = Pushed(alpha, need)
+    elif not parts.virtual_damping:
+        order, part = d + HALF, LatePart(d)
+        largest = Pushed(
+            alpha, alpha * (order + sp.sqrt(order * order + part * (1 - part))) / 2
+        )
+        none = {beta: 0, psi: 0}
+        equal = tuple((ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in worst.derived())
+        order = worst.between(worst.straight(l), worst.straight(l + 1)).subs(none) / alpha
+        equal += ((order, l + epsilon + HALF),)
+    else:
+        largest, equal = LargestNeed(alpha, beta, d), worst.derived()
+    return Form(
+        "passivity_margin",
+        "physical damping minus the damping that the wall needs at its worst angle; the wall is "
+        "passive where it is not negative",
+        symbols,
+        (("margin", delta - largest),),
+        equal,
+        _domain(symbols, "-inf for alpha < 0"),
     )
 
 
@@ -409,6 +469,7 @@ FORMS: dict[str, Callable[..., Form]] = {
         is_stable,
         stability_conditions,
         stability_boundary,
+        passivity_margin_at,
         passivity_margin,
         passivity_boundary,
         max_passive_stiffness,
@@ -419,7 +480,7 @@ FORMS: dict[str, Callable[..., Form]] = {
 STATEMENTS = {
     "discretize": ("eq14",),
     "characteristic_polynomial": ("eq18",),
-    "passivity_margin": ("eq5",),
+    "passivity_margin_at": ("eq5",),
     "passivity_boundary": ("eq27",),
     "max_passive_stiffness": ("eq11",),
     "linear_limit": ("eq25",),

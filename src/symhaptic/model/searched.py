@@ -1,0 +1,152 @@
+"""Functions whose value is searched for: named here, with their values in many digits.
+
+None has a closed form.  ``exact`` finds the value from its defining condition, by another way than
+the exported search does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import mpmath
+from mpmath import mpf
+from sympy import Function
+
+_MANY = 40
+"""Angles a half turn of the delay, to look for the largest value at."""
+
+_FAR = 8
+"""Half turns of a long delay that are looked at; all of them for a short one."""
+
+
+class Searched(Function):  # type: ignore[misc]
+    """A function without a closed form."""
+
+    meaning: str
+    """What it is, in plain text."""
+
+    exact: ClassVar[Callable[..., mpf]]
+    """Its value in the digits that mpmath is set to; raises ArithmeticError if none is found."""
+
+
+def fraction(delay: mpf) -> tuple[mpf, mpf]:
+    """Whole periods and the rest."""
+    whole = mpmath.floor(delay)
+    return whole, delay - whole
+
+
+class WholePart(Searched):
+    """floor(d)."""
+
+    nargs = 1
+    meaning = "floor(d), the whole periods of a delay"
+    exact = staticmethod(mpmath.floor)
+
+
+class LatePart(Searched):
+    """d - floor(d)."""
+
+    nargs = 1
+    meaning = "d - floor(d), the fraction of a period in a delay"
+
+    @staticmethod
+    def exact(d: mpf) -> mpf:
+        """d - floor(d)."""
+        return d - mpmath.floor(d)
+
+
+# -- passivity -----------------------------------------------------------------------------
+
+
+def need(alpha: mpf, beta: mpf, d: mpf) -> Callable[[mpf], mpf]:
+    """The damping that the wall needs at an angle, from the printed (5), twice for a fraction."""
+    whole, part = fraction(d)
+
+    def straight(theta: mpf, delay: mpf) -> mpf:
+        kernel = mpmath.sin((delay + 0.5) * theta) / (2 * mpmath.sin(theta / 2))
+        return alpha * kernel - beta * mpmath.cos((delay + 1) * theta)
+
+    def at(theta: mpf) -> mpf:
+        if part == 0:
+            return straight(theta, whole)
+        n = (1 - part) * straight(theta, whole) + part * straight(theta, whole + 1)
+        size = alpha**2 + 4 * beta * (alpha + beta) * mpmath.sin(theta / 2) ** 2
+        return (n + mpmath.sqrt(n**2 + part * (1 - part) * size)) / 2
+
+    return at
+
+
+def largest(f: Callable[[mpf], mpf], turn: mpf, end: mpf) -> tuple[mpf, mpf]:
+    """The largest value of f on (0, pi), and where: a fine grid, then a root of the slope.
+
+    ``turn`` is the length on which f swings, ``end`` its limit at 0.
+    """
+    count = min(int(mpmath.pi / turn), _FAR) * _MANY
+    with mpmath.workdps(30):
+        grid = [turn * i / _MANY for i in range(1, count)]
+        grid = [*grid, mpmath.pi] if count < _FAR * _MANY else grid
+        values = [f(theta) for theta in grid]
+        peaks = _peaks(values)
+        best = max(range(len(grid)), key=peaks.__getitem__)
+    if end >= values[best] * (1 - mpf(10) ** -25):
+        return +end, mpf(0)
+    theta = grid[best]
+    if best < len(grid) - 1:
+        low = grid[best - 1] if best else turn / _MANY / 1000
+        slope = lambda x: mpmath.diff(f, x)  # noqa: E731
+        try:
+            theta = mpmath.findroot(slope, (low, grid[best + 1]), solver="anderson", verify=False)
+        except ZeroDivisionError:
+            raise ArithmeticError("no maximum found") from None
+    return f(theta), theta
+
+
+def _peaks(values: list[mpf]) -> list[mpf]:
+    """Each value, and where it is the largest of three the peak of the parabola through them."""
+    found = list(values)
+    for i in range(1, len(values) - 1):
+        rise, fall = values[i] - values[i - 1], values[i] - values[i + 1]
+        if rise >= 0 and fall >= 0 and rise + fall > 0:
+            found[i] += (rise - fall) ** 2 / (8 * (rise + fall))
+    return found
+
+
+class LargestNeed(Searched):
+    """The damping that a wall needs at its worst angle: (alpha, beta, d)."""
+
+    nargs = 3
+    meaning = (
+        "the largest damping that the wall (alpha, beta) behind a delay d needs at any angle, "
+        "searched for; infinite for alpha < 0"
+    )
+
+    @staticmethod
+    def exact(alpha: mpf, beta: mpf, d: mpf) -> mpf:
+        """By a grid and findroot."""
+        if alpha < 0:
+            return mpf("inf")
+        whole, part = fraction(d)
+        n = alpha * (d + 0.5) - beta
+        end = (n + mpmath.sqrt(n**2 + part * (1 - part) * alpha**2)) / 2 if part else n
+        return largest(need(alpha, beta, d), mpmath.pi / (whole + 1), end)[0]
+
+
+class Pushed(Searched):
+    """The second argument, and infinity where the first is negative."""
+
+    nargs = 2
+    meaning = "the second number, or infinity where the first is negative"
+
+    @staticmethod
+    def exact(alpha: mpf, value: mpf) -> mpf:
+        """The second argument, or infinity."""
+        return mpf("inf") if alpha < 0 else value
+
+
+def all_searched() -> dict[str, Any]:
+    """All of them by name."""
+    return {cls.__name__: cls for cls in Searched.__subclasses__()}
+
+
+__all__ = ["LargestNeed", "LatePart", "Pushed", "Searched", "WholePart", "all_searched"]
