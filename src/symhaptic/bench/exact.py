@@ -23,6 +23,22 @@ def device(gamma: float, delta: float) -> tuple[Any, ...]:
     return n1, moved[0, 1] * moved[1, 2] - moved[1, 1] * n1, trace, (-d).exp()
 
 
+def late(gamma: float, delta: float, part: float) -> tuple[Any, ...]:
+    """m2, m1, m0, a and e: a force that changes inside the period, by the same exponential."""
+    g, d, ep = arb(gamma), arb(delta), arb(part)
+    matrix = flint.arb_mat([[0, 1, 0], [-g, -d, 1], [0, 0, 0]])
+    whole, rest, begun = ((matrix * t).exp() for t in (arb(1), 1 - ep, ep))
+    one, two = rest[0, 2], rest[1, 2]
+    old = [rest[i, 0] * begun[0, 2] + rest[i, 1] * begun[1, 2] for i in range(2)]
+    return (
+        one,
+        whole[0, 1] * two - whole[1, 1] * one + old[0],
+        whole[0, 1] * old[1] - whole[1, 1] * old[0],
+        whole[0, 0] + whole[1, 1],
+        (-d).exp(),
+    )
+
+
 def polynomial(alpha: float, beta: float, gamma: float, delta: float) -> tuple[Any, ...]:
     """Coefficients for a delay of one period."""
     n1, n0, a, e = device(gamma, delta)
@@ -31,12 +47,13 @@ def polynomial(alpha: float, beta: float, gamma: float, delta: float) -> tuple[A
 
 
 def boundary(theta: float, gamma: float, delta: float, d: float) -> tuple[Any, ...]:
-    """-z^d A/(n1 z + n0) on the unit circle."""
-    n1, n0, a, e = device(gamma, delta)
+    """-z^(l+1) A/(m2 z^2 + m1 z + m0) on the unit circle."""
+    whole = math.floor(d)
+    m2, m1, m0, a, e = late(gamma, delta, d - whole)
     t = arb(theta)
     z = acb(t.cos(), t.sin())
-    turn = (arb(d) + 1) * t
-    q = -acb(turn.cos(), turn.sin()) / z * (z * z - a * z + e) / (n1 * z + n0)
+    turn = (arb(whole) + 1) * t
+    q = -acb(turn.cos(), turn.sin()) * (z * z - a * z + e) / ((m2 * z + m1) * z + m0)
     beta = q.imag / t.sin()
     return q.real - beta * (1 - t.cos()), beta
 
@@ -75,6 +92,7 @@ def line(beta: float, delta: float, d: float) -> tuple[Any, ...]:
 
 EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
+    "discretize_late": late,
     "characteristic_polynomial": polynomial,
     "stability_boundary": boundary,
     "passivity_margin_at": margin,

@@ -46,6 +46,7 @@ def columns(form: Form, rng: np.random.Generator, count: int) -> list[Array]:
     delay = rng.choice(DELAYS, count)
     some = rng.random(count) < 0.5
     delay = np.where(some, delay, np.floor(10 ** rng.uniform(0, 6, count)))
+    delay = np.where(rng.random(count) < 0.3, 10 ** rng.uniform(-1, 4, count), delay)
     most = np.pi / (delay + 1) if form.name == "passivity_boundary" else np.full(count, np.pi)
     theta = most * np.where(some, rng.uniform(0, 1, count), 10 ** rng.uniform(-6, 0, count))
     theta = np.where(rng.random(count) < 0.1, most * (1 - 10 ** rng.uniform(-12, -1, count)), theta)
@@ -55,6 +56,7 @@ def columns(form: Form, rng: np.random.Generator, count: int) -> list[Array]:
         "alpha": signs * 10 ** rng.uniform(-6, 2, count),
         "beta": rng.choice([-1.0, 1.0], count) * 10 ** rng.uniform(-6, 2, count),
         "d": delay,
+        "epsilon": np.where(some, rng.uniform(0, 1, count), delay % 1),
         "theta": np.minimum(theta, 3.14159265),
     }
     return [np.ascontiguousarray(values[s.name], dtype=float) for s in form.arguments]

@@ -92,8 +92,7 @@ class C(Target):
         for routine in library.public:
             ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
             lines.append(f"{self._head(library, routine)} {{")
-            if len(ends) == 1:
-                ends = ["return {0};"]
+            ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
             lines += [*braces(self, lazy(routine), ends, "const double"), "}", ""]
         return {f"{library.name}.h": "\n".join(header), f"{library.name}.c": "\n".join(lines)}
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
-from sympy import Expr, Symbol
+from sympy import Expr, Piecewise, Symbol
 
-from symhaptic.export import counting, device, elementary, passive
-from symhaptic.export.routine import Routine, Step
+from symhaptic.export import counting, device, elementary, late_counting, passive
+from symhaptic.export.routine import Routine, Step, choose
 from symhaptic.export.target import Refused, Target, calls, operations
 from symhaptic.model.stable import Form
 
@@ -29,7 +29,7 @@ class Library:
 @cache
 def known() -> dict[str, Routine]:
     """All routines by name."""
-    modules = elementary, device, counting, passive
+    modules = elementary, device, counting, late_counting, passive
     made = [make() for module in modules for make in module.ROUTINES]
     return {r.name: r for r in made}
 
@@ -38,15 +38,35 @@ def routine(form: Form) -> Routine:
     """A form with its common subexpressions shared."""
     taken = {s.name for e in form.expressions for s in e.free_symbols}
     fresh = (Symbol(n) for n in (f"t{i}" for i in range(10**6)) if n not in taken)
-    steps, results = sp.cse(list(form.expressions), symbols=fresh, order="none")
+    given, together = _apart(form.expressions)
+    steps, results = sp.cse(given, symbols=fresh, order="none")
     done: list[Step] = []
     for name, expr in steps:
         done.append((name, _with_named_bases(expr, done, fresh)))
-    found = [_with_named_bases(expr, done, fresh) for expr in results]
+    found = together([_with_named_bases(expr, done, fresh) for expr in results])
     names = [name for name, _ in form.results]
     return Routine(
         form.name, form.title, form.arguments, tuple(done), tuple(zip(names, found, strict=True))
     )
+
+
+def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], list[Expr]]]:
+    """Expressions without choices, and what makes choices of them again.
+
+    So that what a choice shares with others is not computed where it does not count.
+    """
+    if not all(isinstance(expr, Piecewise) for expr in exprs):
+        return list(exprs), lambda found: found
+    first = exprs[0].args[0][1]
+    count = len(exprs)
+    if not isinstance(first, sp.Eq) or any(e.args[0][1] != first or len(e.args) > 2 for e in exprs):
+        raise ValueError(f"{first}: is not the one condition of all results")
+
+    def together(found: list[Expr]) -> list[Expr]:
+        pairs = zip(found[:count], found[count:-1], strict=True)
+        return [choose(sp.Eq(found[-1], first.rhs), *pair) for pair in pairs]
+
+    return [e.args[k][0] for k in (0, 1) for e in exprs] + [first.lhs], together
 
 
 def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> Expr:

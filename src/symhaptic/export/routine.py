@@ -218,9 +218,10 @@ def lazy(routine: Routine) -> Block:
         return sorted(found)
 
     def block(results: tuple[Expr, ...], done: set[int]) -> Block:
-        only = results[0]
-        choice = len(results) == 1 and isinstance(only, Piecewise)
-        first = needed([only.args[0][1]] if choice else results, done)
+        split = [r for r in results if isinstance(r, Piecewise)]
+        conditions = {r.args[0][1] for r in split}
+        choice = len(split) == len(results) and len(conditions) == 1
+        first = needed(conditions if choice else results, done)
         steps: Block = tuple(
             step if isinstance(step, Repeat) else Assign(*step)
             for step in (routine.steps[i] for i in first)
@@ -228,9 +229,11 @@ def lazy(routine: Routine) -> Block:
         done = done | set(first)
         if not choice:
             return (*steps, Return(results))
-        (yes, condition), *others = only.args
-        no = Piecewise(*others) if len(others) > 1 else others[0][0]
-        return (*steps, Choice(condition, block((yes,), done), block((no,), done)))
+        yes = tuple(r.args[0][0] for r in split)
+        no = tuple(
+            Piecewise(*r.args[1:]) if len(r.args) > 2 else r.args[1][0] for r in split
+        )
+        return (*steps, Choice(conditions.pop(), block(yes, done), block(no, done)))
 
     return block(tuple(e for _, e in routine.results), set())
 

@@ -13,13 +13,13 @@ import sympy as sp
 from mpmath import mpf
 from sympy import Expr, Symbol
 
-from symhaptic.model.counted import Stable, UnstableRoots, outside
+from symhaptic.model.counted import LateRoots, Stable, UnstableRoots, late_outside, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
 from symhaptic.model.searched import Searched
 from symhaptic.model.stable import Form
 from symhaptic.model.values import value
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta
+from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
 _ALLOWED = {
     "discretize": 4, "passivity_margin_at": 4, "passivity_margin": 4, "stability_conditions": 64,
@@ -37,7 +37,8 @@ _HARD = {
     delta: (0.0, 1e-300, 1e-8, 0.02, 2.0, 60.0, 700.0),
     alpha: (0.0, 0.3, -0.1, 1e-9),
     beta: (0.0, 0.2, -0.05, 1e3),
-    d: (0.0, 1.0, 2.0, 1e6, 0.5),
+    d: (0.0, 1.0, 2.0, 1e6, 0.5, 3.25),
+    epsilon: (0.0, 0.5, 1e-9, 0.999),
     theta: (1e-9, 0.01, 1.0, 3.0, 3.141592653589793 - 1e-9),
 }
 _CRITICAL = [
@@ -100,13 +101,18 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
     if isinstance(expr, Entire):
         cls: Any = type(expr)
         exact = _entire(cls, tuple(sized(arg, at)[0] for arg in expr.args))
-        return exact, max(abs(exact), _swing(expr, at))
+        return exact, max(abs(exact), _swing(expr, at)) + _spoiled(expr, exact, at)
+    if isinstance(expr, sp.Piecewise):
+        (yes, condition), (no, _) = expr.args
+        return sized(yes if sized(condition.lhs - condition.rhs, at)[0] == 0 else no, at)
     parts = [sized(arg, at) for arg in expr.args]
     if isinstance(expr, Searched):
         exact = _searched(type(expr), tuple(v for v, _ in parts))
         return exact, abs(exact)
-    if isinstance(expr, UnstableRoots):
-        count = outside(*(v for v, _ in parts))
+    if isinstance(expr, UnstableRoots | LateRoots):
+        count = (outside if isinstance(expr, UnstableRoots) else late_outside)(
+            *(v for v, _ in parts)
+        )
         return count, count
     if isinstance(expr, Stable):  # no root on the circle, where the count is known
         good = mpf(parts[0][0] == 0)
@@ -123,7 +129,29 @@ def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
         root = mpmath.sqrt(parts[0][0])
         return root, root
     exact = _PLAIN[expr.func](parts[0][0])
-    return exact, abs(exact)
+    return exact, abs(exact) + _spoiled(expr, exact, at)
+
+
+def rounded(arg: Expr) -> bool:
+    """Whether an argument is a product that may be rounded."""
+    return len(arg.free_symbols) > 1
+
+
+def _spoiled(expr: Expr, exact: mpf, at: Mapping[Symbol, mpf]) -> mpf:
+    """How much a rounded product as an argument changes the value, by its last place."""
+    change = mpf(0)
+    for i, arg in enumerate(expr.args):
+        if rounded(arg):
+            args = [sized(a, at)[0] for a in expr.args]
+            args[i] *= 1 + _SMALL
+            moved = _entire(type(expr), tuple(args)) if isinstance(expr, Entire) else _PLAIN[
+                expr.func
+            ](*args)
+            change += abs(moved - exact) / _SMALL
+    return change
+
+
+_SMALL = mpf(2) ** -60
 
 
 @cache

@@ -9,13 +9,13 @@ damping, at critical damping, or at a vanishing angle.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 from sympy import Expr, Rational, Symbol, cos, exp, pi, sin
 
-from symhaptic.model import boundary, jury, loop, passivity, plant, worst
-from symhaptic.model.counted import Stable, UnstableRoots
+from symhaptic.model import boundary, delayed, jury, loop, passivity, plant, worst
+from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.entire import (
     C,
     Chord,
@@ -30,7 +30,7 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.model.searched import LargestNeed, LatePart, Pushed
+from symhaptic.model.searched import LargestNeed, LatePart, Pushed, WholePart
 from symhaptic.notation import (
     B,
     K,
@@ -45,6 +45,9 @@ from symhaptic.notation import (
     epsilon,
     gamma,
     l,
+    m_0,
+    m_1,
+    m_2,
     n_0,
     n_1,
     psi,
@@ -168,6 +171,7 @@ _RANGES = {
     gamma: "gamma >= 0",
     delta: "delta >= 0",
     d: "d >= 0",
+    epsilon: "0 <= epsilon < 1",
     theta: "0 < theta < pi",
 }
 
@@ -187,6 +191,33 @@ def discretize(parts: Parts = FULL) -> Form:
         (("n1", device.n1), ("n0", device.n0), ("a", device.a), ("e", device.e)),
         _same_device(parts)[:4],
         _domain(symbols),
+    )
+
+
+def discretize_late(parts: Parts = FULL) -> Form:
+    """m2, m1, m0, a and e of the device behind a fraction of a period."""
+    if not parts.delay:
+        raise NoForm("discretize_late: the scene has no delay")
+    symbols = (*_of(parts, gamma, delta), epsilon)
+    device = _device(parts)
+    first, last = delayed.ends(parts)
+    middle = device.together - (first + last)
+    return Form(
+        "discretize_late",
+        "the sampled device behind a delay of epsilon periods, "
+        "P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m",
+        symbols,
+        (("m2", first), ("m1", middle), ("m0", last), ("a", device.a), ("e", device.e)),
+        (*_same_device(parts), *delayed.derived(parts)),
+        _domain(symbols),
+    )
+
+
+def _either(whole: Expr, late: Expr) -> Expr:
+    """One form for whole delays, another one for those with a fraction."""
+    part = LatePart(d)
+    return sp.Piecewise(
+        (whole, sp.Eq(part, 0)), (late.xreplace({epsilon: part, l: WholePart(d)}), True)
     )
 
 
@@ -381,37 +412,56 @@ def linear_limit(parts: Parts = FULL) -> Form:
 
 
 def stability_boundary(parts: Parts = FULL) -> Form:
-    """The wall that puts a root at exp(j theta).
+    """The wall that puts a root at exp(j theta), for every real delay.
 
-    A and M = n1 z + n0 on the circle from their values at 1 and -1, so that no cosines are
-    subtracted: with t = tan(theta/2), (1 + t^2) A/z = A(1) - A(-1) t^2 + 2 j t (1 - e), and
-    (1 + t^2) M = n1 + n0 - (n1 - n0) t^2 + 2 j t n1.
+    A and M on the circle from their values at 1 and -1, so that no cosines are subtracted: with
+    t = tan(theta/2), (1 + t^2) A/z = A(1) - A(-1) t^2 + 2 j t (1 - e), and for a whole delay
+    (1 + t^2) M = n1 + n0 - (n1 - n0) t^2 + 2 j t n1.  A fraction leaves m2 - m0 in place of n1 and
+    m2 - m1 + m0 in place of n1 - n0.
     """
     if not parts.virtual_damping:
         raise NoForm("stability_boundary: a scene without virtual damping has no such curve")
     symbols = _of(parts, theta, gamma, delta, d)
-    named = _boundary(parts, _named(ANY))
+    delay = d if parts.delay else None
+    named = _boundary(_named(ANY), 2 * n_1, delay)
     exact = (_undelayed(parts, side) for side in boundary.wall(ANY))
-    curve = _boundary(parts, _device(parts))
+    device = _device(parts)
+    curve = _boundary(device, device.together + device.apart, delay)
+    equal = (*zip(named, exact, strict=True), *_same_device(parts))
+    if parts.delay:
+        first, last = delayed.ends(parts)
+        late = _boundary(_late(parts), 2 * (first - last), l)
+        curve = tuple(_either(*both) for both in zip(curve, late, strict=True))
+        any_late = replace(_named(ANY), together=m_2 + m_1 + m_0, apart=m_2 - m_1 + m_0)
+        named = _boundary(any_late, 2 * (m_2 - m_0), l)
+        equal += (*zip(named, delayed.wall(), strict=True), *delayed.derived(parts))
     return Form(
         "stability_boundary",
         "the wall (alpha, beta) that puts a characteristic root at z = exp(j theta)",
         symbols,
         tuple(zip(("alpha", "beta"), curve, strict=True)),
-        (*zip(named, exact, strict=True), *_same_device(parts)),
-        _domain(symbols, *(("d whole, or fractional on the principal sheet",) * parts.delay)),
+        equal,
+        _domain(symbols),
     )
 
 
-def _boundary(parts: Parts, x: _Device) -> tuple[Expr, Expr]:
+def _late(parts: Parts) -> _Device:
+    """The same device, with M = m2 z + m1 + m0/z instead of n1 z + n0 at z = -1."""
+    x = _device(parts)
+    first, last = delayed.ends(parts)
+    return replace(x, apart=2 * (first + last) - x.together)
+
+
+def _boundary(x: _Device, across: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
+    """With 2 n1, or 2 (m2 - m0), as ``across``."""
     t = sp.tan(theta / 2)
     above, above_j = x.at_one - x.at_minus_one * t**2, 2 * t * x.loss
-    below, below_j = x.together - x.apart * t**2, t * (x.together + x.apart)  # 2 t n1
+    below, below_j = x.together - x.apart * t**2, t * across
     size = below**2 + below_j**2
     ratio = (above * below + above_j * below_j) / size
     ratio_j = (above_j * below - above * below_j) / size
-    if parts.delay:
-        cosine, sine = CosNext(d, theta), SinNext(d, theta)
+    if delay is not None:
+        cosine, sine = CosNext(delay, theta), SinNext(delay, theta)
     else:
         cosine, sine = cos(theta), sin(theta)
     real, imaginary = ratio_j * sine - ratio * cosine, -ratio_j * cosine - ratio * sine
@@ -443,21 +493,29 @@ def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
 
 
 def is_stable(parts: Parts = FULL) -> Form:
-    """Roots outside the unit circle, and whether the loop is stable, for any whole delay."""
-    x = _device(parts)
+    """Roots outside the unit circle, and whether the loop is stable, for every real delay."""
     wall = alpha, beta if parts.virtual_damping else sp.S.Zero
+    symbols = _of(parts, alpha, beta, gamma, delta, d)
+    given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
+    x = _device(parts)
     numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
     count = UnstableRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)
-    stiffness = gamma if parts.stiffness else sp.S.Zero
-    damping = delta if parts.damping else sp.S.Zero
-    symbols = _of(parts, alpha, beta, gamma, delta, d)
+    results = count, Stable(count, *wall, *given)
+    equal = _same_device(parts)
+    if parts.delay:
+        x = _late(parts)
+        numbers = *delayed.ends(parts), *numbers[2:-1], x.apart
+        count = LateRoots(*wall, l, *numbers)
+        late = count, Stable(count, *wall, *given)
+        results = tuple(_either(*both) for both in zip(results, late, strict=True))
+        equal += delayed.derived(parts)
     return Form(
         "is_stable",
         "roots outside the unit circle, and 1 where the loop is stable, else 0",
         symbols,
-        (("outside", count), ("stable", Stable(count, *wall, stiffness, damping))),
-        _same_device(parts),
-        _domain(symbols, *(("d whole",) * parts.delay)),
+        tuple(zip(("outside", "stable"), results, strict=True)),
+        equal,
+        _domain(symbols),
     )
 
 
@@ -465,6 +523,7 @@ FORMS: dict[str, Callable[..., Form]] = {
     f.__name__: f
     for f in (
         discretize,
+        discretize_late,
         characteristic_polynomial,
         is_stable,
         stability_conditions,
