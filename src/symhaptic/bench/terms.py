@@ -17,8 +17,15 @@ from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
 from symhaptic.model.searched import Searched
 
 
-def sized(expr: Expr, at: dict[str, Any], functions: Any) -> tuple[Any, Any]:
-    """Values and largest terms, as in symhaptic.export.vectors but in floats, on arrays."""
+def sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
+    """Values and largest terms, as in symhaptic.export.vectors but in floats, on arrays; kept in ``at``."""
+    if expr not in at:
+        at[expr] = _sized(expr, at, functions)
+    found: tuple[Any, Any] = at[expr]
+    return found
+
+
+def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     if expr.is_Symbol:
         return at[expr.name], np.abs(at[expr.name])
     if expr.is_number:

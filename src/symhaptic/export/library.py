@@ -9,7 +9,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Piecewise, Symbol
 
-from symhaptic.export import counting, device, elementary, late_counting, passive
+from symhaptic.export import counting, device, elementary, late_counting, passive, stiffest
 from symhaptic.export.routine import Routine, Step, choose
 from symhaptic.export.target import Refused, Target, calls, operations
 from symhaptic.model.stable import Form
@@ -29,7 +29,7 @@ class Library:
 @cache
 def known() -> dict[str, Routine]:
     """All routines by name."""
-    modules = elementary, device, counting, late_counting, passive
+    modules = elementary, device, counting, late_counting, passive, stiffest
     made = [make() for module in modules for make in module.ROUTINES]
     return {r.name: r for r in made}
 

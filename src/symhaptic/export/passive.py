@@ -31,7 +31,7 @@ def need() -> Routine:
 def steepness() -> Routine:
     """Whether that grows with the angle; negative beyond the angle in phase."""
     do = Steps()
-    early, late = do("early", worst.steepness(l)), worst.steepness(l + 1)
+    early, late = do("early", do.shared(worst.steepness(l))[0]), worst.steepness(l + 1)
     steep = do("steep", worst.between(early, late))
     rising = do("rising", worst.rising(sp.Function("Need")(*worst.ARGUMENTS), steep))
     double = 2 * psi

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from itertools import count
 
 import sympy as sp
 from sympy import Expr, Function, Piecewise, Symbol
@@ -90,9 +91,9 @@ class Steps:
 
     def fresh(self, name: str) -> Symbol:
         """A name; one that is taken gets a number."""
-        count, free = 1, name
+        number, free = 1, name
         while free in self.taken:
-            count, free = count + 1, f"{name}{count + 1}"
+            number, free = number + 1, f"{name}{number + 1}"
         self.taken.add(free)
         return Symbol(free)
 
@@ -122,6 +123,13 @@ class Steps:
         first = tuple(sp.sympify(e) for e in start.values())
         self.done.append(Repeat(states, first, steps, after, most, done(states)))
         return states
+
+    def shared(self, *exprs: Expr) -> list[Expr]:
+        """The expressions made of steps for what they have in common."""
+        fresh = (self.fresh("t") for _ in count())
+        steps, results = sp.cse(exprs, symbols=fresh, order="none")
+        self.done += steps
+        return list(results)
 
     def nonzero(self, value: Expr) -> Symbol:
         """The value, or 1 in its place where it is 0."""

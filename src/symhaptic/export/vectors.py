@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
 from itertools import product
 from typing import Any
@@ -11,7 +11,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 from mpmath import mpf
-from sympy import Expr, Symbol
+from sympy import Expr
 
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots, late_outside, outside
 from symhaptic.model.entire import C, Entire, S
@@ -85,14 +85,21 @@ _PLAIN = {
 }  # fmt: skip
 
 
-def sized(expr: Expr, at: Mapping[Symbol, mpf]) -> tuple[mpf, mpf]:
+Sizes = dict[Expr, tuple[mpf, mpf]]
+
+
+def sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     """Value and largest term of a form at a point: what its last place is measured by.
 
     A difference is as large as its larger side, a sum at least as large as its value, a product
-    as large as its factors.
+    as large as its factors.  ``at`` has those of the arguments, and keeps all that are found.
     """
-    if expr.is_Symbol:
-        return at[expr], abs(at[expr])
+    if expr not in at:
+        at[expr] = _sized(expr, at)
+    return at[expr]
+
+
+def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     if expr.is_Rational:
         exact = mpf(expr.p) / expr.q
         return exact, abs(exact)
@@ -137,7 +144,7 @@ def rounded(arg: Expr) -> bool:
     return len(arg.free_symbols) > 1
 
 
-def _spoiled(expr: Expr, exact: mpf, at: Mapping[Symbol, mpf]) -> mpf:
+def _spoiled(expr: Expr, exact: mpf, at: Sizes) -> mpf:
     """How much a rounded product as an argument changes the value, by its last place."""
     change = mpf(0)
     for i, arg in enumerate(expr.args):
@@ -166,7 +173,7 @@ def _searched(cls: Any, args: tuple[mpf, ...]) -> mpf:
     return found
 
 
-def _swing(expr: Expr, at: Mapping[Symbol, mpf]) -> mpf:
+def _swing(expr: Expr, at: Sizes) -> mpf:
     """The size of the sines and cosines in a function that swings through zero."""
     if isinstance(expr, (C, S)):
         w = sized(expr.args[0], at)[0]
@@ -191,7 +198,7 @@ def vectors(form: Form) -> Iterator[list[float]]:
     """
     for point in points(form):
         with mpmath.workdps(_DIGITS):
-            at = {s: mpf(v) for s, v in zip(form.arguments, point, strict=True)}
+            at = {s: (mpf(v), abs(mpf(v))) for s, v in zip(form.arguments, point, strict=True)}
             try:
                 found = [sized(expr, at) for expr in form.expressions]
             except ArithmeticError:

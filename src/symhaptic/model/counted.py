@@ -75,7 +75,8 @@ def _outside(
     while coefficients[-1] == 0:
         coefficients.pop()
     try:
-        roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=200)
+        with mpmath.workdps(30):
+            roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=100)
     except mpmath.libmp.NoConvergence:
         raise ArithmeticError("no roots found") from None
     sizes = [abs(root) for root in roots]

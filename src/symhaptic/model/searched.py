@@ -10,8 +10,11 @@ from collections.abc import Callable
 from typing import Any, ClassVar
 
 import mpmath
+import sympy as sp
 from mpmath import mpf
 from sympy import Function
+
+from symhaptic.model.counted import late_outside
 
 _MANY = 40
 """Angles a half turn of the delay, to look for the largest value at."""
@@ -142,6 +145,73 @@ class Pushed(Searched):
     def exact(alpha: mpf, value: mpf) -> mpf:
         """The second argument, or infinity."""
         return mpf("inf") if alpha < 0 else value
+
+
+# -- stability -----------------------------------------------------------------------------
+
+STIFFEST_SPRING = sp.Rational(98, 10)
+"""Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
+
+STIFFEST_ARGUMENTS = sp.symbols(
+    "gamma delta d l part first last at_one at_minus_one loss together apart"
+)
+"""The plant, the delay and its parts, and n1 and n0, or m2 and m0, with the values at 1 and -1."""
+
+_TRIED = 48
+"""Angles in the first half turn of the delay."""
+
+
+class StiffestAngle(Searched):
+    """The angle of the wall of largest stable stiffness, of :data:`STIFFEST_ARGUMENTS`."""
+
+    nargs = 12
+    meaning = (
+        "the first angle at which the stiffness on the boundary is largest, searched for, or the "
+        "end at pi without delay; NaN where that does not border the stable region, for gamma > "
+        "9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
+    )
+
+    @staticmethod
+    def exact(*numbers: mpf) -> mpf:
+        """By a grid on -z^(l+1) A/M and findroot, and the roots of the polynomial."""
+        gamma, delta, d, whole, part, first, last, at_one, _, loss, together, _ = numbers
+        if gamma > 9.8 or (mpmath.sqrt(gamma) * (d + 1) > mpmath.pi and d > 1):
+            raise ArithmeticError("outside the domain")
+        m2, m0 = (first, last) if part else (first, mpf(0))
+        m1 = together - m2 - m0
+
+        def force(theta: mpf) -> mpf:
+            z = mpmath.expj(theta)
+            above = z * z - (2 - loss - at_one) * z + 1 - loss
+            return -(z ** (whole + 1)) * above / ((m2 * z + m1) * z + m0)
+
+        def stiffness(theta: mpf) -> mpf:
+            q = force(theta)
+            return q.real - q.imag * mpmath.tan(theta / 2)
+
+        turn = mpmath.pi / (d + 1)
+        with mpmath.workdps(50):
+            grid = [turn * (i + mpf(1) / 2) / _TRIED for i in range(_TRIED)]
+            values = [stiffness(theta) for theta in grid]
+        tops = (i for i in range(1, _TRIED - 1) if values[i - 1] < values[i] > values[i + 1])
+        top = next(tops, None)
+        if top is None:
+            raise ArithmeticError("no first maximum")
+        with mpmath.workdps(70):
+            slope = lambda x: mpmath.diff(stiffness, x)  # noqa: E731
+            ends = grid[top - 1], grid[top + 1]
+            theta = mpmath.findroot(slope, ends, solver="anderson", verify=False)
+            q = force(theta)
+            beta = q.imag / mpmath.sin(theta)
+            alpha = stiffness(theta)
+        if delta == 0 or alpha <= -gamma:
+            raise ArithmeticError("a device that may be left swinging")
+        inside = alpha - (alpha + gamma) / 10**6
+        if whole <= 12 and late_outside(
+            inside, beta, whole, m2, m0, at_one, mpf(0), loss, together, mpf(0)
+        ):
+            raise ArithmeticError("it does not border the region")
+        return +theta
 
 
 def all_searched() -> dict[str, Any]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 from sympy import Expr, Rational, Symbol, cos, exp, pi, sin
 
-from symhaptic.model import boundary, delayed, jury, loop, passivity, plant, worst
+from symhaptic.model import boundary, delayed, jury, loop, passivity, plant, stiffest, worst
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.entire import (
     C,
@@ -30,7 +30,7 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.model.searched import LargestNeed, LatePart, Pushed, WholePart
+from symhaptic.model.searched import LargestNeed, LatePart, Pushed, StiffestAngle, WholePart
 from symhaptic.notation import (
     B,
     K,
@@ -454,18 +454,73 @@ def _late(parts: Parts) -> _Device:
 
 def _boundary(x: _Device, across: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
     """With 2 n1, or 2 (m2 - m0), as ``across``."""
-    t = sp.tan(theta / 2)
-    above, above_j = x.at_one - x.at_minus_one * t**2, 2 * t * x.loss
-    below, below_j = x.together - x.apart * t**2, t * across
+    return curve(x.at_one, x.at_minus_one, x.loss, x.together, x.apart, across, theta, delay)
+
+
+def curve(
+    at_one: Expr,
+    at_minus_one: Expr,
+    loss: Expr,
+    together: Expr,
+    apart: Expr,
+    across: Expr,
+    angle: Expr,
+    delay: Expr | None,
+) -> tuple[Expr, Expr]:
+    """The wall that puts a root at exp(j angle)."""
+    t = sp.tan(angle / 2)
+    above, above_j = at_one - at_minus_one * t**2, 2 * t * loss
+    below, below_j = together - apart * t**2, t * across
     size = below**2 + below_j**2
     ratio = (above * below + above_j * below_j) / size
     ratio_j = (above_j * below - above * below_j) / size
     if delay is not None:
-        cosine, sine = CosNext(delay, theta), SinNext(delay, theta)
+        cosine, sine = CosNext(delay, angle), SinNext(delay, angle)
     else:
-        cosine, sine = cos(theta), sin(theta)
+        cosine, sine = cos(angle), sin(angle)
     real, imaginary = ratio_j * sine - ratio * cosine, -ratio_j * cosine - ratio * sine
     return real - imaginary * t, imaginary * (1 + t**2) / (2 * t)
+
+
+def max_stable_stiffness(parts: Parts = FULL) -> Form:
+    """The first maximum of alpha on the explicit boundary, with its beta and angle.
+
+    Proved are the curve and its slope, whose zero is searched for; that this is the farthest
+    point of the stable region rests on comparison with whole regions.
+    """
+    if not parts.virtual_damping:
+        raise NoForm("max_stable_stiffness: a scene without virtual damping has no such curve")
+    symbols = _of(parts, gamma, delta, d)
+    given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
+    x, steps = _device(parts), d if parts.delay else sp.S.Zero
+    values = x.at_one, x.at_minus_one, x.loss, x.together
+    angle = StiffestAngle(*given, steps, steps, sp.S.Zero, x.n1, x.n0, *values, x.apart)
+    delay = d if parts.delay else None
+    results = (*curve(*values, x.apart, x.together + x.apart, angle, delay), angle)
+    equal = _same_device(parts)
+    if parts.delay:
+        first, last = delayed.ends(parts)
+        apart = _late(parts).apart
+        angle = StiffestAngle(*given, d, l, epsilon, first, last, *values, apart)
+        late = (*curve(*values, apart, 2 * (first - last), angle, l), angle)
+        results = tuple(_either(*both) for both in zip(results, late, strict=True))
+        equal += delayed.derived(parts)
+    if parts == FULL:  # the same for every device
+        equal += stiffest.derived()
+    return Form(
+        "max_stable_stiffness",
+        "the wall of largest stable stiffness, a limit that is not stable itself, and the angle "
+        "theta = omega T of its roots on the unit circle",
+        symbols,
+        tuple(zip(("alpha", "beta", "theta"), results, strict=True)),
+        equal,
+        _domain(
+            symbols,
+            *(("gamma <= 9.8",) * parts.stiffness),
+            *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
+            "NaN elsewhere and where no wall is stable",
+        ),
+    )
 
 
 def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
@@ -528,6 +583,7 @@ FORMS: dict[str, Callable[..., Form]] = {
         is_stable,
         stability_conditions,
         stability_boundary,
+        max_stable_stiffness,
         passivity_margin_at,
         passivity_margin,
         passivity_boundary,
