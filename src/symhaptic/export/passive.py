@@ -8,7 +8,7 @@ from sympy import Expr, atan2, cos, floor, pi, sin, sqrt
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.export.search import crossing
 from symhaptic.model import worst
-from symhaptic.notation import alpha, beta, d, epsilon, l, psi
+from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta
 
 FLAT = sp.Rational(1, 2**31)
 """Relative distance to which a worst angle is found: what is needed is flat there."""
@@ -28,12 +28,22 @@ def need() -> Routine:
                       worst.ARGUMENTS, choose(_whole, early, (n + root) / 2))  # fmt: skip
 
 
+def rising() -> Routine:
+    """Whether that grows with the angle, at a fraction of a period."""
+    do = Steps()
+    early, late = do.shared(worst.steepness(l), worst.steepness(l + 1))
+    early = do("early", early)
+    steep = do("steep", worst.between(early, late))
+    found = worst.rising(sp.Function("Need")(*worst.ARGUMENTS), steep)
+    return do.routine("Rising", "has the sign of the slope of Need, at a fraction",
+                      worst.ARGUMENTS, found)  # fmt: skip
+
+
 def steepness() -> Routine:
     """Whether that grows with the angle; negative beyond the angle in phase."""
     do = Steps()
-    early, late = do("early", do.shared(worst.steepness(l))[0]), worst.steepness(l + 1)
-    steep = do("steep", worst.between(early, late))
-    rising = do("rising", worst.rising(sp.Function("Need")(*worst.ARGUMENTS), steep))
+    early = do("early", do.shared(worst.steepness(l))[0])
+    rising = do("rising", sp.Function("Rising")(*worst.ARGUMENTS))
     double = 2 * psi
     delayed = atan2(epsilon * sin(double), 1 - epsilon + epsilon * cos(double))
     own = atan2(alpha * cos(psi), (alpha + 2 * beta) * sin(psi))
@@ -69,6 +79,44 @@ def largest_need() -> Routine:
                       (alpha, beta, d), choose(alpha < 0, sp.oo, found))  # fmt: skip
 
 
+def turn() -> Routine:
+    """The wall that is worst at an angle, as an angle; pi/2 where there is none."""
+    do = Steps()
+
+    def falls(inner: Steps, at: Expr) -> Expr:
+        wall = (f.xreplace({phi: at}) for f in worst.of_size_one().values())
+        return -sp.Function("Rising")(*wall, l, epsilon, psi)
+
+    return do.routine("Turn", "the wall whose worst angle is 2 psi, as an angle",
+                      (psi, l, epsilon), crossing(do, falls, 0 * psi, pi / 2))  # fmt: skip
+
+
+def touching() -> Routine:
+    """The same, and NaN where there is none."""
+    do = Steps()
+    found = do("found", sp.Function("Turn")(theta / 2, l, epsilon))
+    return do.routine("Touching", "the wall whose worst angle is theta, as an angle, or NaN",
+                      (theta, l, epsilon), choose(found < pi / 2, found, sp.nan))  # fmt: skip
+
+
+def passive_angle() -> Routine:
+    """The angle that is worst for the stiffest passive wall, at a fraction of a period."""
+    do = Steps()
+
+    def hinders(inner: Steps, at: Expr) -> Expr:
+        found = inner("turned", sp.Function("Turn")(at, l, epsilon))
+        one = worst.of_size_one()
+        stiffness, damping = (inner("wall", one[s].xreplace({phi: found})) for s in (alpha, beta))
+        need = inner("need", sp.Function("Need")(stiffness, damping, l, epsilon, at))
+        wall = {alpha: stiffness, beta: damping, psi: at}
+        return -worst.favours(need).xreplace(wall)
+
+    high = pi / (2 * (l + epsilon + 1))
+    psi_ = crossing(do, hinders, high / 10**6, high)
+    return do.routine("PassiveAngle", "the worst angle of the stiffest passive wall, at a fraction",
+                      (l, epsilon), 2 * psi_)  # fmt: skip
+
+
 def pushed() -> Routine:
     """A need, infinite if the wall pulls."""
     do, need = Steps(), sp.Symbol("need")
@@ -86,4 +134,15 @@ def late_part() -> Routine:
     return Steps().routine("LatePart", "the fraction of a period in a delay", (d,), d - floor(d))
 
 
-ROUTINES = (whole_part, late_part, need, steepness, worst_angle, largest_need, pushed)
+def some_part() -> Routine:
+    """The same for whole delays, too, where another branch counts."""
+    do = Steps()
+    part = do("part", d - floor(d))
+    return do.routine("SomePart", "the same, or 1/2 where it is 0", (d,),
+                      choose(sp.Eq(part, 0), sp.S.Half, part))  # fmt: skip
+
+
+ROUTINES = (
+    whole_part, late_part, some_part, need, rising, steepness, worst_angle, largest_need, turn, touching,
+    passive_angle, pushed,
+)  # fmt: skip

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +17,6 @@ from sympy import Expr, Symbol
 from sympy.printing.codeprinter import CodePrinter
 
 from symhaptic.export.routine import Routine
-from symhaptic.model.values import ALL as ENTIRE
 from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
@@ -63,7 +63,12 @@ def code_name(name: str) -> str:
     return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower())
 
 
-_TAKEN = frozenset(code_name(name) for name in (*ENTIRE, "Stable", "UnstableRoots"))
+@cache
+def _taken() -> frozenset[str]:
+    """The names of all routines."""
+    from symhaptic.export.library import known
+
+    return frozenset(code_name(name) for name in known())
 
 
 class Printing(CodePrinter):  # type: ignore[misc]
@@ -201,7 +206,7 @@ class Target:
 
     def rename(self, name: str) -> str:
         """The name of a variable: neither a keyword nor that of a routine."""
-        return f"{name}_" if self.reserves(name) or name in _TAKEN else name
+        return f"{name}_" if self.reserves(name) or name in _taken() else name
 
     def reserves(self, name: str) -> bool:
         """Whether a name is a keyword."""

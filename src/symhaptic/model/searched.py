@@ -59,6 +59,18 @@ class LatePart(Searched):
         return d - mpmath.floor(d)
 
 
+class SomePart(Searched):
+    """The same, and 1/2 in the place of 0, so that what is not meant for whole delays is defined."""
+
+    nargs = 1
+    meaning = "d - floor(d), or 1/2 where that is 0"
+
+    @staticmethod
+    def exact(d: mpf) -> mpf:
+        """d - floor(d), or 1/2."""
+        return d - mpmath.floor(d) or mpf(1) / 2
+
+
 # -- passivity -----------------------------------------------------------------------------
 
 
@@ -133,6 +145,56 @@ class LargestNeed(Searched):
         n = alpha * (d + 0.5) - beta
         end = (n + mpmath.sqrt(n**2 + part * (1 - part) * alpha**2)) / 2 if part else n
         return largest(need(alpha, beta, d), mpmath.pi / (whole + 1), end)[0]
+
+
+def _worst_at(theta: mpf, d: mpf) -> mpf:
+    """The wall (2 cos x, sin x - cos x) whose need has no slope at theta, as its angle x."""
+
+    def slope(x: mpf) -> mpf:
+        at = need(2 * mpmath.cos(x), mpmath.sin(x) - mpmath.cos(x), d)
+        return mpmath.diff(at, theta)
+
+    low, high = mpf(0), mpmath.pi / 2
+    if slope(low) >= 0 or slope(high) <= 0:
+        raise ArithmeticError("no wall is worst at this angle")
+    return mpmath.findroot(slope, (low, high), solver="anderson", verify=False)
+
+
+class Touching(Searched):
+    """The wall that is worst at an angle: (theta, l, epsilon)."""
+
+    nargs = 3
+    meaning = (
+        "the angle x of the wall (2 cos(x), sin(x) - cos(x)) that needs most damping at theta, "
+        "behind a delay of l + epsilon periods; NaN if there is none"
+    )
+
+    @staticmethod
+    def exact(theta: mpf, whole: mpf, part: mpf) -> mpf:
+        """By findroot."""
+        return _worst_at(theta, whole + part)
+
+
+class PassiveAngle(Searched):
+    """The worst angle of the stiffest passive wall: (l, epsilon)."""
+
+    nargs = 2
+    meaning = "the worst angle of the stiffest passive wall behind a delay of l + epsilon periods"
+
+    @staticmethod
+    def exact(whole: mpf, part: mpf) -> mpf:
+        """The largest stiffness on the boundary, by findroot."""
+        d = whole + part
+
+        def stiffness(theta: mpf) -> mpf:
+            x = _worst_at(theta, d)
+            alpha, beta = 2 * mpmath.cos(x), mpmath.sin(x) - mpmath.cos(x)
+            return alpha / need(alpha, beta, d)(theta)
+
+        turn = mpmath.pi / (d + 1)
+        slope = lambda t: mpmath.diff(stiffness, t)  # noqa: E731
+        ends = turn * mpf("0.3"), turn * mpf("0.7")
+        return mpmath.findroot(slope, ends, solver="anderson", verify=False)
 
 
 class Pushed(Searched):

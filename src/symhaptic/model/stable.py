@@ -30,7 +30,16 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.model.searched import LargestNeed, LatePart, Pushed, StiffestAngle, WholePart
+from symhaptic.model.searched import (
+    LargestNeed,
+    LatePart,
+    PassiveAngle,
+    Pushed,
+    SomePart,
+    StiffestAngle,
+    Touching,
+    WholePart,
+)
 from symhaptic.notation import (
     B,
     K,
@@ -50,6 +59,7 @@ from symhaptic.notation import (
     m_2,
     n_0,
     n_1,
+    phi,
     psi,
     theta,
     z,
@@ -215,10 +225,8 @@ def discretize_late(parts: Parts = FULL) -> Form:
 
 def _either(whole: Expr, late: Expr) -> Expr:
     """One form for whole delays, another one for those with a fraction."""
-    part = LatePart(d)
-    return sp.Piecewise(
-        (whole, sp.Eq(part, 0)), (late.xreplace({epsilon: part, l: WholePart(d)}), True)
-    )
+    found = late.xreplace({epsilon: SomePart(d), l: WholePart(d)})
+    return sp.Piecewise((whole, sp.Eq(LatePart(d), 0)), (found, True))
 
 
 def characteristic_polynomial(parts: Parts = FULL, delay: int | None = None) -> Form:
@@ -340,7 +348,8 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     """The wall that is just passive and whose worst angle is theta, (27) of the paper.
 
     Its denominator and its numerators are differences of sines that vanish with the angle; as
-    functions of their own they do not.
+    functions of their own they do not.  At a fraction of a period the wall is searched for whose
+    need has no slope at this angle; proved are the need and that slope.
     """
     _needs_damping(parts, "passivity_boundary")
     if not parts.virtual_damping:
@@ -348,6 +357,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     if not parts.delay:
         raise NoForm("passivity_boundary: without delay it is one point, max_passive_stiffness")
     symbols = (theta, delta, d)
+    late = _touched(Touching(theta, l, epsilon), theta)
     push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
     below = Spread(d, theta)
     curve = 2 * delta * push / below, delta * (Chord(d, theta) - push) / below
@@ -356,14 +366,28 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
         "passivity_boundary",
         "the wall that is just passive and whose worst angle is theta = omega T",
         symbols,
-        tuple(zip(("alpha", "beta"), curve, strict=True)),
-        tuple(zip(curve, exact, strict=True)),
+        tuple(
+            (name, _either(*both))
+            for name, *both in zip(("alpha", "beta"), curve, late, strict=True)
+        ),
+        (*zip(curve, exact, strict=True), *worst.derived()),
         _domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing"),
     )
 
 
+def _touched(turn: Expr, angle: Expr) -> tuple[Expr, Expr]:
+    """The wall of this direction that is just passive, if its worst angle is this one."""
+    wall = {s: expr.xreplace({phi: turn}) for s, expr in worst.of_size_one().items()}
+    need = worst.need().xreplace({**wall, psi: angle / 2})
+    return delta * wall[alpha] / need, delta * wall[beta] / need
+
+
 def max_passive_stiffness(parts: Parts = FULL) -> Form:
-    """The passive wall of largest stiffness, with its damping and angle, (11) of the paper."""
+    """The passive wall of largest stiffness, with its damping and angle, (11) of the paper.
+
+    At a fraction of a period its angle is searched for: there, less damping would need neither
+    more nor less; proved are the need and its derivatives.
+    """
     _needs_damping(parts, "max_passive_stiffness")
     symbols = _of(parts, delta, d)
     share = 1 / (d + 1)
@@ -371,18 +395,26 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
     stiffness = 2 * delta * sp.tan(quarter)
     damping = delta * (share - 2 * sin(quarter) ** 2) / sin(pi * share / 2)
     angle = pi * share / 2
-    results = [("alpha", _undelayed(parts, stiffness))]
+    whole = [("alpha", _undelayed(parts, stiffness))]
     if parts.virtual_damping:
-        results.append(("beta", _undelayed(parts, damping)))
+        whole.append(("beta", _undelayed(parts, damping)))
     exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
-    derived = tuple((found, side) for (_, found), side in zip(results, exact, strict=False))
-    results.append(("theta", _undelayed(parts, angle)))
+    equal = tuple((found, side) for (_, found), side in zip(whole, exact, strict=False))
+    whole.append(("theta", _undelayed(parts, angle)))
+    results = tuple(whole)
+    if parts.delay:
+        worst_angle = PassiveAngle(l, epsilon)
+        late = dict(zip(("alpha", "beta"), _touched(Touching(worst_angle, l, epsilon), worst_angle),
+                        strict=True))  # fmt: skip
+        late["theta"] = worst_angle
+        results = tuple((name, _either(expr, late[name])) for name, expr in whole)
+        equal += worst.derived()
     return Form(
         "max_passive_stiffness",
         "the passive wall of largest stiffness, and its worst angle theta = omega T",
         symbols,
-        tuple(results),
-        derived,
+        results,
+        equal,
         _domain(symbols),
     )
 

@@ -14,7 +14,7 @@ from sympy import Expr, Symbol, cos, sin
 
 from symhaptic.model import fractional, passivity
 from symhaptic.model.entire import Chord, CosNext, Sinc
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, psi, theta
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta
 
 
 def straight(k: Expr) -> Expr:
@@ -47,6 +47,18 @@ def rising(need: Expr, steep: Expr) -> Expr:
     return need * steep + 2 * epsilon * (1 - epsilon) * beta * (alpha + beta) * Sinc(2 * psi)
 
 
+def need() -> Expr:
+    """The damping that all motions need at an angle, at a fraction of a period."""
+    n = between(straight(l), straight(l + 1))
+    return (n + sp.sqrt(n * n + extra())) / 2
+
+
+def favours(need: Expr) -> Expr:
+    """Has the sign of the derivative of the need with respect to beta."""
+    along = between(CosNext(l, 2 * psi), CosNext(l + 1, 2 * psi))
+    return epsilon * (1 - epsilon) * (alpha + 2 * beta) * sin(psi) ** 2 - need * along
+
+
 def derived() -> tuple[tuple[Expr, Expr], ...]:
     """Pairs that are equal: these, and the same from the energy that a motion extracts."""
     units = {K: alpha, B: beta, T: sp.S.One, b: delta, theta: 2 * psi}
@@ -58,7 +70,13 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
         (psi * steepness(l), whole.diff(psi)),
         (delta**2 - delta * n - extra() / 4, margin),
         (psi * rising(delta, steep), -margin.diff(psi)),
+        (favours(delta), -margin.diff(beta)),
     )
+
+
+def of_size_one() -> dict[Symbol, Expr]:
+    """The wall with alpha/2 = cos(phi) and beta + alpha/2 = sin(phi)."""
+    return {alpha: 2 * cos(phi), beta: sin(phi) - cos(phi)}
 
 
 ARGUMENTS: tuple[Symbol, ...] = (alpha, beta, l, epsilon, psi)
