@@ -12,7 +12,7 @@ from typing import Any
 import flint
 from flint import acb, arb
 
-from symhaptic.bench.searched import SEARCHED
+from symhaptic.bench import searched
 
 
 def device(gamma: float, delta: float) -> tuple[Any, ...]:
@@ -66,7 +66,9 @@ def margin(theta: float, alpha: float, beta: float, delta: float, d: float) -> t
 
 
 def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
-    """Where the margin and its slope vanish: two linear equations."""
+    """Where the margin and its slope vanish: two linear equations for whole delays."""
+    if d % 1:
+        return searched.passive(theta, delta, d)
     t, n = arb(theta), arb(d) + 1
     up, half = (n - arb(1) / 2) * t, t / 2
     k = up.sin() / (2 * half.sin())
@@ -78,7 +80,9 @@ def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
 
 
 def stiffest(delta: float, d: float) -> tuple[Any, ...]:
-    """(11) of the paper."""
+    """(11) of the paper for whole delays."""
+    if d % 1:
+        return searched.stiffest_passive(delta, d)
     n = arb(d) + 1
     angle = arb.pi() / (2 * n)
     beta = ((angle * arb(d)).sin() - arb(d) / n) / angle.sin()
@@ -90,6 +94,11 @@ def line(beta: float, delta: float, d: float) -> tuple[Any, ...]:
     return ((arb(beta) + arb(delta)) / (arb(d) + arb(1) / 2),)
 
 
+def stiffest_stable(gamma: float, delta: float, d: float) -> tuple[Any, ...]:
+    """The first maximum of alpha on the boundary."""
+    return searched.stiffest_stable(late(gamma, delta, d % 1), gamma, d)
+
+
 EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
     "discretize_late": late,
@@ -99,7 +108,8 @@ EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
-    **SEARCHED,
+    "passivity_margin": searched.worst,
+    "max_stable_stiffness": stiffest_stable,
 }
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import flint
@@ -113,4 +114,102 @@ def worst(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
     return (arb(delta) - max(found, key=lambda x: float(x.mid())),)
 
 
-SEARCHED = {"passivity_margin": worst}
+# -- the passivity boundary at a fraction of a period ------------------------------------------
+
+
+def crossing(f: Callable[[Any], Any], low: Any, high: Any, digits: int = 30) -> Any:
+    """The root of f between two numbers where it has different signs; NaN if it has not."""
+    at_low, at_high = f(low), f(high)
+    if not (at_low > 0) ^ (at_high > 0):
+        return arb("nan")
+    for step in range(200):
+        new = arb((low - at_low * (high - low) / (at_high - at_low)).mid())
+        if step % 4 == 3 or not low < new < high:
+            new = arb(((low + high) / 2).mid())
+        value = f(new)
+        if (value > 0) == (at_low > 0):
+            low, at_low, at_high = new, value, at_high / 2
+        else:
+            high, at_high, at_low = new, value, at_low / 2
+        if float(high - low) <= 10.0**-digits * abs(float(new)):
+            return new
+    return arb("nan")
+
+
+def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, Any]:
+    """The wall that is just passive for a damping of 1 and whose need has no slope at theta."""
+
+    def wall(x: Any) -> tuple[Any, Any]:
+        return 2 * x.cos(), x.sin() - x.cos()
+
+    def slope(x: Any) -> Any:
+        return arb(series(needed(*wall(x), whole, part, _Balls), theta, 2)[1].mid())
+
+    alpha, beta = wall(crossing(slope, arb(0), arb.pi() / 2, digits))
+    need = needed(alpha, beta, whole, part, _Balls)(theta)
+    return alpha / need, beta / need
+
+
+def passive(theta: float, delta: float, d: float) -> tuple[Any, ...]:
+    """Of that wall, at a fraction of a period."""
+    found = touching(arb(theta), math.floor(d), arb(d) - math.floor(d))
+    return tuple(arb(delta) * x for x in found)
+
+
+@cache
+def _stiffest(d: float) -> tuple[Any, Any, Any]:
+    whole, part = math.floor(d), arb(d) - math.floor(d)
+
+    def hinders(theta: Any) -> Any:
+        alpha, beta = touching(theta, whole, part, 22)
+        changed = [needed(alpha, beta + x, whole, part, _Balls)(theta) for x in (_STEP, -_STEP)]
+        return arb((changed[0] - changed[1]).mid())
+
+    turn = arb.pi() / (whole + part + 1)
+    theta = crossing(hinders, turn * 3 / 10, turn * 7 / 10, 20)
+    return (*touching(theta, whole, part), theta)
+
+
+_STEP = arb(2) ** -40
+
+
+def stiffest_passive(delta: float, d: float) -> tuple[Any, ...]:
+    """The wall on it whose need does not change with beta: its stiffness is the largest."""
+    alpha, beta, theta = _stiffest(d)
+    return arb(delta) * alpha, arb(delta) * beta, theta
+
+
+# -- the largest stable stiffness --------------------------------------------------------------
+
+
+def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[Any, ...]:
+    """The first maximum of alpha on -z^(l+1) A/M of a late device (m2, m1, m0, a, e)."""
+    if gamma > 9.8 or (math.sqrt(gamma) * (d + 1) > math.pi and d > 1):
+        return (arb("nan"),) * 3
+    whole = math.floor(d)
+    m2, m1, m0, a, e = numbers
+
+    def parts(t: Any) -> tuple[Any, Any]:
+        above, above_j = (1 + e) * t.cos() - a, (1 - e) * t.sin()
+        below, below_j = (m2 + m0) * t.cos() + m1, (m2 - m0) * t.sin()
+        cosine, sine = ((whole + 1) * t).cos(), ((whole + 1) * t).sin()
+        size = below * below + below_j * below_j
+        real = (above * below + above_j * below_j) / size
+        up = (above_j * below - above * below_j) / size
+        return up * sine - real * cosine, -(up * cosine + real * sine)
+
+    def alpha(t: Any) -> Any:
+        real, up = parts(t)
+        half = t * _Balls.half
+        return real - up * half.sin() / half.cos()
+
+    turn = arb.pi() / (arb(d) + 1)
+    grid = [arb((turn * (i + _Balls.half) / _MANY).mid()) for i in range(_MANY)]
+    slopes = [arb(series(alpha, t, 2)[1].mid()) for t in grid]
+    for i in range(_MANY - 1):
+        if slopes[i] > 0 and not slopes[i + 1] > 0:
+            break
+    else:
+        return (arb("nan"),) * 3
+    theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), grid[i], grid[i + 1])
+    return alpha(theta), parts(theta)[1] / theta.sin(), theta

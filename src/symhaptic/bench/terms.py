@@ -18,7 +18,7 @@ from symhaptic.model.searched import Searched
 
 
 def sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
-    """Values and largest terms, as in symhaptic.export.vectors but in floats, on arrays; kept in ``at``."""
+    """Values and largest terms, as in symhaptic.export.vectors but in floats, on arrays."""
     if expr not in at:
         at[expr] = _sized(expr, at, functions)
     found: tuple[Any, Any] = at[expr]
@@ -58,9 +58,9 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         power = int(expr.args[1])
         base, size = parts[0]
         return base**power, size**power if power > 0 else np.abs(base**power)
-    function = {sp.exp: np.exp, sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan}[expr.func]
-    value = function(parts[0][0])
-    return value, np.abs(value) + spoiled(function, value, expr, [parts[0][0]])
+    plain: Any = {sp.exp: np.exp, sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan}[expr.func]
+    value = plain(parts[0][0])
+    return value, np.abs(value) + spoiled(plain, value, expr, [parts[0][0]])
 
 
 def spoiled(function: Any, value: Any, expr: Expr, args: list[Any]) -> Any:

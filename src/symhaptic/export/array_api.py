@@ -72,7 +72,7 @@ class ArrayApi(Target):
                 lines += [f"    {line}" for line in self._repeated(step)]
             else:
                 value = printer.doprint(step[1])
-                if step[1].is_number:
+                if step[1].is_number and args:
                     value = f"xp.full_like({args[-1]}, {value})"
                 lines.append(f"    {self.rename(step[0].name)} = {value}")
         values = ", ".join(printer.doprint(value) for _, value in routine.results)

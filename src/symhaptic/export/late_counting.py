@@ -146,9 +146,7 @@ def piece_turns() -> Routine:
     x = do("x", sp.Function("CubicRoot")(*TERMS, low, high, at_high - at_low))
     y = do("y", choose(sp.Eq(zone, NEAR), x, choose(sp.Eq(zone, OWN), center + x, 4 - x)))
     rest = do("rest", choose(sp.Eq(zone, NEAR), 4 - x, choose(sp.Eq(zone, OWN), beyond - x, x)))
-    off = do(
-        "off", choose(sp.Eq(zone, NEAR), x - center, choose(sp.Eq(zone, OWN), x, beyond - x))
-    )
+    off = do("off", choose(sp.Eq(zone, NEAR), x - center, choose(sp.Eq(zone, OWN), x, beyond - x)))
     inner = And(y > 0, rest > 0)
     v = _Wall(slope, sp.S.Zero, far)
     found = _turns(do, 2 - loss - 1, v, do("at", Max(y, 0)), do("still", Max(rest, 0)), off)

@@ -143,6 +143,6 @@ def some_part() -> Routine:
 
 
 ROUTINES = (
-    whole_part, late_part, some_part, need, rising, steepness, worst_angle, largest_need, turn, touching,
-    passive_angle, pushed,
+    whole_part, late_part, some_part, need, rising, steepness, worst_angle, largest_need, turn,
+    touching, passive_angle, pushed,
 )  # fmt: skip

@@ -114,9 +114,7 @@ class Steps:
         states = tuple(self.fresh(name) for name in start)
         inner = Steps(taken=self.taken)
         made = list(step(inner, states))
-        after = tuple(
-            inner(f"next_{name}", expr) for name, expr in zip(start, made, strict=True)
-        )
+        after = tuple(inner(f"next_{name}", expr) for name, expr in zip(start, made, strict=True))
         steps = tuple(s for s in inner.done if not isinstance(s, Repeat))
         if len(steps) < len(inner.done):
             raise ValueError("a repetition inside another one has to be a routine of its own")
@@ -238,9 +236,7 @@ def lazy(routine: Routine) -> Block:
         if not choice:
             return (*steps, Return(results))
         yes = tuple(r.args[0][0] for r in split)
-        no = tuple(
-            Piecewise(*r.args[1:]) if len(r.args) > 2 else r.args[1][0] for r in split
-        )
+        no = tuple(Piecewise(*r.args[1:]) if len(r.args) > 2 else r.args[1][0] for r in split)
         return (*steps, Choice(conditions.pop(), block(yes, done), block(no, done)))
 
     return block(tuple(e for _, e in routine.results), set())

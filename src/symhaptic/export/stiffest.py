@@ -11,7 +11,7 @@ from symhaptic.model import stable, stiffest
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.searched import STIFFEST_ARGUMENTS, STIFFEST_SPRING
 
-gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together, apart = (
+gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together, apart = (
     STIFFEST_ARGUMENTS
 )
 
@@ -41,7 +41,7 @@ def stiffest_angle() -> Routine:
     numbers = at_one, at_minus_one, loss, together, apart, across
 
     def slope(_: Steps, at: Expr) -> Expr:
-        return sp.Function("BoundarySlope")(at, l, *numbers)
+        return sp.Function("BoundarySlope")(at, steps, *numbers)
 
     def angle(count: Expr) -> Expr:
         return Min(count * turn / _PARTS, _LAST)
@@ -63,15 +63,15 @@ def stiffest_angle() -> Routine:
     root = crossing(do, slope, low, high, wanted=inner_maximum)
     end = do("end", choose(sp.Eq(d, 0), pi, sp.nan))
     theta = do("theta", choose(inner_maximum, root, end))
-    stiffness, damping = do.shared(*stable.curve(*numbers[:-1], 2 * across, theta, l))
+    stiffness, damping = do.shared(*stable.curve(*numbers[:-1], 2 * across, theta, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     inside = do("inside", stiffness - _INSIDE * (stiffness + gamma))
     device = at_one, at_minus_one, loss, together, apart
     wall = inside, damping
     outside = choose(
         whole,
-        UnstableRoots(*wall, l, first, last, *device),
-        LateRoots(*wall, l, first, last, *device),
+        UnstableRoots(*wall, steps, first, last, *device),
+        LateRoots(*wall, steps, first, last, *device),
     )
     outside = do("outside", outside)
     known = And(gamma <= STIFFEST_SPRING, Or(sqrt(gamma) * (d + 1) <= pi, d <= 1))

@@ -114,7 +114,8 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         return sized(yes if sized(condition.lhs - condition.rhs, at)[0] == 0 else no, at)
     parts = [sized(arg, at) for arg in expr.args]
     if isinstance(expr, Searched):
-        exact = _searched(type(expr), tuple(v for v, _ in parts))
+        kind: Any = type(expr)
+        exact = _searched(kind, tuple(v for v, _ in parts))
         return exact, abs(exact)
     if isinstance(expr, UnstableRoots | LateRoots):
         count = (outside if isinstance(expr, UnstableRoots) else late_outside)(
@@ -144,16 +145,14 @@ def rounded(arg: Expr) -> bool:
     return len(arg.free_symbols) > 1
 
 
-def _spoiled(expr: Expr, exact: mpf, at: Sizes) -> mpf:
+def _spoiled(expr: Any, exact: mpf, at: Sizes) -> mpf:
     """How much a rounded product as an argument changes the value, by its last place."""
-    change = mpf(0)
+    change, cls = mpf(0), type(expr)
     for i, arg in enumerate(expr.args):
         if rounded(arg):
             args = [sized(a, at)[0] for a in expr.args]
             args[i] *= 1 + _SMALL
-            moved = _entire(type(expr), tuple(args)) if isinstance(expr, Entire) else _PLAIN[
-                expr.func
-            ](*args)
+            moved = _entire(cls, tuple(args)) if isinstance(expr, Entire) else _PLAIN[cls](*args)
             change += abs(moved - exact) / _SMALL
     return change
 

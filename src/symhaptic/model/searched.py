@@ -60,7 +60,7 @@ class LatePart(Searched):
 
 
 class SomePart(Searched):
-    """The same, and 1/2 in the place of 0, so that what is not meant for whole delays is defined."""
+    """The same, and 1/2 in place of 0: so a branch for fractions is defined for whole delays."""
 
     nargs = 1
     meaning = "d - floor(d), or 1/2 where that is 0"

@@ -320,15 +320,14 @@ def passivity_margin(parts: Parts = FULL) -> Form:
         damping = beta if parts.virtual_damping else 0
         margin = _normalised(parts, passivity.margin())
         ends = margin.subs(theta, 0), margin.subs(theta, pi)
-        equal = tuple(zip((delta - alpha / 2 + damping, delta - alpha / 2 - damping), ends))
+        ours = delta - alpha / 2 + damping, delta - alpha / 2 - damping
+        equal = tuple(zip(ours, ends, strict=True))
         largest = Pushed(alpha, need)
     elif not parts.virtual_damping:
         order, part = d + HALF, LatePart(d)
-        largest = Pushed(
-            alpha, alpha * (order + sp.sqrt(order * order + part * (1 - part))) / 2
-        )
+        largest = Pushed(alpha, alpha * (order + sp.sqrt(order * order + part * (1 - part))) / 2)
         none = {beta: 0, psi: 0}
-        equal = tuple((ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in worst.derived())
+        equal = _springs()
         order = worst.between(worst.straight(l), worst.straight(l + 1)).subs(none) / alpha
         equal += ((order, l + epsilon + HALF),)
     else:
@@ -390,24 +389,24 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
     """
     _needs_damping(parts, "max_passive_stiffness")
     symbols = _of(parts, delta, d)
+    if not parts.virtual_damping:
+        return _stiffest_spring(parts)
     share = 1 / (d + 1)
     quarter = pi * share / 4
     stiffness = 2 * delta * sp.tan(quarter)
     damping = delta * (share - 2 * sin(quarter) ** 2) / sin(pi * share / 2)
     angle = pi * share / 2
-    whole = [("alpha", _undelayed(parts, stiffness))]
-    if parts.virtual_damping:
-        whole.append(("beta", _undelayed(parts, damping)))
+    whole = [_undelayed(parts, expr) for expr in (stiffness, damping, angle)]
     exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
-    equal = tuple((found, side) for (_, found), side in zip(whole, exact, strict=False))
-    whole.append(("theta", _undelayed(parts, angle)))
-    results = tuple(whole)
+    equal = tuple(zip(whole[:2], exact, strict=True))
+    names = "alpha", "beta", "theta"
+    results = tuple(zip(names, whole, strict=True))
     if parts.delay:
         worst_angle = PassiveAngle(l, epsilon)
-        late = dict(zip(("alpha", "beta"), _touched(Touching(worst_angle, l, epsilon), worst_angle),
-                        strict=True))  # fmt: skip
-        late["theta"] = worst_angle
-        results = tuple((name, _either(expr, late[name])) for name, expr in whole)
+        late = (*_touched(Touching(worst_angle, l, epsilon), worst_angle), worst_angle)
+        results = tuple(
+            (name, _either(*both)) for name, *both in zip(names, whole, late, strict=True)
+        )
         equal += worst.derived()
     return Form(
         "max_passive_stiffness",
@@ -417,6 +416,27 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
         equal,
         _domain(symbols),
     )
+
+
+def _stiffest_spring(parts: Parts) -> Form:
+    """Without virtual damping slow motions are the worst ones."""
+    symbols = _of(parts, delta, d)
+    order, part = (d + HALF, LatePart(d)) if parts.delay else (HALF, sp.S.Zero)
+    stiffness = 2 * delta / (order + sp.sqrt(order * order + part * (1 - part)))
+    n = worst.between(worst.straight(l), worst.straight(l + 1)).subs({beta: 0, psi: 0})
+    return Form(
+        "max_passive_stiffness",
+        "the stiffest passive wall",
+        symbols,
+        (("alpha", stiffness),),
+        (*_springs(), (n / alpha, l + epsilon + HALF)),
+        _domain(symbols),
+    )
+
+
+def _springs() -> tuple[tuple[Expr, Expr], ...]:
+    """What a wall without damping needs."""
+    return tuple((ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in worst.derived()[:-1])
 
 
 def linear_limit(parts: Parts = FULL) -> Form:

@@ -28,12 +28,10 @@ def slope() -> tuple[Expr, Expr]:
     real, imaginary = above * below + above_j * below_j, above_j * below - above * below_j
     turned, grown = size * weight, 1 + t**2
     turns = (steps + Rational(3, 2)) * turned + grown * (
-        loss * (at_one + at_minus_one * t**2) * weight
-        - across * (together + apart * t**2) * size
+        loss * (at_one + at_minus_one * t**2) * weight - across * (together + apart * t**2) * size
     )
     swells = grown * (
-        (2 * loss**2 - at_minus_one * above) * weight
-        - (2 * across**2 - apart * below) * size
+        (2 * loss**2 - at_minus_one * above) * weight - (2 * across**2 - apart * below) * size
     )
     along, up = CosNext(2 * steps + 2, angle / 2), SinNext(2 * steps + 2, angle / 2)
     found = turns * (real * up + imaginary * along)
