@@ -15,7 +15,7 @@ from symhaptic.model import stable
 from symhaptic.scene import Parts
 
 HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
-NAMES = ["discretize", "stability_boundary", "passivity_margin", "passivity_boundary",
+NAMES = ["discretize", "stability_boundary", "passivity_margin_at", "passivity_boundary",
          "max_passive_stiffness", "linear_limit"]  # fmt: skip
 
 

@@ -11,7 +11,16 @@ from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export import device
 from symhaptic.export.library import known
-from symhaptic.export.routine import Assign, Choice, Join, ProductError, Set, lazy
+from symhaptic.export.routine import (
+    Assign,
+    Choice,
+    Join,
+    ProductError,
+    Repeat,
+    Set,
+    lazy,
+    names,
+)
 from symhaptic.export.target import OPERATIONS, code_name
 from symhaptic.model import values
 from symhaptic.model.entire import written_out
@@ -132,11 +141,14 @@ def test_the_series_have_enough_terms():
 
 
 def test_names_in_code_are_unique():
-    names = [code_name(name) for name in ROUTINES]
-    assert len(set(names)) == len(names)
-    assert not set(names) & {op.lower() for op in OPERATIONS}
+    written = [code_name(name) for name in ROUTINES]
+    assert len(set(written)) == len(written)
+    assert not set(written) & {op.lower() for op in OPERATIONS}
 
 
 def test_no_step_hides_a_routine_that_is_called():
     for routine in ROUTINES.values():
-        assert len({s for s, _ in routine.steps}) == len(routine.steps)
+        made = [s for step in routine.steps for s in names(step)]
+        made += [s for step in routine.steps if isinstance(step, Repeat) for s, _ in step.steps]
+        made += routine.arguments
+        assert len(set(made)) == len(made), routine.name

@@ -12,6 +12,8 @@ from typing import Any
 import flint
 from flint import acb, arb
 
+from symhaptic.bench import searched
+
 
 def device(gamma: float, delta: float) -> tuple[Any, ...]:
     """n1, n0, a and e, from the exponential of the device's matrix."""
@@ -19,6 +21,22 @@ def device(gamma: float, delta: float) -> tuple[Any, ...]:
     moved = flint.arb_mat([[0, 1, 0], [-g, -d, 1], [0, 0, 0]]).exp()
     n1, trace = moved[0, 2], moved[0, 0] + moved[1, 1]
     return n1, moved[0, 1] * moved[1, 2] - moved[1, 1] * n1, trace, (-d).exp()
+
+
+def late(gamma: float, delta: float, part: float) -> tuple[Any, ...]:
+    """m2, m1, m0, a and e: a force that changes inside the period, by the same exponential."""
+    g, d, ep = arb(gamma), arb(delta), arb(part)
+    matrix = flint.arb_mat([[0, 1, 0], [-g, -d, 1], [0, 0, 0]])
+    whole, rest, begun = ((matrix * t).exp() for t in (arb(1), 1 - ep, ep))
+    one, two = rest[0, 2], rest[1, 2]
+    old = [rest[i, 0] * begun[0, 2] + rest[i, 1] * begun[1, 2] for i in range(2)]
+    return (
+        one,
+        whole[0, 1] * two - whole[1, 1] * one + old[0],
+        whole[0, 1] * old[1] - whole[1, 1] * old[0],
+        whole[0, 0] + whole[1, 1],
+        (-d).exp(),
+    )
 
 
 def polynomial(alpha: float, beta: float, gamma: float, delta: float) -> tuple[Any, ...]:
@@ -29,12 +47,13 @@ def polynomial(alpha: float, beta: float, gamma: float, delta: float) -> tuple[A
 
 
 def boundary(theta: float, gamma: float, delta: float, d: float) -> tuple[Any, ...]:
-    """-z^d A/(n1 z + n0) on the unit circle."""
-    n1, n0, a, e = device(gamma, delta)
+    """-z^(l+1) A/(m2 z^2 + m1 z + m0) on the unit circle."""
+    whole = math.floor(d)
+    m2, m1, m0, a, e = late(gamma, delta, d - whole)
     t = arb(theta)
     z = acb(t.cos(), t.sin())
-    turn = (arb(d) + 1) * t
-    q = -acb(turn.cos(), turn.sin()) / z * (z * z - a * z + e) / (n1 * z + n0)
+    turn = (arb(whole) + 1) * t
+    q = -acb(turn.cos(), turn.sin()) * (z * z - a * z + e) / ((m2 * z + m1) * z + m0)
     beta = q.imag / t.sin()
     return q.real - beta * (1 - t.cos()), beta
 
@@ -47,7 +66,9 @@ def margin(theta: float, alpha: float, beta: float, delta: float, d: float) -> t
 
 
 def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
-    """Where the margin and its slope vanish: two linear equations."""
+    """Where the margin and its slope vanish: two linear equations for whole delays."""
+    if d % 1:
+        return searched.passive(theta, delta, d)
     t, n = arb(theta), arb(d) + 1
     up, half = (n - arb(1) / 2) * t, t / 2
     k = up.sin() / (2 * half.sin())
@@ -59,7 +80,9 @@ def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
 
 
 def stiffest(delta: float, d: float) -> tuple[Any, ...]:
-    """(11) of the paper."""
+    """(11) of the paper for whole delays."""
+    if d % 1:
+        return searched.stiffest_passive(delta, d)
     n = arb(d) + 1
     angle = arb.pi() / (2 * n)
     beta = ((angle * arb(d)).sin() - arb(d) / n) / angle.sin()
@@ -71,14 +94,22 @@ def line(beta: float, delta: float, d: float) -> tuple[Any, ...]:
     return ((arb(beta) + arb(delta)) / (arb(d) + arb(1) / 2),)
 
 
+def stiffest_stable(gamma: float, delta: float, d: float) -> tuple[Any, ...]:
+    """The first maximum of alpha on the boundary."""
+    return searched.stiffest_stable(late(gamma, delta, d % 1), gamma, d)
+
+
 EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
+    "discretize_late": late,
     "characteristic_polynomial": polynomial,
     "stability_boundary": boundary,
-    "passivity_margin": margin,
+    "passivity_margin_at": margin,
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
+    "passivity_margin": searched.worst,
+    "max_stable_stiffness": stiffest_stable,
 }
 
 

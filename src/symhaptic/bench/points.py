@@ -61,6 +61,7 @@ def columns(
     delay = rng.choice(DELAYS, count)
     some = rng.random(count) < 0.5
     delay = np.where(some, delay, np.floor(10 ** rng.uniform(0, 6, count)))
+    delay = np.where(rng.random(count) < 0.3, 10 ** rng.uniform(-1, 4, count), delay)
     most = (
         np.pi / (delay + 1)
         if (form.plain or form).name == "passivity_boundary"
@@ -74,6 +75,7 @@ def columns(
         "alpha": signs * 10 ** rng.uniform(-6, 2, count),
         "beta": rng.choice([-1.0, 1.0], count) * 10 ** rng.uniform(-6, 2, count),
         "d": delay,
+        "epsilon": np.where(some, rng.uniform(0, 1, count), delay % 1),
         "theta": np.minimum(theta, 3.14159265),
     }
     arrays = [np.ascontiguousarray(values[s.name], dtype=precision.kind) for s in form.arguments]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,32 +12,69 @@ from sympy import Expr
 
 from symhaptic.export.sizes import size as slope_size
 from symhaptic.export.target import code_name
+from symhaptic.export.vectors import rounded
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.model.searched import Searched
 
 
-def sized(expr: Expr, at: dict[str, Any], functions: Any) -> tuple[Any, Any]:
+def sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     """Values and largest terms, as in symhaptic.export.vectors but in floats, on arrays."""
+    if expr not in at:
+        at[expr] = _sized(expr, at, functions)
+    found: tuple[Any, Any] = at[expr]
+    return found
+
+
+def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     if expr.is_Symbol:
         return at[expr.name], np.abs(at[expr.name])
     if expr.is_number:
         return float(expr), abs(float(expr))
+    if isinstance(expr, sp.Piecewise):
+        (yes, condition), (no, _) = expr.args
+        whole = sized(condition.lhs, at, functions)[0] == 0
+        both = sized(yes, at, functions), sized(no, at, functions)
+        return tuple(np.where(whole, *pair) for pair in zip(*both, strict=True))
     parts = [sized(a, at, functions) for a in expr.args]
     if isinstance(expr, Entire):
+        args = [v for v, _ in parts]
+        function = partial(getattr(functions, code_name(type(expr).__name__)), np)
+        value = function(*args)
+        size = np.maximum(np.abs(value), swing(expr, args))
+        return value, size + spoiled(function, value, expr, args)
+    if isinstance(expr, Searched):
         value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
-        return value, np.maximum(np.abs(value), swing(expr, [v for v, _ in parts]))
+        return value, np.abs(value)
     if expr.is_Add:
         total = sum(v for v, _ in parts)
         terms = np.broadcast_arrays(np.abs(total), *(size for _, size in parts))
         return total, np.max(terms, axis=0)
     if expr.is_Mul:
         return math.prod(v for v, _ in parts), math.prod(s for _, s in parts)
+    if expr.is_Pow and expr.args[1] == sp.S.Half:
+        root = np.sqrt(parts[0][0])
+        return root, root
     if expr.is_Pow:
         power = int(expr.args[1])
         base, size = parts[0]
         return base**power, size**power if power > 0 else np.abs(base**power)
-    value = {sp.exp: np.exp, sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan}[expr.func](parts[0][0])
-    return value, np.abs(value)
+    plain: Any = {sp.exp: np.exp, sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan}[expr.func]
+    value = plain(parts[0][0])
+    return value, np.abs(value) + spoiled(plain, value, expr, [parts[0][0]])
+
+
+def spoiled(function: Any, value: Any, expr: Expr, args: list[Any]) -> Any:
+    """How much a rounded product as an argument changes the value, by its last place."""
+    change: Any = 0.0
+    for i, arg in enumerate(expr.args):
+        if rounded(arg):
+            moved = [*args[:i], args[i] * (1 + _SMALL), *args[i + 1 :]]
+            change = change + np.abs(function(*moved) - value) / _SMALL
+    return change
+
+
+_SMALL = 1e-7
 
 
 def swing(expr: Expr, args: list[Any]) -> Any:

@@ -9,7 +9,7 @@ from sympy.printing.pycode import PythonCodePrinter
 
 from symhaptic.export.library import Library, known
 from symhaptic.export.precision import SINGLE
-from symhaptic.export.routine import Routine
+from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
@@ -35,6 +35,8 @@ class ArrayApi(Target):
     )
     operations = single = called(
         "xp.",
+        Infinity="xp.inf",
+        NaN="xp.nan",
         Max="xp.where({0} > {1}, {0}, {1})",
         Min="xp.where({0} < {1}, {0}, {1})",
         ProductError="product_error(xp, {0}, {1})",
@@ -81,12 +83,29 @@ class ArrayApi(Target):
 
     def _steps(self, routine: Routine) -> list[str]:
         printer = self.printing()
-        lines = [
-            f"    {self.rename(symbol.name)} = {printer.doprint(expr)}"
-            for symbol, expr in routine.steps
-        ]
+        lines = []
+        for step in routine.steps:
+            if isinstance(step, Repeat):
+                lines += [f"    {line}" for line in self._repeated(step)]
+            else:
+                value = printer.doprint(step[1])
+                if step[1].is_number and routine.arguments:
+                    value = f"xp.full_like({self._arguments(routine)[-1]}, {value})"
+                lines.append(f"    {self.rename(step[0].name)} = {value}")
         values = ", ".join(printer.doprint(value) for _, value in routine.results)
         return [*lines, f"    return {values}"]
+
+    def _repeated(self, loop: Repeat) -> list[str]:
+        """Its condition and its steps as two functions, which a helper calls."""
+        printer = self.printing()
+        states = ", ".join(self.rename(s.name) for s in loop.states)
+        over, step = (f"{word}_{loop.states[0].name}" for word in ("over", "step"))
+        lines = [f"def {over}({states}):", f"    return {printer.doprint(loop.done)}", ""]
+        lines.append(f"def {step}({states}):")
+        lines += [f"    {self.rename(n.name)} = {printer.doprint(e)}" for n, e in loop.steps]
+        lines += [f"    return {', '.join(self.rename(n.name) for n in loop.next)}", ""]
+        start = ", ".join(printer.doprint(first) for first in loop.start)
+        return [*lines, f"{states} = _repeat(xp, {loop.most}, {over}, {step}, {start})"]
 
     def usage(self, library: Library) -> str:
         """An import of the first function."""
@@ -123,6 +142,16 @@ def _arrays(*values):
     floats = [v.dtype for v in values if getattr(v, "dtype", None) in (xp.float32, xp.float64)]
     wide = xp.float64 if xp.float64 in floats or not floats else xp.float32
     return xp, [xp.asarray(v, dtype=wide) for v in values]
+
+
+def _repeat(xp, most, over, step, *states):
+    \"\"\"The states after so many steps; what is over keeps its own.\"\"\"
+    for _ in range(most):
+        done = over(*states)
+        if xp.all(done):
+            break
+        states = [xp.where(done, *pair) for pair in zip(states, step(*states))]
+    return states
 """
 
 _PRODUCT_ERROR = """def product_error(xp, y, z):

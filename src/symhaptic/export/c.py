@@ -6,7 +6,7 @@ from sympy.printing.c import C99CodePrinter
 
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.routine import Assign, Block, Choice, Join, Routine, Set, lazy
+from symhaptic.export.routine import Assign, Block, Choice, Join, Repeat, Routine, Set, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
@@ -34,6 +34,8 @@ def braces(
         if isinstance(statement, Assign):
             name = target.rename(statement.name.name)
             lines.append(f"{pad}{declare} {name} = {printer.doprint(statement.expr)};")
+        elif isinstance(statement, Repeat):
+            lines += [pad + line for line in _repeated(target, statement, declare)]
         elif isinstance(statement, Choice):
             lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
             lines += braces(target, statement.yes, ends, declare, depth + 1)
@@ -53,6 +55,24 @@ def braces(
     return lines
 
 
+def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
+    printer = target.printing()
+    states = [target.rename(s.name) for s in loop.states]
+    count = f"count_{states[0]}"
+    lines = [
+        f"{target.changing or target.real} {name} = {printer.doprint(first)};"
+        for name, first in zip(states, loop.start, strict=True)
+    ]
+    lines.append(target.times.format(count, loop.most))
+    inner = [f"if ({printer.doprint(loop.done)}) {{ break; }}"]
+    inner += [f"{declare} {target.rename(n.name)} = {printer.doprint(e)};" for n, e in loop.steps]
+    inner += [
+        f"{name} = {target.rename(after.name)};"
+        for name, after in zip(states, loop.next, strict=True)
+    ]
+    return [*lines, *(f"    {line}" for line in inner), "}"]
+
+
 class C(Target):
     """One source file and its header."""
 
@@ -60,6 +80,8 @@ class C(Target):
     operations = called(
         "",
         Abs="fabs({0})",
+        Infinity="INFINITY",
+        NaN="NAN",
         Max="fmax({0}, {1})",
         Min="fmin({0}, {1})",
         ProductError="fma({0}, {1}, -({0}*{1}))",
@@ -68,6 +90,8 @@ class C(Target):
         "",
         "f",
         Abs="fabsf({0})",
+        Infinity="INFINITY",
+        NaN="NAN",
         Max="fmaxf({0}, {1})",
         Min="fminf({0}, {1})",
         ProductError="fmaf({0}, {1}, -({0}*{1}))",
@@ -97,8 +121,7 @@ class C(Target):
         for routine in library.public:
             ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
             lines.append(f"{self._head(library, routine)} {{")
-            if len(ends) == 1:
-                ends = ["return {0};"]
+            ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
             lines += [*braces(self, lazy(routine), ends, f"const {self.real}"), "}", ""]
         return {f"{library.name}.h": "\n".join(header), f"{library.name}.c": "\n".join(lines)}
 

@@ -32,6 +32,8 @@ class Cpp(Target):
     operations = single = called(
         "std::",
         Abs="std::fabs({0})",
+        Infinity="std::numeric_limits<{real}>::infinity()",
+        NaN="std::numeric_limits<{real}>::quiet_NaN()",
         Max="std::fmax({0}, {1})",
         Min="std::fmin({0}, {1})",
         ProductError="std::fma({0}, {1}, -({0}*{1}))",
@@ -53,7 +55,8 @@ class Cpp(Target):
             heads += [*(f"/// {line}" for line in describe(form)), f"{self._head(routine)};", ""]
         header = ["#pragma once", "", "#include <array>", "", f"namespace {library.name} {{", "",
                   *heads, "}", ""]  # fmt: skip
-        lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "", "namespace {", ""]
+        lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "#include <limits>", "",
+                 "namespace {", ""]  # fmt: skip
         for helper in library.helpers:
             args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in helper.arguments)
             lines += [f"// {helper.about}", f"{self.real} {self.call(helper.name)}({args}) {{"]

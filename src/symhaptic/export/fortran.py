@@ -9,7 +9,7 @@ from sympy.printing.fortran import FCodePrinter
 
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.routine import Assign, Block, Choice, Join, Routine, Set, lazy
+from symhaptic.export.routine import Assign, Block, Choice, Join, Repeat, Routine, Set, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
@@ -39,6 +39,8 @@ class Fortran(Target):
     )
     operations = called(
         "",
+        Infinity="ieee_value(1.0_wp, ieee_positive_inf)",
+        NaN="ieee_value(1.0_wp, ieee_quiet_nan)",
         ProductError="product_error({0}, {1})",
         floor="(aint({0}) - merge(1.0_wp, 0.0_wp, aint({0}) > {0}))",
     )
@@ -61,6 +63,7 @@ class Fortran(Target):
         lines = [
             f"module {library.name}",
             f"  use, intrinsic :: iso_fortran_env, only: wp => {self.real}",
+            "  use, intrinsic :: ieee_arithmetic",
             "  implicit none",
             "  private",
             *_folded(f"  public :: {names}"),
@@ -101,6 +104,8 @@ class Fortran(Target):
             kinds, tail = [f"    real(wp), intent(out) :: {', '.join(results)}"], "subroutine"
         declared = [f"    real(wp), intent(in) :: {', '.join(args)}"] if args else []
         declared += kinds + ([f"    real(wp) :: {', '.join(locals_)}"] if locals_ else [])
+        if any(isinstance(step, Repeat) for step in routine.steps):
+            declared.append("    integer :: count_")
         lines = [head, *declared, *self._body(block, results, 2), f"  end {tail} {name}"]
         return [part for line in lines for part in _folded(line)]
 
@@ -110,6 +115,8 @@ class Fortran(Target):
             if isinstance(statement, (Assign, Set)):
                 value = printer.doprint(statement.expr)
                 lines.append(f"{pad}{self.rename(statement.name.name)} = {value}")
+            elif isinstance(statement, Repeat):
+                lines += [pad + line for line in self._repeated(statement)]
             elif isinstance(statement, (Choice, Join)):
                 lines.append(f"{pad}if ({printer.doprint(statement.condition)}) then")
                 lines += self._body(statement.yes, results, depth + 1)
@@ -119,6 +126,16 @@ class Fortran(Target):
                 for name, value in zip(results, statement.results, strict=True):
                     lines.append(f"{pad}{name} = {printer.doprint(value)}")
         return lines
+
+    def _repeated(self, loop: Repeat) -> list[str]:
+        printer = self.printing()
+        states = [self.rename(s.name) for s in loop.states]
+        begin = zip(states, loop.start, strict=True)
+        lines = [f"{name} = {printer.doprint(first)}" for name, first in begin]
+        lines += [f"do count_ = 1, {loop.most}", f"  if ({printer.doprint(loop.done)}) exit"]
+        lines += [f"  {self.rename(n.name)} = {printer.doprint(e)}" for n, e in loop.steps]
+        after = zip(states, loop.next, strict=True)
+        return [*lines, *(f"  {name} = {self.rename(n.name)}" for name, n in after), "end do"]
 
     def usage(self, library: Library) -> str:
         """A use of the first function."""
@@ -171,6 +188,8 @@ def _assigned(block: Block) -> set[str]:
     for statement in block:
         if isinstance(statement, (Assign, Set)):
             found.add(statement.name.name)
+        elif isinstance(statement, Repeat):
+            found |= {s.name for s in (*statement.states, *(n for n, _ in statement.steps))}
         elif isinstance(statement, (Choice, Join)):
             found |= _assigned(statement.yes) | _assigned(statement.no)
     return found

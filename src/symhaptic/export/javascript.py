@@ -20,6 +20,8 @@ class Javascript(Target):
     """One module; several results are an array."""
 
     name, title, printer = "javascript", "JavaScript", _Printer
+    changing = "let"
+    times = "for (let {0} = 0; {0} < {1}; ++{0}) {{"
     words = MappingProxyType({"==": "===", "!=": "!=="})
     keywords = vocabulary(
         "arguments await break case catch class const continue debugger default delete do else "
@@ -29,6 +31,8 @@ class Javascript(Target):
     )
     operations = called(
         "Math.",
+        Infinity="Infinity",
+        NaN="NaN",
         ProductError="product_error({0}, {1})",
     )
 

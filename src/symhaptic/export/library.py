@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import chain, count
 
 import sympy as sp
-from sympy import Expr, Symbol
+from sympy import Expr, Piecewise, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.export import counting, device, elementary, pairs, slopes
+from symhaptic.export import (
+    counting,
+    device,
+    elementary,
+    late_counting,
+    pairs,
+    passive,
+    slopes,
+    stiffest,
+)
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, expm1
+from symhaptic.export.routine import Routine, Step, choose, expm1
 from symhaptic.export.target import Refused, Target, calls, code_name, operations
 from symhaptic.model.entire import CosNext, Entire, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
@@ -39,25 +48,47 @@ def known(precision: Precision = DOUBLE) -> dict[str, Routine]:
     return {r.name: r for r in made}
 
 
-_MODULES = (elementary, pairs, device, slopes, counting)
+_MODULES = (
+    elementary, pairs, device, slopes, counting, late_counting, passive, stiffest,
+)  # fmt: skip
 
 
 def routine(form: Form) -> Routine:
     """A form with its common subexpressions shared."""
     taken = {s.name for e in form.expressions for s in e.free_symbols}
     fresh = (Symbol(n) for n in (f"t{i}" for i in range(10**6)) if n not in taken)
-    steps, results = sp.cse(list(form.expressions), symbols=fresh, order="none")
-    done: list[tuple[Symbol, Expr]] = []
+    given, together = _apart(form.expressions)
+    steps, results = sp.cse(given, symbols=fresh, order="none")
+    done: list[Step] = []
     for name, expr in steps:
         done.append((name, _with_named_bases(expr, done, fresh)))
-    found = [_with_named_bases(expr, done, fresh) for expr in results]
+    found = together([_with_named_bases(expr, done, fresh) for expr in results])
     names = [name for name, _ in form.results]
     return Routine(
         form.name, form.title, form.arguments, tuple(done), tuple(zip(names, found, strict=True))
     )
 
 
-def _with_named_bases(expr: Expr, done: list[tuple[Symbol, Expr]], fresh: Iterable[Symbol]) -> Expr:
+def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], list[Expr]]]:
+    """Expressions without choices, and what makes choices of them again.
+
+    So that what a choice shares with others is not computed where it does not count.
+    """
+    if not all(isinstance(expr, Piecewise) for expr in exprs):
+        return list(exprs), lambda found: found
+    first = exprs[0].args[0][1]
+    count = len(exprs)
+    if not isinstance(first, sp.Eq) or any(e.args[0][1] != first or len(e.args) > 2 for e in exprs):
+        raise ValueError(f"{first}: is not the one condition of all results")
+
+    def together(found: list[Expr]) -> list[Expr]:
+        pairs = zip(found[:count], found[count:-1], strict=True)
+        return [choose(sp.Eq(found[-1], first.rhs), *pair) for pair in pairs]
+
+    return [e.args[k][0] for k in (0, 1) for e in exprs] + [first.lhs], together
+
+
+def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> Expr:
     """Powers of symbols only, so that a product does not compute its factor twice."""
     for power in sorted(expr.atoms(sp.Pow), key=sp.count_ops):
         base, exponent = power.args
@@ -70,7 +101,7 @@ def _with_named_bases(expr: Expr, done: list[tuple[Symbol, Expr]], fresh: Iterab
 
 def shared(user: Routine, routines: Mapping[str, Routine]) -> Routine:
     """The routine with those of SHARED taken in; a step that two of them have is done once."""
-    taken = {s.name for s in (*user.arguments, *(s for s, _ in user.steps))}
+    taken = {s.name for s in (*user.arguments, *(s for s, _ in user.assignments))}
     done: dict[Expr, Symbol] = {}
 
     def step(name: str, expr: Expr) -> Symbol:
@@ -95,12 +126,12 @@ def shared(user: Routine, routines: Mapping[str, Routine]) -> Routine:
             return step(f"{name}_of", call)
         own = routines[type(call).__name__]
         names = {s: step(s.name, arg) for s, arg in zip(own.arguments, call.args, strict=True)}
-        for symbol, expr in own.steps:
+        for symbol, expr in own.assignments:
             names[symbol] = step(symbol.name, named(expr.xreplace(names)))
         return step(f"{name}_of", named(own.results[0][1].xreplace(names)))
 
     steps: dict[Symbol, Expr] = {}
-    for symbol, expr in user.steps:
+    for symbol, expr in user.assignments:
         found = named(expr)
         steps |= {s: e for e, s in done.items()}
         if found in done:

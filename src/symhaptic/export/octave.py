@@ -7,7 +7,7 @@ from types import MappingProxyType
 from sympy.printing.octave import OctaveCodePrinter
 
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Assign, Block, Choice, Join, Routine, Set, lazy
+from symhaptic.export.routine import Assign, Block, Choice, Join, Repeat, Routine, Set, lazy
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
@@ -28,6 +28,8 @@ class Octave(Target):
     )
     operations = called(
         "",
+        Infinity="Inf",
+        NaN="NaN",
         ProductError="product_error({0}, {1})",
     )
 
@@ -57,6 +59,8 @@ class Octave(Target):
             if isinstance(statement, (Assign, Set)):
                 value = printer.doprint(statement.expr)
                 lines.append(f"{pad}{self.rename(statement.name.name)} = {value};")
+            elif isinstance(statement, Repeat):
+                lines += [pad + line for line in self._repeated(statement)]
             elif isinstance(statement, (Choice, Join)):
                 lines.append(f"{pad}if {printer.doprint(statement.condition)}")
                 lines += self._body(statement.yes, results, depth + 1)
@@ -66,6 +70,17 @@ class Octave(Target):
                 for name, value in zip(results, statement.results, strict=True):
                     lines.append(f"{pad}{name} = {printer.doprint(value)};")
         return lines
+
+    def _repeated(self, loop: Repeat) -> list[str]:
+        printer = self.printing()
+        states = [self.rename(s.name) for s in loop.states]
+        begin = zip(states, loop.start, strict=True)
+        lines = [f"{name} = {printer.doprint(first)};" for name, first in begin]
+        lines += [f"for count_{states[0]} = 1:{loop.most}", f"  if {printer.doprint(loop.done)}"]
+        lines += ["    break;", "  end"]
+        lines += [f"  {self.rename(n.name)} = {printer.doprint(e)};" for n, e in loop.steps]
+        after = zip(states, loop.next, strict=True)
+        return [*lines, *(f"  {name} = {self.rename(n.name)};" for name, n in after), "end"]
 
     def usage(self, library: Library) -> str:
         """A call of the first function."""

@@ -34,6 +34,16 @@ class Precision:
         return sp.Rational(1, 2 ** (self.bits - 1))
 
     @property
+    def close(self) -> sp.Rational:
+        """Relative distance of two ends of a bracket that are as good as one."""
+        return 2 * self.last
+
+    @property
+    def flat(self) -> sp.Rational:
+        """The same for the place of a maximum, whose value changes by the square of it."""
+        return sp.Rational(1, 2 ** (self.bits // 2 + 5))
+
+    @property
     def below_pi(self) -> float:
         """The largest float that is less than pi."""
         near = self.kind(np.pi)

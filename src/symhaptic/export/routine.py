@@ -7,8 +7,9 @@ all of them or only the one that counts.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from itertools import count
 
 import sympy as sp
 from sympy import Expr, Function, Piecewise, Symbol
@@ -23,6 +24,45 @@ class ProductError(Function):  # type: ignore[misc]
 
 
 @dataclass(frozen=True)
+class Repeat:
+    """``start`` put into ``states``, then ``steps`` and ``next`` until ``done``, or so many times.
+
+    Whether it is done is asked of the states, before each time.  Elements of an array that are
+    done keep their states while others go on.
+    """
+
+    states: tuple[Symbol, ...]
+    start: tuple[Expr, ...]
+    steps: tuple[tuple[Symbol, Expr], ...]
+    """Done in this order, each time."""
+    next: tuple[Symbol, ...]
+    """Of these steps, the ones that become the states."""
+    most: int
+    done: Boolean
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """All of its right-hand sides, and its condition."""
+        return (*self.start, *(e for _, e in self.steps), self.done)
+
+    @property
+    def free_symbols(self) -> set[Symbol]:
+        """What has to be known before."""
+        own = {*self.states, *(name for name, _ in self.steps)}
+        inner = {s for e in self.expressions[len(self.start) :] for s in e.free_symbols} - own
+        return inner | {s for e in self.start for s in e.free_symbols}
+
+
+Step = tuple[Symbol, Expr] | Repeat
+"""``name = expr``, or a repetition."""
+
+
+def names(step: Step) -> tuple[Symbol, ...]:
+    """What a step makes known."""
+    return step.states if isinstance(step, Repeat) else step[:1]
+
+
+@dataclass(frozen=True)
 class Routine:
     """A function with one result or several."""
 
@@ -30,30 +70,72 @@ class Routine:
     about: str
     """One line: what it computes."""
     arguments: tuple[Symbol, ...]
-    steps: tuple[tuple[Symbol, Expr], ...]
+    steps: tuple[Step, ...]
     results: tuple[tuple[str, Expr], ...]
+
+    @property
+    def assignments(self) -> tuple[tuple[Symbol, Expr], ...]:
+        """The steps of a routine that repeats nothing."""
+        found = tuple(step for step in self.steps if not isinstance(step, Repeat))
+        if len(found) < len(self.steps):
+            raise ValueError(f"{self.name}: repeats something")
+        return found
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
         """All right-hand sides, those of the results last."""
-        return tuple(e for _, e in self.steps) + tuple(e for _, e in self.results)
+        found: tuple[Expr, ...] = ()
+        for step in self.steps:
+            found += step.expressions if isinstance(step, Repeat) else step[1:]
+        return found + tuple(e for _, e in self.results)
 
 
 @dataclass
 class Steps:
     """Collects the steps of a routine; each call adds one and gives its name."""
 
-    done: list[tuple[Symbol, Expr]] = field(default_factory=list)
+    done: list[Step] = field(default_factory=list)
+    taken: set[str] = field(default_factory=set)
+
+    def fresh(self, name: str) -> Symbol:
+        """A name; one that is taken gets a number."""
+        number, free = 1, name
+        while free in self.taken:
+            number, free = number + 1, f"{name}{number + 1}"
+        self.taken.add(free)
+        return Symbol(free)
 
     def __call__(self, name: str, expr: Expr) -> Symbol:
-        """The step ``name = expr``; a name that is taken gets a number."""
-        taken = {symbol.name for symbol, _ in self.done}
-        count, fresh = 1, name
-        while fresh in taken:
-            count, fresh = count + 1, f"{name}{count + 1}"
-        symbol = Symbol(fresh)
+        """The step ``name = expr``."""
+        symbol = self.fresh(name)
         self.done.append((symbol, sp.sympify(expr)))
         return symbol
+
+    def repeat(
+        self,
+        start: dict[str, Expr],
+        step: Callable[[Steps, tuple[Symbol, ...]], Iterable[Expr]],
+        done: Callable[[tuple[Symbol, ...]], Boolean],
+        most: int,
+    ) -> tuple[Symbol, ...]:
+        """A repetition: ``step`` makes the next states out of the states; gives the last ones."""
+        states = tuple(self.fresh(name) for name in start)
+        inner = Steps(taken=self.taken)
+        made = list(step(inner, states))
+        after = tuple(inner(f"next_{name}", expr) for name, expr in zip(start, made, strict=True))
+        steps = tuple(s for s in inner.done if not isinstance(s, Repeat))
+        if len(steps) < len(inner.done):
+            raise ValueError("a repetition inside another one has to be a routine of its own")
+        first = tuple(sp.sympify(e) for e in start.values())
+        self.done.append(Repeat(states, first, steps, after, most, done(states)))
+        return states
+
+    def shared(self, *exprs: Expr) -> list[Expr]:
+        """The expressions made of steps for what they have in common."""
+        fresh = (self.fresh("t") for _ in count())
+        steps, results = sp.cse(exprs, symbols=fresh, order="none")
+        self.done += steps
+        return list(results)
 
     def nonzero(self, value: Expr) -> Symbol:
         """The value, or 1 in its place where it is 0."""
@@ -149,7 +231,7 @@ class Return:
     results: tuple[Expr, ...]
 
 
-Block = tuple[Assign | Choice | Join | Set | Return, ...]
+Block = tuple[Assign | Repeat | Choice | Join | Set | Return, ...]
 
 
 def lazy(routine: Routine) -> Block:
@@ -168,52 +250,63 @@ class _Lazy:
     """Puts steps into the branches that need them."""
 
     def __init__(self, routine: Routine) -> None:
-        self.known = dict(routine.steps)
-        self.order = {name: i for i, (name, _) in enumerate(routine.steps)}
+        self.known = dict(step for step in routine.steps if not isinstance(step, Repeat))
+        self.loops = {s: r for r in routine.steps if isinstance(r, Repeat) for s in r.states}
+        self.order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
 
     def returned(self, results: tuple[Expr, ...], done: set[Symbol], facts: Facts) -> Block:
         """What leads to the results and returns them."""
         results = tuple(e.xreplace(facts) for e in results)
-        (only, *others) = results
-        if others or not isinstance(only, Piecewise):
+        if not _chosen_alike(results):
             steps, _ = self._steps(results, done, facts)
             return (*steps, Return(results))
-        condition, yes, no = parted(only)
+        condition = parted(results[0])[0]
         steps, done = self._steps((condition,), done, facts)
-        return (*steps, Choice(
-            condition,
-            self.returned((yes,), done, facts | _decided(condition, sp.true)),
-            self.returned((no,), done, facts | _decided(condition, sp.false)),
-        ))  # fmt: skip
+        yes, no = (
+            self.returned(tuple(parted(r)[side] for r in results), done,
+                          facts | _decided(condition, value))
+            for side, value in ((1, sp.true), (2, sp.false))
+        )  # fmt: skip
+        return (*steps, Choice(condition, yes, no))
 
     def _steps(
         self, wanted: Iterable[Expr], done: set[Symbol], facts: Facts
     ) -> tuple[Block, set[Symbol]]:
         """All steps that the expressions always need, and what is done then."""
-        exprs = {s: self.known[s].xreplace(facts) for s in self._closure(wanted, done)}
+        needed = self._closure(wanted, done)
+        exprs = {s: self.known[s].xreplace(facts) for s in needed if s in self.known}
         always = self._always(wanted, exprs, done)
         left = sorted(always, key=self.order.__getitem__)
-        written: list[Assign | Choice | Join | Set | Return] = []
+        written: list[Assign | Repeat | Choice | Join | Set | Return] = []
         done = set(done)
         while left:
-            plain = [s for s in left if not self._branches(exprs[s], exprs, always | done)
+            loops = [self.loops[s] for s in left if s in self.loops]
+            ready = [r for r in loops if not r.free_symbols & set(left)]
+            if ready:
+                written.append(ready[0])
+                left = [s for s in left if s not in ready[0].states]
+                done |= set(ready[0].states)
+                continue
+            plain = [s for s in left if s in exprs
+                     and not self._branches(exprs[s], exprs, always | done)
                      and not (exprs[s].free_symbols & set(left))]  # fmt: skip
             if plain:
                 written.append(Assign(plain[0], exprs[plain[0]]))
                 left.remove(plain[0])
                 done.add(plain[0])
                 continue
-            ready = [s for s in left if not (self._closure((exprs[s],), done) & set(left))]
-            condition = parted(exprs[ready[0]])[0]
-            names = tuple(s for s in ready if parted(exprs[s])[0] == condition)
+            split = [s for s in left if s in exprs
+                     and not (self._closure((exprs[s],), done) & set(left))]  # fmt: skip
+            condition = parted(exprs[split[0]])[0]
+            together = tuple(s for s in split if parted(exprs[s])[0] == condition)
             yes, no = (
-                self._arm([(s, parted(exprs[s])[side]) for s in names], done,
+                self._arm([(s, parted(exprs[s])[side]) for s in together], done,
                           facts | _decided(condition, value))
                 for side, value in ((1, sp.true), (2, sp.false))
             )  # fmt: skip
-            written.append(Join(names, condition, yes, no))
-            left = [s for s in left if s not in names]
-            done |= set(names)
+            written.append(Join(together, condition, yes, no))
+            left = [s for s in left if s not in together]
+            done |= set(together)
         return tuple(written), done
 
     def _arm(self, values: list[tuple[Symbol, Expr]], done: set[Symbol], facts: Facts) -> Block:
@@ -245,9 +338,14 @@ class _Lazy:
         left = [s for e in wanted for s in e.free_symbols]
         while left:
             symbol = left.pop()
-            if symbol in self.known and symbol not in found and symbol not in done:
+            if symbol in found or symbol in done:
+                continue
+            if symbol in self.known:
                 found.add(symbol)
                 left += self.known[symbol].free_symbols
+            elif symbol in self.loops:
+                found |= set(self.loops[symbol].states)
+                left += self.loops[symbol].free_symbols
         return found
 
     def _always(
@@ -258,7 +356,13 @@ class _Lazy:
         left = [s for e in wanted for s in e.free_symbols]
         while left:
             symbol = left.pop()
-            if symbol not in exprs or symbol in found or symbol in done:
+            if symbol in found or symbol in done:
+                continue
+            if symbol in self.loops:
+                found |= set(self.loops[symbol].states)
+                left += self.loops[symbol].free_symbols
+                continue
+            if symbol not in exprs:
                 continue
             found.add(symbol)
             expr = exprs[symbol]
@@ -283,6 +387,13 @@ class _Lazy:
         return bool(own) or calls
 
 
+def _chosen_alike(results: tuple[Expr, ...]) -> bool:
+    """Whether all results choose by the same condition first."""
+    return all(isinstance(r, Piecewise) for r in results) and (
+        len({parted(r)[0] for r in results}) == 1
+    )
+
+
 def _decided(condition: Boolean, value: Boolean) -> Facts:
     return {condition: value, sp.Not(condition): sp.Not(value)}
 
@@ -295,6 +406,7 @@ def parted(expr: Piecewise) -> tuple[Boolean, Expr, Expr]:
 
 __all__ = [
     "ProductError",
+    "Repeat",
     "Routine",
     "Steps",
     "choose",

@@ -21,6 +21,8 @@ class Rust(Target):
     """One module; several results are a tuple."""
 
     name, title, printer = "rust", "Rust", _Printer
+    changing = "let mut"
+    times = "for _ in 0..{1} {{"
     choice = "(if {0} {{ {1} }} else {{ {2} }})"
     keywords = vocabulary(
         "as async await break const continue crate dyn else enum extern false fn for if impl in "
@@ -31,6 +33,8 @@ class Rust(Target):
     operations = MappingProxyType(
         {
             "Abs": "({0}).abs()",
+            "Infinity": "{real}::INFINITY",
+            "NaN": "{real}::NAN",
             "Max": "({0}).max({1})",
             "Min": "({0}).min({1})",
             "ProductError": "({0}).mul_add({1}, -({0}*{1}))",

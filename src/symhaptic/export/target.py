@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from copy import copy
+from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +19,6 @@ from sympy.printing.codeprinter import CodePrinter
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine
-from symhaptic.model.values import ALL as ENTIRE
 from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from symhaptic.model.stable import Form
 
 OPERATIONS = (
-    "Abs", "Max", "Min", "ProductError", "atan2", "cos", "exp", "expm1", "floor", "sin", "sqrt",
-    "tan",
+    "Abs", "Infinity", "Max", "Min", "NaN", "ProductError", "atan2", "cos", "exp", "expm1", "floor",
+    "sin", "sqrt", "tan",
 )  # fmt: skip
 """Beside sums, products, quotients, comparisons and choices, what formulas are written with."""
 
@@ -65,7 +65,12 @@ def code_name(name: str) -> str:
     return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower())
 
 
-_TAKEN = frozenset(code_name(name) for name in (*ENTIRE, "Stable", "UnstableRoots"))
+@cache
+def _taken() -> frozenset[str]:
+    """The names of all routines."""
+    from symhaptic.export.library import known
+
+    return frozenset(code_name(name) for name in known())
 
 
 class Printing(CodePrinter):  # type: ignore[misc]
@@ -92,10 +97,16 @@ class Printing(CodePrinter):  # type: ignore[misc]
         template = self.target.operations.get(name)
         if template is None:
             raise Refused(f"{self.target.name}: has no operation {name!r}")
-        return template.format(*(self._print(a) for a in args))
+        return template.format(*(self._print(a) for a in args), real=self.target.real)
 
     _print_Abs = _print_ProductError = _print_atan2 = _print_cos = _print_exp = _operation  # noqa: N815
     _print_expm1 = _print_floor = _print_sin = _print_tan = _operation
+
+    def _print_NaN(self, expr: Expr) -> str:
+        return self._written("NaN", ())
+
+    def _print_Infinity(self, expr: Expr) -> str:
+        return self._written("Infinity", ())
 
     def _folded(self, expr: Expr) -> str:
         """Max and Min of two or more, by pairs."""
@@ -201,6 +212,11 @@ class Target:
         """What declares a variable that gets its value later."""
         return "let"
 
+    changing = ""
+    """What declares a variable that changes, in a language with braces, if not its type."""
+    times = "for (int {0} = 0; {0} < {1}; ++{0}) {{"
+    """The head of what is repeated, in such a language."""
+
     # -- expressions -------------------------------------------------------------------
 
     def number(self, value: float) -> str:
@@ -218,7 +234,7 @@ class Target:
 
     def rename(self, name: str) -> str:
         """The name of a variable: neither a keyword nor that of a routine."""
-        return f"{name}_" if self.reserves(name) or name in _TAKEN else name
+        return f"{name}_" if self.reserves(name) or name in _taken() else name
 
     def reserves(self, name: str) -> bool:
         """Whether a name is a keyword."""

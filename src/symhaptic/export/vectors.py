@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
 from itertools import product
 from typing import Any
@@ -15,15 +15,18 @@ from sympy import Expr, Symbol
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.sizes import size as slope_size
-from symhaptic.model.counted import Stable, UnstableRoots, outside
+from symhaptic.model.counted import LateRoots, Stable, UnstableRoots, late_outside, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.model.searched import Searched
 from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.stable import Form
 from symhaptic.model.values import value
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta
+from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
-_ALLOWED = {"discretize": 4, "passivity_margin": 4, "stability_conditions": 64}
+_ALLOWED = {
+    "discretize": 4, "passivity_margin_at": 4, "passivity_margin": 4, "stability_conditions": 64,
+}  # fmt: skip
 _ELSE = 8
 _SLOPES = 16
 """The same with derivatives."""
@@ -44,7 +47,8 @@ _HARD = {
     delta: (0.0, TINIEST, 1e-8, 0.02, 2.0, 60.0, 700.0),
     alpha: (0.0, 0.3, -0.1, 1e-9),
     beta: (0.0, 0.2, -0.05, 1e3),
-    d: (0.0, 1.0, 2.0, 1e6, 0.5),
+    d: (0.0, 1.0, 2.0, 1e6, 0.5, 3.25),
+    epsilon: (0.0, 0.5, 1e-9, 0.999),
     theta: (1e-9, 0.01, 1.0, 3.0, 3.141592653589793 - 1e-9),
 }
 _CRITICAL = [(0.25, 1.0), (BELOW, 1.0), (ABOVE, 1.0), (25.0, 10.0)]
@@ -92,27 +96,26 @@ def points(form: Form, precision: Precision = DOUBLE) -> list[tuple[float, ...]]
 _DIGITS = 60
 """Of each entire function; what a stable form loses beyond is its largest term's last place."""
 
-_PLAIN = {sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan}
+_PLAIN = {
+    sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan, sp.Abs: abs,
+}  # fmt: skip
 
 
-Known = dict[Expr, tuple[mpf, mpf]]
+Sizes = dict[Expr, tuple[mpf, mpf]]
 
 
-def sized(expr: Expr, at: Mapping[Symbol, mpf], known: Known | None = None) -> tuple[mpf, mpf]:
+def sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     """Value and largest term of a form at a point: what its last place is measured by.
 
     A difference is as large as its larger side, a sum at least as large as its value, a product
-    as large as its factors.  What is ``known`` at the point is not computed again.
+    as large as its factors.  ``at`` has those of the arguments, and keeps all that are found.
     """
-    known = {} if known is None else known
-    if expr not in known:
-        known[expr] = _sized(expr, at, known)
-    return known[expr]
+    if expr not in at:
+        at[expr] = _sized(expr, at)
+    return at[expr]
 
 
-def _sized(expr: Expr, at: Mapping[Symbol, mpf], known: Known) -> tuple[mpf, mpf]:
-    if expr.is_Symbol:
-        return at[expr], abs(at[expr])
+def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     if expr.is_Rational:
         exact = mpf(expr.p) / expr.q
         return exact, abs(exact)
@@ -120,11 +123,21 @@ def _sized(expr: Expr, at: Mapping[Symbol, mpf], known: Known) -> tuple[mpf, mpf
         return +mpmath.pi, +mpmath.pi
     if isinstance(expr, Entire):
         cls: Any = type(expr)
-        exact = _entire(cls, tuple(sized(arg, at, known)[0] for arg in expr.args))
-        return exact, max(abs(exact), _swing(expr, [known[arg][0] for arg in expr.args]))
-    parts = [sized(arg, at, known) for arg in expr.args]
-    if isinstance(expr, UnstableRoots):
-        count = outside(*(v for v, _ in parts))
+        args = [sized(arg, at)[0] for arg in expr.args]
+        exact = _entire(cls, tuple(args))
+        return exact, max(abs(exact), _swing(expr, args)) + _spoiled(expr, exact, at)
+    if isinstance(expr, sp.Piecewise):
+        (yes, condition), (no, _) = expr.args
+        return sized(yes if sized(condition.lhs - condition.rhs, at)[0] == 0 else no, at)
+    parts = [sized(arg, at) for arg in expr.args]
+    if isinstance(expr, Searched):
+        kind: Any = type(expr)
+        exact = _searched(kind, tuple(v for v, _ in parts))
+        return exact, abs(exact)
+    if isinstance(expr, UnstableRoots | LateRoots):
+        count = (outside if isinstance(expr, UnstableRoots) else late_outside)(
+            *(v for v, _ in parts)
+        )
         return count, count
     if isinstance(expr, Stable):  # no root on the circle, where the count is known
         good = mpf(parts[0][0] == 0)
@@ -137,8 +150,31 @@ def _sized(expr: Expr, at: Mapping[Symbol, mpf], known: Known) -> tuple[mpf, mpf
     if expr.is_Pow and expr.args[1].is_Integer:
         (base, size), power = parts[0], int(expr.args[1])
         return base**power, size**power if power > 0 else abs(base) ** power
+    if expr.is_Pow:
+        root = mpmath.sqrt(parts[0][0])
+        return root, root
     exact = _PLAIN[expr.func](parts[0][0])
-    return exact, abs(exact)
+    return exact, abs(exact) + _spoiled(expr, exact, at)
+
+
+def rounded(arg: Expr) -> bool:
+    """Whether an argument is a product that may be rounded."""
+    return len(arg.free_symbols) > 1
+
+
+def _spoiled(expr: Any, exact: mpf, at: Sizes) -> mpf:
+    """How much a rounded product as an argument changes the value, by its last place."""
+    change, cls = mpf(0), type(expr)
+    for i, arg in enumerate(expr.args):
+        if rounded(arg):
+            args = [sized(a, at)[0] for a in expr.args]
+            args[i] *= 1 + _SMALL
+            moved = _entire(cls, tuple(args)) if isinstance(expr, Entire) else _PLAIN[cls](*args)
+            change += abs(moved - exact) / _SMALL
+    return change
+
+
+_SMALL = mpf(2) ** -60
 
 
 @cache
@@ -147,6 +183,12 @@ def _entire(cls: Any, args: tuple[mpf, ...]) -> mpf:
         return BY_MATRIX[cls](*args)
     symbols = sp.symbols(f"x:{len(args)}")
     return value(cls(*symbols), dict(zip(symbols, args, strict=True)), _DIGITS)
+
+
+@cache
+def _searched(cls: Any, args: tuple[mpf, ...]) -> mpf:
+    found: mpf = cls.exact(*args)
+    return found
 
 
 def _swing(expr: Expr, args: list[mpf]) -> mpf:
@@ -174,10 +216,9 @@ def vectors(form: Form, precision: Precision = DOUBLE) -> Iterator[list[float]]:
     """
     for point in points(form, precision):
         with mpmath.workdps(_DIGITS):
-            at = {s: mpf(v) for s, v in zip(form.arguments, point, strict=True)}
+            at = {s: (mpf(v), abs(mpf(v))) for s, v in zip(form.arguments, point, strict=True)}
             try:
-                known: Known = {}
-                found = [sized(expr, at, known) for expr in form.expressions]
+                found = [sized(expr, at) for expr in form.expressions]
             except ArithmeticError:
                 continue
             if any(size > precision.huge or 0 < abs(v) < precision.tiny for v, size in found):

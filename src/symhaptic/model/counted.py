@@ -21,6 +21,16 @@ class UnstableRoots(Function):  # type: ignore[misc]
     )
 
 
+class LateRoots(Function):  # type: ignore[misc]
+    """The same for a fractional delay, of arguments that :data:`LATE_ARGUMENTS` names."""
+
+    nargs = 10
+    meaning = (
+        "the same behind a delay of l whole periods and a fraction, whose device is "
+        "(m2 z^2 + m1 z + m0)/(z (z^2 - a z + e))"
+    )
+
+
 class Stable(Function):  # type: ignore[misc]
     """1 where no root is outside or on the circle, else 0: (roots, alpha, beta, gamma, delta)."""
 
@@ -32,23 +42,41 @@ ARGUMENTS = sp.symbols("alpha beta d n1 n0 at_one at_minus_one loss together apa
 """Of UnstableRoots: the wall, the whole delay, and the device with its values at 1 and -1."""
 
 
+LATE_ARGUMENTS = sp.symbols("alpha beta d m2 m0 at_one at_minus_one loss together apart")
+"""Of LateRoots: the wall, the whole periods, and the device behind the fraction."""
+
+
 def outside(*numbers: mpf) -> mpf:
     """The count by the roots of the polynomial, in many digits.
 
     Raises :class:`ArithmeticError` for long delays and for roots on the circle.
     """
     alpha, beta, delay, n1, n0, at_one, _, loss, *_ = numbers
-    if delay > 12 or delay != int(delay):
+    return _outside((n1, n0), alpha, beta, delay + 1, at_one, loss)
+
+
+def late_outside(*numbers: mpf) -> mpf:
+    """The same behind a fractional delay."""
+    alpha, beta, delay, m2, m0, at_one, _, loss, together, _ = numbers
+    return _outside((m2, together - m2 - m0, m0), alpha, beta, delay + 2, at_one, loss)
+
+
+def _outside(
+    top: tuple[mpf, ...], alpha: mpf, beta: mpf, power: mpf, at_one: mpf, loss: mpf
+) -> mpf:
+    """Of z^power A(z) + M(z) ((alpha + beta) z - beta), with the coefficients of M on top."""
+    if power > 14 or power != int(power):
         raise ArithmeticError("too many roots")
-    coefficients = [mpf(0)] * (int(delay) + 4)
+    coefficients = [mpf(0)] * (int(power) + 3)
     coefficients[:3] = [mpf(1), loss + at_one - 2, 1 - loss]
-    coefficients[-3] += n1 * (alpha + beta)
-    coefficients[-2] += n0 * (alpha + beta) - n1 * beta
-    coefficients[-1] -= n0 * beta
+    for i, factor in enumerate(top):
+        coefficients[-len(top) - 1 + i] += factor * (alpha + beta)
+        coefficients[-len(top) + i] -= factor * beta
     while coefficients[-1] == 0:
         coefficients.pop()
     try:
-        roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=200)
+        with mpmath.workdps(30):
+            roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=100)
     except mpmath.libmp.NoConvergence:
         raise ArithmeticError("no roots found") from None
     sizes = [abs(root) for root in roots]

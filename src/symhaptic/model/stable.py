@@ -9,13 +9,13 @@ damping, at critical damping, or at a vanishing angle.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 from sympy import Expr, Rational, Symbol, cos, exp, pi, sin
 
-from symhaptic.model import boundary, jury, loop, passivity, plant
-from symhaptic.model.counted import Stable, UnstableRoots
+from symhaptic.model import boundary, delayed, jury, loop, passivity, plant, stiffest, worst
+from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.entire import (
     C,
     Chord,
@@ -30,7 +30,40 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, n_0, n_1, theta, z
+from symhaptic.model.searched import (
+    LargestNeed,
+    LatePart,
+    PassiveAngle,
+    Pushed,
+    SomePart,
+    StiffestAngle,
+    Touching,
+    WholePart,
+)
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    a,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    e,
+    epsilon,
+    gamma,
+    l,
+    m_0,
+    m_1,
+    m_2,
+    n_0,
+    n_1,
+    phi,
+    psi,
+    theta,
+    z,
+)
 from symhaptic.scene import FULL, Parts
 
 HALF = Rational(1, 2)
@@ -150,6 +183,7 @@ _RANGES = {
     gamma: "gamma >= 0",
     delta: "delta >= 0",
     d: "d >= 0",
+    epsilon: "0 <= epsilon < 1",
     theta: "0 < theta < pi",
 }
 
@@ -170,6 +204,31 @@ def discretize(parts: Parts = FULL) -> Form:
         _same_device(parts)[:4],
         _domain(symbols),
     )
+
+
+def discretize_late(parts: Parts = FULL) -> Form:
+    """m2, m1, m0, a and e of the device behind a fraction of a period."""
+    if not parts.delay:
+        raise NoForm("discretize_late: the scene has no delay")
+    symbols = (*_of(parts, gamma, delta), epsilon)
+    device = _device(parts)
+    first, last = delayed.ends(parts)
+    middle = device.together - (first + last)
+    return Form(
+        "discretize_late",
+        "the sampled device behind a delay of epsilon periods, "
+        "P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m",
+        symbols,
+        (("m2", first), ("m1", middle), ("m0", last), ("a", device.a), ("e", device.e)),
+        (*_same_device(parts), *delayed.derived(parts)),
+        _domain(symbols),
+    )
+
+
+def _either(whole: Expr, late: Expr) -> Expr:
+    """One form for whole delays, another one for those with a fraction."""
+    found = late.xreplace({epsilon: SomePart(d), l: WholePart(d)})
+    return sp.Piecewise((whole, sp.Eq(LatePart(d), 0)), (found, True))
 
 
 def characteristic_polynomial(parts: Parts = FULL, delay: int | None = None) -> Form:
@@ -222,12 +281,12 @@ def _needs_damping(parts: Parts, name: str) -> None:
         raise NoForm(f"{name}: a scene without damping has no passive walls to speak of")
 
 
-def passivity_margin(parts: Parts = FULL) -> Form:
+def passivity_margin_at(parts: Parts = FULL) -> Form:
     """delta minus the damping that the wall needs at one angle, (5) of the paper.
 
     sin((d+1/2) theta) is that of (2d+1) halves of theta, and sin(theta/2) does not vanish.
     """
-    _needs_damping(parts, "passivity_margin")
+    _needs_damping(parts, "passivity_margin_at")
     half = theta / 2
     if parts.delay:
         kernel = SinNext(2 * d, half) / (2 * sin(half))
@@ -237,7 +296,7 @@ def passivity_margin(parts: Parts = FULL) -> Form:
     margin = delta - alpha * kernel + (beta * swing if parts.virtual_damping else 0)
     symbols = tuple(s for s in (theta, alpha, beta, delta, d) if margin.has(s))
     return Form(
-        "passivity_margin",
+        "passivity_margin_at",
         "physical damping minus the damping that the wall needs at the angle theta = omega T; "
         "the wall is passive where it is positive at every angle",
         symbols,
@@ -247,11 +306,51 @@ def passivity_margin(parts: Parts = FULL) -> Form:
     )
 
 
+def passivity_margin(parts: Parts = FULL) -> Form:
+    """delta minus the damping that the wall needs at its worst angle; -inf for alpha < 0.
+
+    For every real delay, chapter s6d_fractional_passivity.  Proved are the need at an angle and
+    its slope, whose zero is searched for; that the slope vanishes once up to the angle where wall
+    and delay are in phase, beyond which no angle needs more, rests on comparison.  Without virtual
+    damping the worst angle is 0, without delay it is 0 or pi, as the need is linear in cos(theta).
+    """
+    _needs_damping(parts, "passivity_margin")
+    symbols = _of(parts, alpha, beta, delta, d)
+    equal: tuple[tuple[Expr, Expr], ...]
+    if not parts.delay:
+        need = alpha / 2 + (sp.Abs(beta) if parts.virtual_damping else 0)
+        damping = beta if parts.virtual_damping else 0
+        margin = _normalised(parts, passivity.margin())
+        ends = margin.subs(theta, 0), margin.subs(theta, pi)
+        ours = delta - alpha / 2 + damping, delta - alpha / 2 - damping
+        equal = tuple(zip(ours, ends, strict=True))
+        largest = Pushed(alpha, need)
+    elif not parts.virtual_damping:
+        order, part = d + HALF, LatePart(d)
+        largest = Pushed(alpha, alpha * (order + sp.sqrt(order * order + part * (1 - part))) / 2)
+        none = {beta: 0, psi: 0}
+        equal = _springs()
+        order = worst.between(worst.straight(l), worst.straight(l + 1)).subs(none) / alpha
+        equal += ((order, l + epsilon + HALF),)
+    else:
+        largest, equal = LargestNeed(alpha, beta, d), worst.derived()
+    return Form(
+        "passivity_margin",
+        "physical damping minus the damping that the wall needs at its worst angle; the wall is "
+        "passive where it is not negative",
+        symbols,
+        (("margin", delta - largest),),
+        equal,
+        _domain(symbols, "-inf for alpha < 0"),
+    )
+
+
 def passivity_boundary(parts: Parts = FULL) -> Form:
     """The wall that is just passive and whose worst angle is theta, (27) of the paper.
 
     Its denominator and its numerators are differences of sines that vanish with the angle; as
-    functions of their own they do not.
+    functions of their own they do not.  At a fraction of a period the wall is searched for whose
+    need has no slope at this angle; proved are the need and that slope.
     """
     _needs_damping(parts, "passivity_boundary")
     if not parts.virtual_damping:
@@ -259,6 +358,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     if not parts.delay:
         raise NoForm("passivity_boundary: without delay it is one point, max_passive_stiffness")
     symbols = (theta, delta, d)
+    late = _touched(Touching(theta, l, epsilon), theta)
     push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
     below = Spread(d, theta)
     curve = 2 * delta * push / below, delta * (Chord(d, theta) - push) / below
@@ -267,35 +367,78 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
         "passivity_boundary",
         "the wall that is just passive and whose worst angle is theta = omega T",
         symbols,
-        tuple(zip(("alpha", "beta"), curve, strict=True)),
-        tuple(zip(curve, exact, strict=True)),
+        tuple(
+            (name, _either(*both))
+            for name, *both in zip(("alpha", "beta"), curve, late, strict=True)
+        ),
+        (*zip(curve, exact, strict=True), *worst.derived()),
         _domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing"),
     )
 
 
+def _touched(turn: Expr, angle: Expr) -> tuple[Expr, Expr]:
+    """The wall of this direction that is just passive, if its worst angle is this one."""
+    wall = {s: expr.xreplace({phi: turn}) for s, expr in worst.of_size_one().items()}
+    need = worst.need().xreplace({**wall, psi: angle / 2})
+    return delta * wall[alpha] / need, delta * wall[beta] / need
+
+
 def max_passive_stiffness(parts: Parts = FULL) -> Form:
-    """The passive wall of largest stiffness, with its damping and angle, (11) of the paper."""
+    """The passive wall of largest stiffness, with its damping and angle, (11) of the paper.
+
+    At a fraction of a period its angle is searched for: there, less damping would need neither
+    more nor less; proved are the need and its derivatives.
+    """
     _needs_damping(parts, "max_passive_stiffness")
     symbols = _of(parts, delta, d)
+    if not parts.virtual_damping:
+        return _stiffest_spring(parts)
     share = 1 / (d + 1)
     quarter = pi * share / 4
     stiffness = 2 * delta * sp.tan(quarter)
     angle = pi * share / 2
     damping = delta * (2 / (pi * Sinc(angle)) - sp.tan(quarter))
-    results = [("alpha", _undelayed(parts, stiffness))]
-    if parts.virtual_damping:
-        results.append(("beta", _undelayed(parts, damping)))
+    whole = [_undelayed(parts, expr) for expr in (stiffness, damping, angle)]
     exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
-    derived = tuple((found, side) for (_, found), side in zip(results, exact, strict=False))
-    results.append(("theta", _undelayed(parts, angle)))
+    equal = tuple(zip(whole[:2], exact, strict=True))
+    names = "alpha", "beta", "theta"
+    results = tuple(zip(names, whole, strict=True))
+    if parts.delay:
+        worst_angle = PassiveAngle(l, epsilon)
+        late = (*_touched(Touching(worst_angle, l, epsilon), worst_angle), worst_angle)
+        results = tuple(
+            (name, _either(*both)) for name, *both in zip(names, whole, late, strict=True)
+        )
+        equal += worst.derived()
     return Form(
         "max_passive_stiffness",
         "the passive wall of largest stiffness, and its worst angle theta = omega T",
         symbols,
-        tuple(results),
-        derived,
+        results,
+        equal,
         _domain(symbols),
     )
+
+
+def _stiffest_spring(parts: Parts) -> Form:
+    """Without virtual damping slow motions are the worst ones."""
+    symbols = _of(parts, delta, d)
+    order, part = (d + HALF, LatePart(d)) if parts.delay else (HALF, sp.S.Zero)
+    stiffness = 2 * delta / (order + sp.sqrt(order * order + part * (1 - part)))
+    n = worst.between(worst.straight(l), worst.straight(l + 1)).subs({beta: 0, psi: 0})
+    return Form(
+        "max_passive_stiffness",
+        "the stiffest passive wall",
+        symbols,
+        (("alpha", stiffness),),
+        (*_springs(), (n / alpha, l + epsilon + HALF)),
+        _domain(symbols),
+    )
+
+
+def _springs() -> tuple[tuple[Expr, Expr], ...]:
+    """What a wall without damping needs."""
+    return tuple((ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in worst.derived()[:-1])
 
 
 def linear_limit(parts: Parts = FULL) -> Form:
@@ -323,42 +466,117 @@ def linear_limit(parts: Parts = FULL) -> Form:
 
 
 def stability_boundary(parts: Parts = FULL) -> Form:
-    """The wall that puts a root at exp(j theta).
+    """The wall that puts a root at exp(j theta), for every real delay.
 
-    A and M = n1 z + n0 on the circle from their values at 1 and -1, so that no cosines are
-    subtracted: with cosine c and sine s of theta/2, A/z = A(1) c^2 - A(-1) s^2 + 2 j s c (1 - e),
-    and M = (n1 + n0) c^2 - (n1 - n0) s^2 + 2 j s c n1.
+    A and M on the circle from their values at 1 and -1, so that no cosines are subtracted: with
+    cosine c and sine s of theta/2, A/z = A(1) c^2 - A(-1) s^2 + 2 j s c (1 - e), and for a whole
+    delay M = (n1 + n0) c^2 - (n1 - n0) s^2 + 2 j s c n1.  A fraction leaves m2 - m0 in place of n1
+    and m2 - m1 + m0 in place of n1 - n0.
     """
     if not parts.virtual_damping:
         raise NoForm("stability_boundary: a scene without virtual damping has no such curve")
     symbols = _of(parts, theta, gamma, delta, d)
-    named = _boundary(parts, _named(ANY))
+    delay = d if parts.delay else None
+    named = _boundary(_named(ANY), 2 * n_1, delay)
     exact = (_undelayed(parts, side) for side in boundary.wall(ANY))
-    curve = _boundary(parts, _device(parts))
+    device = _device(parts)
+    curve = _boundary(device, device.together + device.apart, delay)
+    equal = (*zip(named, exact, strict=True), *_same_device(parts))
+    if parts.delay:
+        first, last = delayed.ends(parts)
+        late = _boundary(_late(parts), 2 * (first - last), l)
+        curve = tuple(_either(*both) for both in zip(curve, late, strict=True))
+        any_late = replace(_named(ANY), together=m_2 + m_1 + m_0, apart=m_2 - m_1 + m_0)
+        named = _boundary(any_late, 2 * (m_2 - m_0), l)
+        equal += (*zip(named, delayed.wall(), strict=True), *delayed.derived(parts))
     return Form(
         "stability_boundary",
         "the wall (alpha, beta) that puts a characteristic root at z = exp(j theta)",
         symbols,
         tuple(zip(("alpha", "beta"), curve, strict=True)),
-        (*zip(named, exact, strict=True), *_same_device(parts)),
-        _domain(symbols, *(("d whole, or fractional on the principal sheet",) * parts.delay)),
+        equal,
+        _domain(symbols),
     )
 
 
-def _boundary(parts: Parts, x: _Device) -> tuple[Expr, Expr]:
-    c, s = cos(theta / 2), sin(theta / 2)
-    above, above_j = x.at_one * c**2 - x.at_minus_one * s**2, 2 * x.loss
-    below, below_j = x.together * c**2 - x.apart * s**2, x.together + x.apart  # 2 n1
+def _late(parts: Parts) -> _Device:
+    """The same device, with M = m2 z + m1 + m0/z instead of n1 z + n0 at z = -1."""
+    x = _device(parts)
+    first, last = delayed.ends(parts)
+    return replace(x, apart=2 * (first + last) - x.together)
+
+
+def _boundary(x: _Device, across: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
+    """With 2 n1, or 2 (m2 - m0), as ``across``."""
+    return curve(x.at_one, x.at_minus_one, x.loss, x.together, x.apart, across, theta, delay)
+
+
+def curve(
+    at_one: Expr,
+    at_minus_one: Expr,
+    loss: Expr,
+    together: Expr,
+    apart: Expr,
+    across: Expr,
+    angle: Expr,
+    delay: Expr | None,
+) -> tuple[Expr, Expr]:
+    """The wall that puts a root at exp(j angle)."""
+    c, s = cos(angle / 2), sin(angle / 2)
+    above, above_j = at_one * c**2 - at_minus_one * s**2, 2 * loss
+    below = together * c**2 - apart * s**2
     flat = (s * c) ** 2  # the imaginary parts are without s c
-    size = below**2 + flat * below_j**2
-    ratio = (above * below + flat * above_j * below_j) / size
-    ratio_j = (above_j * below - above * below_j) / size
-    if parts.delay:
-        cosine, sine, fan = CosNext(d, theta), SinNext(d, theta), SinNext(d, theta) / sin(theta)
+    size = below**2 + flat * across**2
+    ratio = (above * below + flat * above_j * across) / size
+    ratio_j = (above_j * below - above * across) / size
+    if delay is not None:
+        cosine, sine = CosNext(delay, angle), SinNext(delay, angle)
+        fan = sine / sin(angle)
     else:
-        cosine, sine, fan = cos(theta), sin(theta), sp.S.One
+        cosine, sine, fan = cos(angle), sin(angle), sp.S.One
     damping = -(ratio_j * cosine / 2 + ratio * fan)
     return s * c * ratio_j * sine - ratio * cosine - 2 * s**2 * damping, damping
+
+
+def max_stable_stiffness(parts: Parts = FULL) -> Form:
+    """The first maximum of alpha on the explicit boundary, with its beta and angle.
+
+    Proved are the curve and its slope, whose zero is searched for; that this is the farthest
+    point of the stable region rests on comparison with whole regions.
+    """
+    if not parts.virtual_damping:
+        raise NoForm("max_stable_stiffness: a scene without virtual damping has no such curve")
+    symbols = _of(parts, gamma, delta, d)
+    given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
+    x, steps = _device(parts), d if parts.delay else sp.S.Zero
+    values = x.at_one, x.at_minus_one, x.loss, x.together
+    angle = StiffestAngle(*given, steps, steps, sp.S.Zero, x.n1, x.n0, *values, x.apart)
+    delay = d if parts.delay else None
+    results = (*curve(*values, x.apart, x.together + x.apart, angle, delay), angle)
+    equal = _same_device(parts)
+    if parts.delay:
+        first, last = delayed.ends(parts)
+        apart = _late(parts).apart
+        angle = StiffestAngle(*given, d, l, epsilon, first, last, *values, apart)
+        late = (*curve(*values, apart, 2 * (first - last), angle, l), angle)
+        results = tuple(_either(*both) for both in zip(results, late, strict=True))
+        equal += delayed.derived(parts)
+    if parts == FULL:  # the same for every device
+        equal += stiffest.derived()
+    return Form(
+        "max_stable_stiffness",
+        "the wall of largest stable stiffness, a limit that is not stable itself, and the angle "
+        "theta = omega T of its roots on the unit circle",
+        symbols,
+        tuple(zip(("alpha", "beta", "theta"), results, strict=True)),
+        equal,
+        _domain(
+            symbols,
+            *(("gamma <= 9.8",) * parts.stiffness),
+            *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
+            "NaN elsewhere and where no wall is stable",
+        ),
+    )
 
 
 def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
@@ -386,21 +604,29 @@ def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
 
 
 def is_stable(parts: Parts = FULL) -> Form:
-    """Roots outside the unit circle, and whether the loop is stable, for any whole delay."""
-    x = _device(parts)
+    """Roots outside the unit circle, and whether the loop is stable, for every real delay."""
     wall = alpha, beta if parts.virtual_damping else sp.S.Zero
+    symbols = _of(parts, alpha, beta, gamma, delta, d)
+    given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
+    x = _device(parts)
     numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
     count = UnstableRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)
-    stiffness = gamma if parts.stiffness else sp.S.Zero
-    damping = delta if parts.damping else sp.S.Zero
-    symbols = _of(parts, alpha, beta, gamma, delta, d)
+    results = count, Stable(count, *wall, *given)
+    equal = _same_device(parts)
+    if parts.delay:
+        x = _late(parts)
+        numbers = *delayed.ends(parts), *numbers[2:-1], x.apart
+        count = LateRoots(*wall, l, *numbers)
+        late = count, Stable(count, *wall, *given)
+        results = tuple(_either(*both) for both in zip(results, late, strict=True))
+        equal += delayed.derived(parts)
     return Form(
         "is_stable",
         "roots outside the unit circle, and 1 where the loop is stable, else 0",
         symbols,
-        (("outside", count), ("stable", Stable(count, *wall, stiffness, damping))),
-        _same_device(parts),
-        _domain(symbols, *(("d whole",) * parts.delay)),
+        tuple(zip(("outside", "stable"), results, strict=True)),
+        equal,
+        _domain(symbols),
     )
 
 
@@ -408,10 +634,13 @@ FORMS: dict[str, Callable[..., Form]] = {
     f.__name__: f
     for f in (
         discretize,
+        discretize_late,
         characteristic_polynomial,
         is_stable,
         stability_conditions,
         stability_boundary,
+        max_stable_stiffness,
+        passivity_margin_at,
         passivity_margin,
         passivity_boundary,
         max_passive_stiffness,
@@ -422,7 +651,7 @@ FORMS: dict[str, Callable[..., Form]] = {
 STATEMENTS = {
     "discretize": ("eq14",),
     "characteristic_polynomial": ("eq18",),
-    "passivity_margin": ("eq5",),
+    "passivity_margin_at": ("eq5",),
     "passivity_boundary": ("eq27",),
     "max_passive_stiffness": ("eq11",),
     "linear_limit": ("eq25",),

@@ -1,0 +1,215 @@
+"""Exact values of what is searched for: a fine grid, then Newton's steps on power series of balls.
+
+Made of the printed formulas and of matrix exponentials, as in symhaptic.bench.exact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import flint
+import numpy as np
+from flint import arb, arb_series
+
+_MANY = 40
+"""Angles a half turn of the delay."""
+
+_FAR = 8
+"""Half turns of a long delay that are looked at; all of them for a short one."""
+
+_STEPS = 60
+"""Newton's steps, at most."""
+
+
+def angles(turn: float) -> Any:
+    """The grid, on (0, pi)."""
+    count = min(int(math.pi / turn), _FAR) * _MANY
+    grid = turn * np.arange(1, count) / _MANY
+    return grid if count >= _FAR * _MANY else np.append(grid, math.pi)
+
+
+def peaks(values: Any) -> Any:
+    """Each value, and where it is the largest of three the peak of the parabola through them."""
+    rise, fall = values[1:-1] - values[:-2], values[1:-1] - values[2:]
+    bend = np.where((rise >= 0) & (fall >= 0) & (rise + fall > 0), rise + fall, math.inf)
+    found = values.copy()
+    found[1:-1] += (rise - fall) ** 2 / (8 * bend)
+    return found
+
+
+def stationary(f: Callable[[Any], Any], start: float, low: float, high: float) -> Any:
+    """Where the slope of a function of power series vanishes, between two angles."""
+    at = arb(start)
+    for _ in range(_STEPS):
+        _, slope, bend = series(f, at, 3)
+        step = slope / (2 * bend)
+        moved = arb((at - step).mid())
+        if not low <= float(moved) <= high:
+            moved = arb((low + high) / 2) if low <= float(at) <= high else at
+        at = moved
+        if abs(float(step)) < 1e-25 * float(at):
+            break
+    return at
+
+
+def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
+    """The first coefficients of the power series of f at a number."""
+    flint.ctx.cap = terms
+    found = f(arb_series([at, 1], prec=terms))
+    return [found[i] for i in range(terms)]
+
+
+def needed(alpha: Any, beta: Any, whole: Any, part: Any, lib: Any) -> Callable[[Any], Any]:
+    """(5) of the paper, at a fraction the need of all motions; ``lib`` has sin, cos and sqrt."""
+
+    def straight(t: Any, d: Any) -> Any:
+        half = lib.half
+        kernel = lib.sin((d + half) * t) / lib.sin(t * half) * half
+        return alpha * kernel - beta * lib.cos((d + 1) * t)
+
+    def at(t: Any) -> Any:
+        if part == 0:
+            return straight(t, whole)
+        n = (1 - part) * straight(t, whole) + part * straight(t, whole + 1)
+        sine = lib.sin(t * lib.half)
+        extra = part * (1 - part) * (alpha * alpha + 4 * beta * (alpha + beta) * sine * sine)
+        return (n + lib.sqrt(n * n + extra)) * lib.half
+
+    return at
+
+
+class _Balls:
+    half = arb(1) / 2
+    sin = staticmethod(lambda x: x.sin())
+    cos = staticmethod(lambda x: x.cos())
+    sqrt = staticmethod(lambda x: x.sqrt())
+
+
+class _Floats:
+    half = 0.5
+    sin, cos = np.sin, np.cos
+    sqrt = staticmethod(lambda x: np.sqrt(np.maximum(x, 0)))
+
+
+def worst(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
+    """delta minus the largest need on (0, pi), with its limits at the ends."""
+    if alpha < 0:
+        return (arb("-inf"),)
+    whole, part = math.floor(d), d - math.floor(d)
+    grid = angles(math.pi / (whole + 1))
+    values = needed(alpha, beta, whole, part, _Floats)(grid)
+    best = int(np.argmax(peaks(values)))
+    al, be, ep = arb(alpha), arb(beta), arb(part)
+    n = al * (arb(d) + arb(1) / 2) - be
+    found = [(n + (n * n + ep * (1 - ep) * al * al).sqrt()) / 2 if part else n]
+    exact = needed(al, be, whole, ep if part else 0, _Balls)
+    found.append(exact(arb(float(grid[best]))))
+    around = grid[max(best - 1, 0)] * (best > 0), grid[min(best + 1, len(grid) - 1)]
+    if best + 1 < len(grid):
+        angle = stationary(exact, float(grid[best]), *map(float, around))
+        found.append(exact(angle))
+    return (arb(delta) - max(found, key=lambda x: float(x.mid())),)
+
+
+# -- the passivity boundary at a fraction of a period ------------------------------------------
+
+
+def crossing(f: Callable[[Any], Any], low: Any, high: Any, digits: int = 30) -> Any:
+    """The root of f between two numbers where it has different signs; NaN if it has not."""
+    at_low, at_high = f(low), f(high)
+    if not (at_low > 0) ^ (at_high > 0):
+        return arb("nan")
+    for step in range(200):
+        new = arb((low - at_low * (high - low) / (at_high - at_low)).mid())
+        if step % 4 == 3 or not low < new < high:
+            new = arb(((low + high) / 2).mid())
+        value = f(new)
+        if (value > 0) == (at_low > 0):
+            low, at_low, at_high = new, value, at_high / 2
+        else:
+            high, at_high, at_low = new, value, at_low / 2
+        if float(high - low) <= 10.0**-digits * abs(float(new)):
+            return new
+    return arb("nan")
+
+
+def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, Any]:
+    """The wall that is just passive for a damping of 1 and whose need has no slope at theta."""
+
+    def wall(x: Any) -> tuple[Any, Any]:
+        return 2 * x.cos(), x.sin() - x.cos()
+
+    def slope(x: Any) -> Any:
+        return arb(series(needed(*wall(x), whole, part, _Balls), theta, 2)[1].mid())
+
+    alpha, beta = wall(crossing(slope, arb(0), arb.pi() / 2, digits))
+    need = needed(alpha, beta, whole, part, _Balls)(theta)
+    return alpha / need, beta / need
+
+
+def passive(theta: float, delta: float, d: float) -> tuple[Any, ...]:
+    """Of that wall, at a fraction of a period."""
+    found = touching(arb(theta), math.floor(d), arb(d) - math.floor(d))
+    return tuple(arb(delta) * x for x in found)
+
+
+@cache
+def _stiffest(d: float) -> tuple[Any, Any, Any]:
+    whole, part = math.floor(d), arb(d) - math.floor(d)
+
+    def hinders(theta: Any) -> Any:
+        alpha, beta = touching(theta, whole, part, 22)
+        changed = [needed(alpha, beta + x, whole, part, _Balls)(theta) for x in (_STEP, -_STEP)]
+        return arb((changed[0] - changed[1]).mid())
+
+    turn = arb.pi() / (whole + part + 1)
+    theta = crossing(hinders, turn * 3 / 10, turn * 7 / 10, 20)
+    return (*touching(theta, whole, part), theta)
+
+
+_STEP = arb(2) ** -40
+
+
+def stiffest_passive(delta: float, d: float) -> tuple[Any, ...]:
+    """The wall on it whose need does not change with beta: its stiffness is the largest."""
+    alpha, beta, theta = _stiffest(d)
+    return arb(delta) * alpha, arb(delta) * beta, theta
+
+
+# -- the largest stable stiffness --------------------------------------------------------------
+
+
+def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[Any, ...]:
+    """The first maximum of alpha on -z^(l+1) A/M of a late device (m2, m1, m0, a, e)."""
+    if gamma > 9.8 or (math.sqrt(gamma) * (d + 1) > math.pi and d > 1):
+        return (arb("nan"),) * 3
+    whole = math.floor(d)
+    m2, m1, m0, a, e = numbers
+
+    def parts(t: Any) -> tuple[Any, Any]:
+        above, above_j = (1 + e) * t.cos() - a, (1 - e) * t.sin()
+        below, below_j = (m2 + m0) * t.cos() + m1, (m2 - m0) * t.sin()
+        cosine, sine = ((whole + 1) * t).cos(), ((whole + 1) * t).sin()
+        size = below * below + below_j * below_j
+        real = (above * below + above_j * below_j) / size
+        up = (above_j * below - above * below_j) / size
+        return up * sine - real * cosine, -(up * cosine + real * sine)
+
+    def alpha(t: Any) -> Any:
+        real, up = parts(t)
+        half = t * _Balls.half
+        return real - up * half.sin() / half.cos()
+
+    turn = arb.pi() / (arb(d) + 1)
+    grid = [arb((turn * (i + _Balls.half) / _MANY).mid()) for i in range(_MANY)]
+    slopes = [arb(series(alpha, t, 2)[1].mid()) for t in grid]
+    for i in range(_MANY - 1):
+        if slopes[i] > 0 and not slopes[i + 1] > 0:
+            break
+    else:
+        return (arb("nan"),) * 3
+    theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), grid[i], grid[i + 1])
+    return alpha(theta), parts(theta)[1] / theta.sin(), theta

@@ -1,0 +1,189 @@
+r"""Roots outside the unit circle behind a delay that is no whole number of periods.
+
+As in symhaptic.export.counting, but with a cubic in :math:`y=4\sin^2(\theta/2)`; chapter
+s6b_fractional_stability.  The cubic is expanded about y = 0, about the device's own frequency and
+about y = 4; between these points it is cut where it has an extremum or an inflection, and on each
+piece Newton's method goes to the root from the end from which it never overshoots.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+from sympy import And, Expr, Max, Min, Or, sqrt
+from sympy.logic.boolalg import Boolean
+
+from symhaptic.export.counting import _turns, _Wall
+from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.model.counted import LATE_ARGUMENTS
+
+alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart = LATE_ARGUMENTS
+slope, far, center, beyond = sp.symbols("slope far center beyond")
+k0, k1, k2, k3 = TERMS = sp.symbols("k0 k1 k2 k3")
+low, high, at_low, at_high, zone = sp.symbols("low high at_low at_high zone")
+n1 = sp.Symbol("n1")
+"""As in the count for whole delays; here m2 - m0."""
+
+_LOOP = (alpha, slope, far, n1, loss, together, apart, center, beyond, d)
+
+_STEPS = 100
+"""At most so many; a double root is approached by half a step each."""
+
+NEAR, OWN, FAR = range(3)
+"""Zones: y, y - center and 4 - y are the variable."""
+
+Terms = tuple[Expr, Expr, Expr, Expr]
+
+
+def _value(k: Terms, y: Expr) -> Expr:
+    return ((k[3] * y + k[2]) * y + k[1]) * y + k[0]
+
+
+def _about(
+    do: Steps, name: str, across: Expr, at: Expr, top: Expr, force: Expr, tilt: Expr
+) -> Terms:
+    """|A|^2 - |M|^2 |W|^2 about an end, from the values of A, M and W there."""
+    square, even = do("square", m2 * m0), do("even", top * (m2 + m0))
+    linear = do("linear", across * across - even)
+    pushed, lost = do("pushed", top * force), do("lost", loss * loss)
+    return (
+        do(f"{name}0", (at - pushed) * (at + pushed)),
+        do(f"{name}1", lost - at * (2 - loss) - linear * force**2 - top**2 * tilt),
+        do(f"{name}2", 1 - loss - square * force**2 - linear * tilt),
+        do(f"{name}3", -square * tilt),
+    )
+
+
+def _own(do: Steps, across: Expr, middle: Expr, rest: Expr, v: _Wall) -> Terms:
+    """The same about the device's own frequency."""
+    sine, tilt = do("sine", middle * rest / 4), do("tilt", (rest - middle) / 4)
+    real = do("real", (together * rest - apart * middle) / 4)
+    size, lost = do("size", across * across), do("lost", loss * loss)
+    one = do("one", real**2 + size * sine)
+    two = do("two", size * tilt - (m2 + m0) * real)
+    three = do("three", m2 * m0)
+    wave = do("wave", (alpha * rest - v.far * middle) / 4)
+    wall = do("wall", wave**2 + v.slope**2 * sine)
+    return (
+        do("own0", lost * sine - one * wall),
+        do("own1", lost * tilt - two * wall - one * v.force),
+        do("own2", 1 - loss - three * wall - two * v.force),
+        do("own3", -three * v.force),
+    )
+
+
+def _leads(k: Terms) -> Boolean:
+    """Whether the wall leads next to the end: the first coefficient that is not 0 is negative."""
+    leads = k[3] < 0
+    for c in k[2::-1]:
+        leads = Or(c < 0, And(sp.Eq(c, 0), leads))
+    return leads
+
+
+def late_roots() -> Routine:
+    """The number of roots outside the unit circle."""
+    do = Steps()
+    v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
+    v = _Wall(v.slope, do("force", v.slope * beta), v.far)
+    across = do("across", m2 - m0)
+    near = _about(do, "near", across, at_one, together, alpha, v.force)
+    far_ = _about(do, "far", across, at_minus_one, apart, v.far, -v.force)
+    middle = do("middle", 2 * at_one / (2 - loss))
+    rest = do("rest", 2 * at_minus_one / (2 - loss))
+    own = _own(do, across, middle, rest, v)
+    one, two = do("one", middle / 2), do("two", rest / 2)
+    before, after = do("before", _value(own, -one)), do("after", _value(own, two))
+    loop = (alpha, v.slope, v.far, across, loss, together, apart, middle, rest, d)
+    turns = sp.Function("ZoneTurns")
+    zones = [do("zone", sp.Integer(number)) for number in (NEAR, OWN, FAR)]
+    found = turns(*near, zones[0], one, near[0], before, zones[0], *loop)
+    found += turns(*own, -one, two, before, after, zones[1], *loop)
+    found += turns(*far_, zones[0], two, far_[0], after, zones[2], *loop)
+    side = do("side", choose(v.slope >= 0, 1, -1))
+    begin = choose(alpha > 0, 0, side)
+    end = choose(v.far > 0, side, 0) - (d + 3)
+    end = do("end", end + choose(apart > 0, choose(across >= 0, 1, -1), 0))
+    total = do("total", found + choose(_leads(near), begin, 0))
+    return do.routine("LateRoots", "roots outside the unit circle, behind a fractional delay",
+                      LATE_ARGUMENTS, total - choose(_leads(far_), end, 0))  # fmt: skip
+
+
+def _inside(do: Steps, top: Expr, bottom: Expr) -> Expr:
+    """The quotient if it lies between the ends, else the low end."""
+    small = sp.Abs(top) < 8 * sp.Abs(bottom)
+    some = do("some", choose(small, bottom, 1))
+    at = do("at", top / some)
+    return do("cut", choose(And(small, at > low, at < high), at, low))
+
+
+def zone_turns() -> Routine:
+    """What the crossings of one zone add to the count."""
+    do = Steps()
+    disc = do("disc", k2 * k2 - 3 * k3 * k1)
+    root = do("root", sqrt(Max(disc, 0)))
+    q = do("q", -(k2 + choose(k2 < 0, -root, root)))
+    bend = _inside(do, -k2, 3 * k3)
+    one = do("one", choose(disc < 0, low, _inside(do, q, 3 * k3)))
+    two = do("two", choose(disc < 0, low, _inside(do, k1, q)))
+    less, more = do("less", Min(one, two)), do("more", Max(one, two))
+    first, middle = do("first", Min(less, bend)), do("middle", Max(less, bend))
+    last = do("last", Max(middle, more))
+    middle = do("middle", Min(middle, more))
+    cuts = [low, first, middle, last, high]
+    values = [at_low, *(do("height", _value(TERMS, c)) for c in cuts[1:-1]), at_high]
+    piece = sp.Function("PieceTurns")
+    found: Expr = sp.S.Zero
+    for i in range(4):
+        ends = (cuts[i], cuts[i + 1], values[i], values[i + 1])
+        found = do("found", found + piece(*TERMS, *ends, zone, *_LOOP))
+    return do.routine("ZoneTurns", "what the crossings between two points add to the count",
+                      (*TERMS, low, high, at_low, at_high, zone, *_LOOP), found)  # fmt: skip
+
+
+def piece_turns() -> Routine:
+    """The same for a piece on which the cubic has neither extremum nor inflection."""
+    do = Steps()
+    there = And(high > low, sp.Or(And(at_low < 0, at_high >= 0), And(at_low >= 0, at_high < 0)))
+    x = do("x", sp.Function("CubicRoot")(*TERMS, low, high, at_high - at_low))
+    y = do("y", choose(sp.Eq(zone, NEAR), x, choose(sp.Eq(zone, OWN), center + x, 4 - x)))
+    rest = do("rest", choose(sp.Eq(zone, NEAR), 4 - x, choose(sp.Eq(zone, OWN), beyond - x, x)))
+    off = do("off", choose(sp.Eq(zone, NEAR), x - center, choose(sp.Eq(zone, OWN), x, beyond - x)))
+    inner = And(y > 0, rest > 0)
+    v = _Wall(slope, sp.S.Zero, far)
+    found = _turns(do, 2 - loss - 1, v, do("at", Max(y, 0)), do("still", Max(rest, 0)), off)
+    rises = do("rises", choose(at_high > at_low, 1, -1) * choose(sp.Eq(zone, FAR), -1, 1))
+    turned = do("turned", choose(inner, -2 * rises * found, 0))
+    return do.routine("PieceTurns", "what the crossing on a piece, if there is one, adds",
+                      (*TERMS, low, high, at_low, at_high, zone, *_LOOP),
+                      choose(there, turned, 0))  # fmt: skip
+
+
+def cubic_root() -> Routine:
+    """The root on such a piece."""
+    do = Steps()
+    rise = sp.Symbol("rise")
+    convex = do("convex", choose(3 * k3 * (low + high) + 2 * k2 > 0, 1, -1))
+    down = do("down", choose(rise * convex > 0, 1, -1))  # from this end it never overshoots
+
+    def step(inner: Steps, states: tuple[sp.Symbol, ...]) -> tuple[Expr, ...]:
+        y, _ = states
+        steep = inner("steep", (3 * k3 * y + 2 * k2) * y + k1)
+        some = inner("some", choose(sp.Eq(steep, 0), 1, steep))
+        move = inner("move", choose(sp.Eq(steep, 0), 0, _value(TERMS, y) / some))
+        new = inner("new", Min(y - move, high))
+        new = inner("new", Max(new, low))
+        return new, choose((y - new) * down > 0, 1, 0)
+
+    y, _ = do.repeat(
+        {"y": choose(down > 0, high, low), "moves": sp.S.One},
+        step,
+        lambda states: sp.Eq(states[1], 0),
+        _STEPS,
+    )
+    return do.routine("CubicRoot", "the root of a cubic on a piece where it bends one way",
+                      (*TERMS, low, high, rise), y)  # fmt: skip
+
+
+ROUTINES = (late_roots, zone_turns, piece_turns, cubic_root)
+PRECISE: tuple[Callable[[], Routine], ...] = ()

@@ -1,0 +1,147 @@
+"""What a wall needs at its worst angle, as routines: that angle is searched for."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr, atan2, cos, floor, pi, sin, sqrt
+
+from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.search import crossing
+from symhaptic.model import worst
+from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta
+
+_WALL = (alpha, beta, l, epsilon)
+
+_whole = sp.Eq(epsilon, 0)
+
+
+def need() -> Routine:
+    """The damping that the wall needs at an angle."""
+    do = Steps()
+    early, late = do("early", worst.straight(l)), worst.straight(l + 1)
+    n = do("n", worst.between(early, late))
+    root = do("root", sqrt(n * n + worst.extra()))
+    return do.routine("Need", "the damping that the wall needs at the angle 2 psi",
+                      worst.ARGUMENTS, choose(_whole, early, (n + root) / 2))  # fmt: skip
+
+
+def rising() -> Routine:
+    """Whether that grows with the angle, at a fraction of a period."""
+    do = Steps()
+    early, late = do.shared(worst.steepness(l), worst.steepness(l + 1))
+    early = do("early", early)
+    steep = do("steep", worst.between(early, late))
+    found = worst.rising(sp.Function("Need")(*worst.ARGUMENTS), steep)
+    return do.routine("Rising", "has the sign of the slope of Need, at a fraction",
+                      worst.ARGUMENTS, found)  # fmt: skip
+
+
+def steepness() -> Routine:
+    """Whether that grows with the angle; negative beyond the angle in phase."""
+    do = Steps()
+    early = do("early", do.shared(worst.steepness(l))[0])
+    rising = do("rising", sp.Function("Rising")(*worst.ARGUMENTS))
+    double = 2 * psi
+    delayed = atan2(epsilon * sin(double), 1 - epsilon + epsilon * cos(double))
+    own = atan2(alpha * cos(psi), (alpha + 2 * beta) * sin(psi))
+    phase = do("phase", (2 * (l + 1) * psi - pi) + delayed + own)
+    fractional = choose(phase > 0, -sp.Abs(rising), rising)
+    return do.routine("Steepness", "has the sign of the slope of Need, up to the angle in phase",
+                      worst.ARGUMENTS, choose(_whole, early, fractional))  # fmt: skip
+
+
+def worst_angle(precision: Precision = DOUBLE) -> Routine:
+    """Half of the angle at which the wall needs most."""
+    do = Steps()
+    size = do("size", sp.Abs(alpha) + sp.Abs(beta))
+    scale = do.nonzero(size)
+    wall = do("stiffness", alpha / scale), do("damping", beta / scale)
+
+    def slope(inner: Steps, at: Expr) -> Expr:
+        return sp.Function("Steepness")(*wall, l, epsilon, at)
+
+    psi = crossing(do, slope, sp.S.Zero, pi / (2 * (l + 1)), precision.flat)
+    return do.routine("WorstAngle", "half of the angle at which the wall needs most damping",
+                      _WALL, psi)  # fmt: skip
+
+
+def largest_need() -> Routine:
+    """The damping that the wall needs, infinite if it pulls."""
+    do = Steps()
+    whole = do("whole", floor(d))
+    part = do("part", d - whole)
+    psi = do("psi", sp.Function("WorstAngle")(alpha, beta, whole, part))
+    found = sp.Function("Need")(alpha, beta, whole, part, psi)
+    return do.routine("LargestNeed", "the damping that the wall needs at its worst angle",
+                      (alpha, beta, d), choose(alpha < 0, sp.oo, found))  # fmt: skip
+
+
+def turn(precision: Precision = DOUBLE) -> Routine:
+    """The wall that is worst at an angle, as an angle; pi/2 where there is none."""
+    do = Steps()
+
+    def falls(inner: Steps, at: Expr) -> Expr:
+        wall = (f.xreplace({phi: at}) for f in worst.of_size_one().values())
+        return -sp.Function("Rising")(*wall, l, epsilon, psi)
+
+    found = crossing(do, falls, 0 * psi, pi / 2, precision.close)
+    return do.routine("Turn", "the wall whose worst angle is 2 psi, as an angle",
+                      (psi, l, epsilon), found)  # fmt: skip
+
+
+def touching() -> Routine:
+    """The same, and NaN where there is none."""
+    do = Steps()
+    found = do("found", sp.Function("Turn")(theta / 2, l, epsilon))
+    return do.routine("Touching", "the wall whose worst angle is theta, as an angle, or NaN",
+                      (theta, l, epsilon), choose(found < pi / 2, found, sp.nan))  # fmt: skip
+
+
+def passive_angle(precision: Precision = DOUBLE) -> Routine:
+    """The angle that is worst for the stiffest passive wall, at a fraction of a period."""
+    do = Steps()
+
+    def hinders(inner: Steps, at: Expr) -> Expr:
+        found = inner("turned", sp.Function("Turn")(at, l, epsilon))
+        one = worst.of_size_one()
+        stiffness, damping = (inner("wall", one[s].xreplace({phi: found})) for s in (alpha, beta))
+        need = inner("need", sp.Function("Need")(stiffness, damping, l, epsilon, at))
+        wall = {alpha: stiffness, beta: damping, psi: at}
+        return -worst.favours(need).xreplace(wall)
+
+    high = pi / (2 * (l + epsilon + 1))
+    psi_ = crossing(do, hinders, high / 10**6, high, precision.close)
+    return do.routine("PassiveAngle", "the worst angle of the stiffest passive wall, at a fraction",
+                      (l, epsilon), 2 * psi_)  # fmt: skip
+
+
+def pushed() -> Routine:
+    """A need, infinite if the wall pulls."""
+    do, need = Steps(), sp.Symbol("need")
+    return do.routine("Pushed", "the need, infinite for alpha < 0", (alpha, need),
+                      choose(alpha < 0, sp.oo, need))  # fmt: skip
+
+
+def whole_part() -> Routine:
+    """Whole periods of a delay."""
+    return Steps().routine("WholePart", "whole periods of a delay", (d,), floor(d))
+
+
+def late_part() -> Routine:
+    """The rest of them."""
+    return Steps().routine("LatePart", "the fraction of a period in a delay", (d,), d - floor(d))
+
+
+def some_part() -> Routine:
+    """The same for whole delays, too, where another branch counts."""
+    do = Steps()
+    part = do("part", d - floor(d))
+    return do.routine("SomePart", "the same, or 1/2 where it is 0", (d,),
+                      choose(sp.Eq(part, 0), sp.S.Half, part))  # fmt: skip
+
+
+ROUTINES = (
+    whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
+)  # fmt: skip
+PRECISE = (worst_angle, turn, passive_angle)

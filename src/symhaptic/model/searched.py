@@ -1,0 +1,284 @@
+"""Functions whose value is searched for: named here, with their values in many digits.
+
+None has a closed form.  ``exact`` finds the value from its defining condition, by another way than
+the exported search does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import mpmath
+import sympy as sp
+from mpmath import mpf
+from sympy import Function
+
+from symhaptic.model.counted import late_outside
+
+_MANY = 40
+"""Angles a half turn of the delay, to look for the largest value at."""
+
+_FAR = 8
+"""Half turns of a long delay that are looked at; all of them for a short one."""
+
+
+class Searched(Function):  # type: ignore[misc]
+    """A function without a closed form."""
+
+    meaning: str
+    """What it is, in plain text."""
+
+    exact: ClassVar[Callable[..., mpf]]
+    """Its value in the digits that mpmath is set to; raises ArithmeticError if none is found."""
+
+
+def fraction(delay: mpf) -> tuple[mpf, mpf]:
+    """Whole periods and the rest."""
+    whole = mpmath.floor(delay)
+    return whole, delay - whole
+
+
+class WholePart(Searched):
+    """floor(d)."""
+
+    nargs = 1
+    meaning = "floor(d), the whole periods of a delay"
+    exact = staticmethod(mpmath.floor)
+
+
+class LatePart(Searched):
+    """d - floor(d)."""
+
+    nargs = 1
+    meaning = "d - floor(d), the fraction of a period in a delay"
+
+    @staticmethod
+    def exact(d: mpf) -> mpf:
+        """d - floor(d)."""
+        return d - mpmath.floor(d)
+
+
+class SomePart(Searched):
+    """The same, and 1/2 in place of 0: so a branch for fractions is defined for whole delays."""
+
+    nargs = 1
+    meaning = "d - floor(d), or 1/2 where that is 0"
+
+    @staticmethod
+    def exact(d: mpf) -> mpf:
+        """d - floor(d), or 1/2."""
+        return d - mpmath.floor(d) or mpf(1) / 2
+
+
+# -- passivity -----------------------------------------------------------------------------
+
+
+def need(alpha: mpf, beta: mpf, d: mpf) -> Callable[[mpf], mpf]:
+    """The damping that the wall needs at an angle, from the printed (5), twice for a fraction."""
+    whole, part = fraction(d)
+
+    def straight(theta: mpf, delay: mpf) -> mpf:
+        kernel = mpmath.sin((delay + 0.5) * theta) / (2 * mpmath.sin(theta / 2))
+        return alpha * kernel - beta * mpmath.cos((delay + 1) * theta)
+
+    def at(theta: mpf) -> mpf:
+        if part == 0:
+            return straight(theta, whole)
+        n = (1 - part) * straight(theta, whole) + part * straight(theta, whole + 1)
+        size = alpha**2 + 4 * beta * (alpha + beta) * mpmath.sin(theta / 2) ** 2
+        return (n + mpmath.sqrt(n**2 + part * (1 - part) * size)) / 2
+
+    return at
+
+
+def largest(f: Callable[[mpf], mpf], turn: mpf, end: mpf) -> tuple[mpf, mpf]:
+    """The largest value of f on (0, pi), and where: a fine grid, then a root of the slope.
+
+    ``turn`` is the length on which f swings, ``end`` its limit at 0.
+    """
+    count = min(int(mpmath.pi / turn), _FAR) * _MANY
+    with mpmath.workdps(30):
+        grid = [turn * i / _MANY for i in range(1, count)]
+        grid = [*grid, mpmath.pi] if count < _FAR * _MANY else grid
+        values = [f(theta) for theta in grid]
+        peaks = _peaks(values)
+        best = max(range(len(grid)), key=peaks.__getitem__)
+    if end >= values[best] * (1 - mpf(10) ** -25):
+        return +end, mpf(0)
+    theta = grid[best]
+    if best < len(grid) - 1:
+        low = grid[best - 1] if best else turn / _MANY / 1000
+        slope = lambda x: mpmath.diff(f, x)  # noqa: E731
+        try:
+            theta = mpmath.findroot(slope, (low, grid[best + 1]), solver="anderson", verify=False)
+        except ZeroDivisionError:
+            raise ArithmeticError("no maximum found") from None
+    return f(theta), theta
+
+
+def _peaks(values: list[mpf]) -> list[mpf]:
+    """Each value, and where it is the largest of three the peak of the parabola through them."""
+    found = list(values)
+    for i in range(1, len(values) - 1):
+        rise, fall = values[i] - values[i - 1], values[i] - values[i + 1]
+        if rise >= 0 and fall >= 0 and rise + fall > 0:
+            found[i] += (rise - fall) ** 2 / (8 * (rise + fall))
+    return found
+
+
+class LargestNeed(Searched):
+    """The damping that a wall needs at its worst angle: (alpha, beta, d)."""
+
+    nargs = 3
+    meaning = (
+        "the largest damping that the wall (alpha, beta) behind a delay d needs at any angle, "
+        "searched for; infinite for alpha < 0"
+    )
+
+    @staticmethod
+    def exact(alpha: mpf, beta: mpf, d: mpf) -> mpf:
+        """By a grid and findroot."""
+        if alpha < 0:
+            return mpf("inf")
+        whole, part = fraction(d)
+        n = alpha * (d + 0.5) - beta
+        end = (n + mpmath.sqrt(n**2 + part * (1 - part) * alpha**2)) / 2 if part else n
+        return largest(need(alpha, beta, d), mpmath.pi / (whole + 1), end)[0]
+
+
+def _worst_at(theta: mpf, d: mpf) -> mpf:
+    """The wall (2 cos x, sin x - cos x) whose need has no slope at theta, as its angle x."""
+
+    def slope(x: mpf) -> mpf:
+        at = need(2 * mpmath.cos(x), mpmath.sin(x) - mpmath.cos(x), d)
+        return mpmath.diff(at, theta)
+
+    low, high = mpf(0), mpmath.pi / 2
+    if slope(low) >= 0 or slope(high) <= 0:
+        raise ArithmeticError("no wall is worst at this angle")
+    return mpmath.findroot(slope, (low, high), solver="anderson", verify=False)
+
+
+class Touching(Searched):
+    """The wall that is worst at an angle: (theta, l, epsilon)."""
+
+    nargs = 3
+    meaning = (
+        "the angle x of the wall (2 cos(x), sin(x) - cos(x)) that needs most damping at theta, "
+        "behind a delay of l + epsilon periods; NaN if there is none"
+    )
+
+    @staticmethod
+    def exact(theta: mpf, whole: mpf, part: mpf) -> mpf:
+        """By findroot."""
+        return _worst_at(theta, whole + part)
+
+
+class PassiveAngle(Searched):
+    """The worst angle of the stiffest passive wall: (l, epsilon)."""
+
+    nargs = 2
+    meaning = "the worst angle of the stiffest passive wall behind a delay of l + epsilon periods"
+
+    @staticmethod
+    def exact(whole: mpf, part: mpf) -> mpf:
+        """The largest stiffness on the boundary, by findroot."""
+        d = whole + part
+
+        def stiffness(theta: mpf) -> mpf:
+            x = _worst_at(theta, d)
+            alpha, beta = 2 * mpmath.cos(x), mpmath.sin(x) - mpmath.cos(x)
+            return alpha / need(alpha, beta, d)(theta)
+
+        turn = mpmath.pi / (d + 1)
+        slope = lambda t: mpmath.diff(stiffness, t)  # noqa: E731
+        ends = turn * mpf("0.3"), turn * mpf("0.7")
+        return mpmath.findroot(slope, ends, solver="anderson", verify=False)
+
+
+class Pushed(Searched):
+    """The second argument, and infinity where the first is negative."""
+
+    nargs = 2
+    meaning = "the second number, or infinity where the first is negative"
+
+    @staticmethod
+    def exact(alpha: mpf, value: mpf) -> mpf:
+        """The second argument, or infinity."""
+        return mpf("inf") if alpha < 0 else value
+
+
+# -- stability -----------------------------------------------------------------------------
+
+STIFFEST_SPRING = sp.Rational(98, 10)
+"""Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
+
+STIFFEST_ARGUMENTS = sp.symbols(
+    "gamma delta d l part first last at_one at_minus_one loss together apart"
+)
+"""The plant, the delay and its parts, and n1 and n0, or m2 and m0, with the values at 1 and -1."""
+
+_TRIED = 48
+"""Angles in the first half turn of the delay."""
+
+
+class StiffestAngle(Searched):
+    """The angle of the wall of largest stable stiffness, of :data:`STIFFEST_ARGUMENTS`."""
+
+    nargs = 12
+    meaning = (
+        "the first angle at which the stiffness on the boundary is largest, searched for, or the "
+        "end at pi without delay; NaN where that does not border the stable region, for gamma > "
+        "9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
+    )
+
+    @staticmethod
+    def exact(*numbers: mpf) -> mpf:
+        """By a grid on -z^(l+1) A/M and findroot, and the roots of the polynomial."""
+        gamma, delta, d, whole, part, first, last, at_one, _, loss, together, _ = numbers
+        if gamma > 9.8 or (mpmath.sqrt(gamma) * (d + 1) > mpmath.pi and d > 1):
+            raise ArithmeticError("outside the domain")
+        m2, m0 = (first, last) if part else (first, mpf(0))
+        m1 = together - m2 - m0
+
+        def force(theta: mpf) -> mpf:
+            z = mpmath.expj(theta)
+            above = z * z - (2 - loss - at_one) * z + 1 - loss
+            return -(z ** (whole + 1)) * above / ((m2 * z + m1) * z + m0)
+
+        def stiffness(theta: mpf) -> mpf:
+            q = force(theta)
+            return q.real - q.imag * mpmath.tan(theta / 2)
+
+        turn = mpmath.pi / (d + 1)
+        with mpmath.workdps(50):
+            grid = [turn * (i + mpf(1) / 2) / _TRIED for i in range(_TRIED)]
+            values = [stiffness(theta) for theta in grid]
+        tops = (i for i in range(1, _TRIED - 1) if values[i - 1] < values[i] > values[i + 1])
+        top = next(tops, None)
+        if top is None:
+            raise ArithmeticError("no first maximum")
+        with mpmath.workdps(70):
+            slope = lambda x: mpmath.diff(stiffness, x)  # noqa: E731
+            ends = grid[top - 1], grid[top + 1]
+            theta = mpmath.findroot(slope, ends, solver="anderson", verify=False)
+            q = force(theta)
+            beta = q.imag / mpmath.sin(theta)
+            alpha = stiffness(theta)
+        if delta == 0 or alpha <= -gamma:
+            raise ArithmeticError("a device that may be left swinging")
+        inside = alpha - (alpha + gamma) / 10**6
+        if whole <= 12 and late_outside(
+            inside, beta, whole, m2, m0, at_one, mpf(0), loss, together, mpf(0)
+        ):
+            raise ArithmeticError("it does not border the region")
+        return +theta
+
+
+def all_searched() -> dict[str, Any]:
+    """All of them by name."""
+    return {cls.__name__: cls for cls in Searched.__subclasses__()}
+
+
+__all__ = ["LargestNeed", "LatePart", "Pushed", "Searched", "WholePart", "all_searched"]

@@ -1,0 +1,83 @@
+r"""What a wall needs at one angle, and how that changes with the angle, without 0/0 at 0.
+
+With :math:`\psi=\theta/2` and :math:`N=2(k+1)` straight motions need, at a whole delay of k
+periods, the damping :math:`n=\alpha\sin((2k+1)\psi)/(2\sin\psi)-\beta\cos N\psi`; between whole
+delays n is the mean of both and all motions need :math:`b` with
+:math:`b^2-bn-\varepsilon(1-\varepsilon)s/4=0`, :math:`s=\alpha^2\cos^2\psi+(\alpha+2\beta)^2
+\sin^2\psi`; chapter s6d_fractional_passivity.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr, Symbol, cos, sin
+
+from symhaptic.model import fractional, passivity
+from symhaptic.model.entire import Chord, CosNext, Sinc
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta
+
+
+def straight(k: Expr) -> Expr:
+    """What straight motions need at a whole delay of k periods."""
+    order = 2 * k + 1
+    kernel = order * Sinc(order * psi) / (2 * Sinc(psi))
+    return alpha * kernel - beta * CosNext(k, 2 * psi)
+
+
+def steepness(k: Expr) -> Expr:
+    """The derivative of that with respect to psi, over psi."""
+    order = 2 * (k + 1)
+    turned = (beta + alpha / 2) * order**2 * Sinc(order * psi)
+    return turned - 2 * alpha * Chord(k, 2 * psi) / Sinc(psi) ** 2
+
+
+def between(early: Expr, late: Expr) -> Expr:
+    """The mean over the two whole delays."""
+    return early + epsilon * (late - early)
+
+
+def extra() -> Expr:
+    """epsilon (1 - epsilon) s, by which a motion that is not straight gains."""
+    square = (alpha * cos(psi)) ** 2 + ((alpha + 2 * beta) * sin(psi)) ** 2
+    return epsilon * (1 - epsilon) * square
+
+
+def rising(need: Expr, steep: Expr) -> Expr:
+    """Has the sign of the derivative of the need, at a fraction of a period."""
+    return need * steep + 2 * epsilon * (1 - epsilon) * beta * (alpha + beta) * Sinc(2 * psi)
+
+
+def need() -> Expr:
+    """The damping that all motions need at an angle, at a fraction of a period."""
+    n = between(straight(l), straight(l + 1))
+    return (n + sp.sqrt(n * n + extra())) / 2
+
+
+def favours(need: Expr) -> Expr:
+    """Has the sign of the derivative of the need with respect to beta."""
+    along = between(CosNext(l, 2 * psi), CosNext(l + 1, 2 * psi))
+    return epsilon * (1 - epsilon) * (alpha + 2 * beta) * sin(psi) ** 2 - need * along
+
+
+def derived() -> tuple[tuple[Expr, Expr], ...]:
+    """Pairs that are equal: these, and the same from the energy that a motion extracts."""
+    units = {K: alpha, B: beta, T: sp.S.One, b: delta, theta: 2 * psi}
+    whole = passivity.dirichlet_form().xreplace(units).subs(d, l)
+    margin = fractional.margin().xreplace(units)
+    n, steep = (between(f(l), f(l + 1)) for f in (straight, steepness))
+    return (
+        (straight(l), whole),
+        (psi * steepness(l), whole.diff(psi)),
+        (delta**2 - delta * n - extra() / 4, margin),
+        (psi * rising(delta, steep), -margin.diff(psi)),
+        (favours(delta), -margin.diff(beta)),
+    )
+
+
+def of_size_one() -> dict[Symbol, Expr]:
+    """The wall with alpha/2 = cos(phi) and beta + alpha/2 = sin(phi)."""
+    return {alpha: 2 * cos(phi), beta: sin(phi) - cos(phi)}
+
+
+ARGUMENTS: tuple[Symbol, ...] = (alpha, beta, l, epsilon, psi)
+"""What these are made of."""
