@@ -1,74 +1,133 @@
-"""Python, for arrays of any library of the Array API standard."""
+"""Python, for arrays of any library of the Array API standard.
+
+What a routine chooses between becomes functions of their own, which `select` calls with the
+elements that count.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
-from sympy import Expr
+import sympy as sp
+from sympy import Expr, Piecewise, Symbol
 from sympy.printing.pycode import PythonCodePrinter
 
+from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFTEST
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Routine
-from symhaptic.export.target import Printing, Target, called, describe, vocabulary
+from symhaptic.export.routine import Assign, Block, Choice, ProductError, Return, Routine, lazy
+from symhaptic.export.stages import Begun, begun, staged
+from symhaptic.export.target import (
+    Printing,
+    Target,
+    called,
+    calls,
+    code_name,
+    describe,
+    vocabulary,
+)
 
 
 class _Printer(Printing, PythonCodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations; each routine gets the namespace of its arrays."""
+    """SymPy's, with the shared operations; each routine sees the namespace of its arrays."""
+
+    scope: _Scope
+
+    def _as_ordered_terms(self, expr: Expr, order: str | None = None) -> list[Expr]:
+        """SymPy's order, but first a term without a minus, which would be a step of its own."""
+        terms = super()._as_ordered_terms(expr, order)
+        first = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
+        return [first, *(t for t in terms if t is not first)]
 
     def _print_Function(self, expr: Expr) -> str:
-        args = ", ".join(self._print(a) for a in expr.args)
-        return f"{self.target.call(expr.func.__name__)}(xp, {args})"
+        return self.scope.call(expr)
+
+    def _print_ProductError(self, expr: Expr) -> str:
+        return self.scope.product_error(*expr.args)
+
+    def _print_Piecewise(self, expr: Expr) -> str:
+        *choices, (last, always) = expr.args
+        if always != sp.true:
+            raise ValueError(f"{expr}: has no value where no condition holds")
+        text, number = str(self._print(last)), last.is_number
+        for value, condition in reversed(choices):
+            shown = str(self._print(value))
+            if value.is_number and number:
+                shown = f"xp.full_like({self.scope.like(condition)}, {shown})"
+            text = f"xp.where({self.scope.condition(condition)}, {shown}, {text})"
+            number = False
+        return text
 
 
 class ArrayApi(Target):
-    """One module; every branch is computed and the right one taken, element by element."""
+    """One module of functions of arrays."""
 
     name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", _Printer
-    choice = "xp.where({0}, {1}, {2})"
     words = MappingProxyType({"&&": "&", "||": "|", "!": "~"})
     keywords = vocabulary(
         "False None True and as assert async await break class continue def del elif else except "
         "finally for from global if import in is lambda nonlocal not or pass raise return try "
-        "while with yield match case xp np numpy selftest"
+        "while with yield match case xp np numpy selftest math sys array_namespace device "
+        "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
+        "select halves square_root product_error plant work yes no"
     )
     operations = called(
         "xp.",
         Max="xp.where({0} > {1}, {0}, {1})",
         Min="xp.where({0} < {1}, {0}, {1})",
-        ProductError="product_error(xp, {0}, {1})",
+        ProductError="product_error({0}, {1})",
+        sqrt="square_root(xp, {0})",
     )
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
-        lines = [f'"""{library.title}."""', "", *_PRELUDE.splitlines(), "", ""]
-        for helper in library.helpers:
+        lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
+        written = [replace(r, **_without_numbers(r)) for r in library.helpers]
+        starts = begun(written)
+        for helper in written:
             if helper.name == "ProductError":
-                lines += [*_PRODUCT_ERROR.splitlines(), "", ""]
+                lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
                 continue
-            lines += self._written(helper, ["xp", *self._arguments(helper)], [helper.about])
+            start = starts.get(helper.name)
+            if start and start.first == helper.name:
+                lines += self._helper(start.routine, {}) + ["", ""]
+            lines += self._helper(start.rest(helper) if start else helper, starts) + ["", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += self._written(routine, self._arguments(routine), describe(form))
+            lines += self._public(routine, describe(form), starts) + ["", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
-    def _arguments(self, routine: Routine) -> list[str]:
-        return [self.rename(s.name) for s in routine.arguments]
+    def _named(self, symbols: Iterable[Symbol]) -> list[str]:
+        return [self.rename(s.name) for s in symbols]
 
-    def _written(self, routine: Routine, args: list[str], about: list[str]) -> list[str]:
-        printer = self.printing()
-        name = self.call(routine.name)
-        lines = [f"def {name}({', '.join(args)}):", f'    """{about[0]}']
+    def _helper(self, routine: Routine, starts: Mapping[str, Begun]) -> list[str]:
+        arguments = ", ".join(["xp", *self._named(routine.arguments)])
+        head = f"def {self.call(routine.name)}({arguments}):"
+        block = lazy(routine)
+        return [head, f'    """{routine.about}"""', *_Scope(self, block, starts).written(1)]
+
+    def _public(
+        self, routine: Routine, about: list[str], starts: Mapping[str, Begun]
+    ) -> list[str]:
+        names = self._named(routine.arguments)
+        lines = [f"def {self.call(routine.name)}({', '.join(names)}):", f'    """{about[0]}']
         lines += ["", *(f"    {line}" for line in about[1:]), '    """'] if about[1:] else []
         if not about[1:]:
             lines[-1] += '"""'
-        if not args:
-            lines.append('    xp = import_module("numpy")')
-        elif args[0] != "xp":
-            one = "," if len(args) == 1 else ""
-            lines.append(f"    xp, ({', '.join(args)}{one}) = _arrays({', '.join(args)})")
-        for symbol, expr in routine.steps:
-            lines.append(f"    {self.rename(symbol.name)} = {printer.doprint(expr)}")
-        values = ", ".join(printer.doprint(value) for _, value in routine.results)
-        return [*lines, f"    return {values}", "", ""]
+        if not names:
+            return [*lines, "    (xp,) = arrays()", *_Scope(self, lazy(routine), starts).written(1)]
+        lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
+        plant, work = staged(routine)
+        for name, part in (("plant", plant), ("work", work)):
+            if part is None:
+                continue
+            given = ", ".join(self._named(part.arguments))
+            found = _Scope(self, lazy(part), starts).written(2)
+            lines += ["", f"    def {name}({given}):", *found, ""]
+            call = f"elementwise(xp, {name}, {given})"
+            results = self._named(Symbol(n) for n, _ in part.results)
+            lines.append(f"    return {call}" if name == "work" else f"    {', '.join(results)} = {call}")
+        return lines
 
     def usage(self, library: Library) -> str:
         """An import of the first function."""
@@ -77,7 +136,7 @@ class ArrayApi(Target):
     def selftest(self, library: Library) -> dict[str, str]:
         """selftest.py."""
         counts = {r.name: len(r.arguments) for r in library.public}
-        text = _SELFTEST.replace("NAME", library.name).replace("COUNTS", repr(counts))
+        text = SELFTEST.replace("NAME", library.name).replace("COUNTS", repr(counts))
         return {"selftest.py": text}
 
     def commands(self, name: str) -> list[list[str]]:
@@ -85,61 +144,179 @@ class ArrayApi(Target):
         return [["python", "-W", "error", "selftest.py"]]
 
 
-_PRELUDE = """from importlib import import_module
+def _without_numbers(routine: Routine) -> dict[str, tuple]:
+    """The steps and results with the names of mere numbers replaced by these."""
+    numbers: dict[Symbol, Expr] = {}
+    steps = []
+    for name, expr in routine.steps:
+        value = expr.xreplace(numbers)
+        if value.is_number:
+            numbers[name] = value
+        else:
+            steps.append((name, value))
+    results = tuple((name, expr.xreplace(numbers)) for name, expr in routine.results)
+    return {"steps": tuple(steps), "results": results}
 
 
-def _arrays(*values):
-    \"\"\"The namespace of the arrays, and all values as floats in it.\"\"\"
-    xp = None
-    for value in values:
-        home = type(value).__module__.partition(".")[0]
-        if home in ("torch", "cupy"):
-            xp = import_module(home)
-        elif hasattr(value, "__array_namespace__"):
-            xp = value.__array_namespace__()
-        if xp is not None:
-            break
-    if xp is None:
-        xp = import_module("numpy")
-    floats = [v.dtype for v in values if getattr(v, "dtype", None) in (xp.float32, xp.float64)]
-    wide = xp.float64 if xp.float64 in floats or not floats else xp.float32
-    return xp, [xp.asarray(v, dtype=wide) for v in values]
-"""
+class _Scope:
+    """The body of one function."""
 
-_PRODUCT_ERROR = """def product_error(xp, y, z):
-    \"\"\"y z minus the float nearest to it, by Dekker's product.\"\"\"
-    split = 134217729.0 if (y*z).dtype == xp.float64 else 4097.0
-    product = y*z
-    big = split*y
-    high = big - (big - y)
-    low = y - high
-    other = split*z
-    most = other - (other - z)
-    least = z - most
-    return ((high*most - product) + high*least + low*most) + low*least
-"""
+    def __init__(self, target: ArrayApi, block: Block, starts: Mapping[str, Begun]) -> None:
+        self.target, self.block, self.starts = target, block, starts
+        self.printer = target.printing()
+        self.printer.scope = self
+        self.split: set[str] = set()
+        """Names whose halves are there."""
+        self.begun: dict[tuple[str, tuple[Expr, ...]], str] = {}
+        """What is shared and done: the suffix of its names."""
+        self.products = {
+            frozenset(s.expr.args) if s.expr.is_Mul else s.expr: s.name.name
+            for s in block
+            if isinstance(s, Assign) and (s.expr.is_Mul or s.expr.is_Pow)
+        }
+        self.cases: dict[Expr, str] = {}
+        """Conditions that have a name."""
 
-_SELFTEST = """from pathlib import Path
+    # -- lines -----------------------------------------------------------------------------
 
-import numpy as np
+    def written(self, depth: int) -> list[str]:
+        """The statements."""
+        pad, lines = "    " * depth, []
+        often = self._often()
+        for statement in self.block:
+            shown = _expressions(statement)
+            for expr in shown:
+                lines += [pad + line for line in self._before(expr, often)]
+            if isinstance(statement, Assign):
+                name = self.target.rename(statement.name.name)
+                lines.append(f"{pad}{name} = {self.printer.doprint(statement.expr)}")
+            elif isinstance(statement, Choice):
+                lines += self._choice(statement, depth)
+            else:
+                lines.append(f"{pad}return {', '.join(self.printer.doprint(r) for r in shown)}")
+        return lines
 
-import NAME
+    def _choice(self, choice: Choice, depth: int) -> list[str]:
+        pad, lines, given = "    " * depth, [], []
+        condition = self.condition(choice.condition)
+        if _plain(choice.yes) and _plain(choice.no):
+            ends = choice.yes[0].results[0], choice.no[0].results[0]
+            (whole,) = (Piecewise((ends[0], choice.condition), (ends[1], True)),)
+            return [f"{pad}return {self.printer.doprint(whole)}"]
+        for name, block in (("yes", choice.yes), ("no", choice.no)):
+            wanted = self.target._named(_free(block))
+            body = _Scope(self.target, block, self.starts).written(depth + 1)
+            lines += ["", f"{pad}def {name}({', '.join(wanted)}):", *body]
+            given.append(f"({', '.join(wanted)}{',' * (len(wanted) == 1)})")
+        end = f"{pad}return select(xp, {condition}, yes, {given[0]}, no, {given[1]})"
+        return [*lines, "", end]
 
-COUNT = COUNTS
-tried = missed = 0
-for line in Path("vectors.txt").read_text(encoding="ascii").splitlines():
-    name, *words = line.split()
-    numbers = [float.fromhex(word) for word in words]
-    count = COUNT[name]
-    got = np.ravel(getattr(NAME, name)(*numbers[:count]))
-    for i, value in enumerate(got):
-        expected, allowed = numbers[count + 2*i : count + 2*i + 2]
-        tried += 1
-        if not abs(value - expected) <= allowed:
-            missed += 1
-            print(f"{name}, result {i}: {value!r} instead of {expected!r}")
-print(f"{tried} values, {missed} missed")
-raise SystemExit(tried == 0 or missed > 0)
-"""
+    # -- what has to be there before an expression --------------------------------------------
+
+    def _often(self) -> set[Expr]:
+        """Conditions that occur more than once."""
+        count: dict[Expr, int] = {}
+        for statement in self.block:
+            for expr in _expressions(statement):
+                for part in sp.preorder_traversal(expr):
+                    if isinstance(part, Piecewise):
+                        for _, condition in part.args[:-1]:
+                            count[condition] = count.get(condition, 0) + 1
+        return {condition for condition, times in count.items() if times > 1}
+
+    def _before(self, expr: Expr, often: set[Expr]) -> list[str]:
+        lines = []
+        for part in sp.postorder_traversal(expr):
+            if isinstance(part, ProductError):
+                for factor in part.args:
+                    name = self.target.rename(factor.name)
+                    if name not in self.split:
+                        self.split.add(name)
+                        lines.append(f"{name}_halves = halves(xp, {name})")
+            elif isinstance(part, Piecewise):
+                for _, condition in part.args[:-1]:
+                    if condition in often and condition not in self.cases:
+                        name = f"case{len(self.cases) + 1}"
+                        lines.append(f"{name} = {self.printer.doprint(condition)}")
+                        self.cases[condition] = name
+            elif type(part).__name__ in self.starts:
+                lines += self._begin(self.starts[type(part).__name__], part.args)
+        return lines
+
+    def _begin(self, start: Begun, args: tuple[Expr, ...]) -> list[str]:
+        if (start.routine.name, args) in self.begun:
+            return []
+        suffix = f"_{len(self.begun) + 1}" if self.begun else ""
+        self.begun[start.routine.name, args] = suffix
+        names = [f"{name}{suffix}" for name in self.target._named(start.kept)]
+        given = ", ".join(["xp", *(self.printer.doprint(a) for a in args)])
+        return [f"{', '.join(names)} = {self.target.call(start.routine.name)}({given})"]
+
+    # -- expressions -----------------------------------------------------------------------
+
+    def call(self, expr: Expr) -> str:
+        """A call of a routine, with what is shared and done already."""
+        name = expr.func.__name__
+        like = min(self._symbols(expr), key=str, default=None)
+        args = [
+            f"xp.full_like({like}, {self.printer.doprint(a)})"
+            if a.is_number
+            else self.printer.doprint(a)
+            for a in expr.args
+        ]
+        if name in self.starts:
+            start = self.starts[name]
+            suffix = self.begun[start.routine.name, expr.args]
+            args += [f"{n}{suffix}" for n in self.target._named(start.used[name])]
+        return f"{self.target.call(name)}({', '.join(['xp', *args])})"
+
+    def product_error(self, one: Symbol, two: Symbol) -> str:
+        """What a product misses; the product itself may have a name."""
+        names = self.target._named((one, two))
+        product = self.products.get(one**2 if one == two else frozenset((one, two)))
+        shown = self.target.rename(product) if product else "*".join(names)
+        return f"product_error({shown}, {names[0]}_halves, {names[1]}_halves)"
+
+    def condition(self, condition: Expr) -> str:
+        """A condition, by its name if it has one."""
+        return self.cases.get(condition) or str(self.printer.doprint(condition))
+
+    def like(self, condition: Expr) -> str:
+        """An array of the kind that a condition looks at."""
+        return min(self._symbols(condition))
+
+    def _symbols(self, expr: Expr) -> list[str]:
+        return self.target._named(expr.free_symbols)
+
+
+def _expressions(statement: Assign | Choice | Return) -> tuple[Expr, ...]:
+    """What a statement computes itself, the conditions of a choice included."""
+    if isinstance(statement, Assign):
+        return (statement.expr,)
+    return (statement.condition,) if isinstance(statement, Choice) else statement.results
+
+
+def _plain(block: Block) -> bool:
+    """Whether a block is one expression without calls, as cheap as a choice."""
+    (first, *_) = block
+    return isinstance(first, Return) and not any(
+        calls(Routine("", "", (), (), (("", e),))) for e in first.results
+    )
+
+
+def _free(block: Block) -> list[Symbol]:
+    """What a block needs to be given, by name."""
+    needed: set[Symbol] = set()
+    done: set[Symbol] = set()
+    for statement in block:
+        for expr in _expressions(statement):
+            needed |= expr.free_symbols - done
+        if isinstance(statement, Assign):
+            done.add(statement.name)
+        elif isinstance(statement, Choice):
+            needed |= {s for b in (statement.yes, statement.no) for s in _free(b)} - done
+    return sorted(needed, key=str)
+
 
 TARGET = ArrayApi()
+__all__ = ["TARGET", "ArrayApi", "code_name"]

@@ -23,6 +23,15 @@ class ProductError(Function):  # type: ignore[misc]
 
 
 @dataclass(frozen=True)
+class Shared:
+    """The first ``count`` steps of several routines, under a name."""
+
+    name: str
+    about: str
+    count: int
+
+
+@dataclass(frozen=True)
 class Routine:
     """A function with one result or several."""
 
@@ -32,6 +41,8 @@ class Routine:
     arguments: tuple[Symbol, ...]
     steps: tuple[tuple[Symbol, Expr], ...]
     results: tuple[tuple[str, Expr], ...]
+    shared: Shared | None = None
+    """Its first steps, where other routines of the same arguments begin with them too."""
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
@@ -44,6 +55,7 @@ class Steps:
     """Collects the steps of a routine; each call adds one and gives its name."""
 
     done: list[tuple[Symbol, Expr]] = field(default_factory=list)
+    shared: Shared | None = None
 
     def __call__(self, name: str, expr: Expr) -> Symbol:
         """The step ``name = expr``; a name that is taken gets a number."""
@@ -55,6 +67,10 @@ class Steps:
         self.done.append((symbol, sp.sympify(expr)))
         return symbol
 
+    def share(self, name: str, about: str) -> None:
+        """What is done so far is common to several routines: a target may do it once for all."""
+        self.shared = Shared(name, about, len(self.done))
+
     def nonzero(self, value: Expr) -> Symbol:
         """The value, or 1 in its place where it is 0."""
         return self("whole", choose(sp.Eq(value, 0), sp.S.One, value))
@@ -63,7 +79,8 @@ class Steps:
         self, name: str, about: str, arguments: tuple[Symbol, ...], result: Expr
     ) -> Routine:
         """The routine of these steps."""
-        return Routine(name, about, arguments, tuple(self.done), ((name, sp.sympify(result)),))
+        results = ((name, sp.sympify(result)),)
+        return Routine(name, about, arguments, tuple(self.done), results, self.shared)
 
 
 def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
@@ -167,6 +184,7 @@ def lazy(routine: Routine) -> Block:
 __all__ = [
     "ProductError",
     "Routine",
+    "Shared",
     "Steps",
     "choose",
     "difference",
