@@ -12,9 +12,9 @@ import sympy as sp
 from scipy.linalg import expm
 
 from symhaptic.chapter import FalseStep, Page
-from symhaptic.kernels.passivity import passivity_margin
 from symhaptic.library import BadChapter, folder, run
 from symhaptic.model import fractional, plant
+from symhaptic.numeric.passivity import passivity_margin
 from symhaptic.proof import sign
 from symhaptic.report.breaking import pieces
 from symhaptic.scene import FULL

@@ -23,7 +23,6 @@ from symhaptic.export.target import (
     Target,
     called,
     calls,
-    code_name,
     describe,
     vocabulary,
 )
@@ -83,7 +82,7 @@ class ArrayApi(Target):
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
         lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
-        written = [replace(r, **_without_numbers(r)) for r in library.helpers]
+        written = [_without_numbers(r) for r in library.helpers]
         starts = begun(written)
         for helper in written:
             if helper.name == "ProductError":
@@ -91,10 +90,11 @@ class ArrayApi(Target):
                 continue
             start = starts.get(helper.name)
             if start and start.first == helper.name:
-                lines += self._helper(start.routine, {}) + ["", ""]
-            lines += self._helper(start.rest(helper) if start else helper, starts) + ["", ""]
+                lines += [*self._helper(start.routine, {}), "", ""]
+            own = start.rest(helper) if start else helper
+            lines += [*self._helper(own, starts), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += self._public(routine, describe(form), starts) + ["", ""]
+            lines += [*self._public(routine, describe(form), starts), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
     def _named(self, symbols: Iterable[Symbol]) -> list[str]:
@@ -106,9 +106,7 @@ class ArrayApi(Target):
         block = lazy(routine)
         return [head, f'    """{routine.about}"""', *_Scope(self, block, starts).written(1)]
 
-    def _public(
-        self, routine: Routine, about: list[str], starts: Mapping[str, Begun]
-    ) -> list[str]:
+    def _public(self, routine: Routine, about: list[str], starts: Mapping[str, Begun]) -> list[str]:
         names = self._named(routine.arguments)
         lines = [f"def {self.call(routine.name)}({', '.join(names)}):", f'    """{about[0]}']
         lines += ["", *(f"    {line}" for line in about[1:]), '    """'] if about[1:] else []
@@ -126,7 +124,9 @@ class ArrayApi(Target):
             lines += ["", f"    def {name}({given}):", *found, ""]
             call = f"elementwise(xp, {name}, {given})"
             results = self._named(Symbol(n) for n, _ in part.results)
-            lines.append(f"    return {call}" if name == "work" else f"    {', '.join(results)} = {call}")
+            lines.append(
+                f"    return {call}" if name == "work" else f"    {', '.join(results)} = {call}"
+            )
         return lines
 
     def usage(self, library: Library) -> str:
@@ -144,8 +144,8 @@ class ArrayApi(Target):
         return [["python", "-W", "error", "selftest.py"]]
 
 
-def _without_numbers(routine: Routine) -> dict[str, tuple]:
-    """The steps and results with the names of mere numbers replaced by these."""
+def _without_numbers(routine: Routine) -> Routine:
+    """The routine with the names of mere numbers replaced by these."""
     numbers: dict[Symbol, Expr] = {}
     steps = []
     for name, expr in routine.steps:
@@ -154,8 +154,12 @@ def _without_numbers(routine: Routine) -> dict[str, tuple]:
             numbers[name] = value
         else:
             steps.append((name, value))
+    before = routine.shared
+    if before is not None and numbers:
+        count = sum(name not in numbers for name, _ in routine.steps[: before.count])
+        before = replace(before, count=count)
     results = tuple((name, expr.xreplace(numbers)) for name, expr in routine.results)
-    return {"steps": tuple(steps), "results": results}
+    return replace(routine, steps=tuple(steps), results=results, shared=before)
 
 
 class _Scope:
@@ -199,9 +203,9 @@ class _Scope:
     def _choice(self, choice: Choice, depth: int) -> list[str]:
         pad, lines, given = "    " * depth, [], []
         condition = self.condition(choice.condition)
-        if _plain(choice.yes) and _plain(choice.no):
-            ends = choice.yes[0].results[0], choice.no[0].results[0]
-            (whole,) = (Piecewise((ends[0], choice.condition), (ends[1], True)),)
+        yes, no = _plain(choice.yes), _plain(choice.no)
+        if yes is not None and no is not None:
+            whole = Piecewise((yes, choice.condition), (no, True))
             return [f"{pad}return {self.printer.doprint(whole)}"]
         for name, block in (("yes", choice.yes), ("no", choice.no)):
             wanted = self.target._named(_free(block))
@@ -296,12 +300,12 @@ def _expressions(statement: Assign | Choice | Return) -> tuple[Expr, ...]:
     return (statement.condition,) if isinstance(statement, Choice) else statement.results
 
 
-def _plain(block: Block) -> bool:
-    """Whether a block is one expression without calls, as cheap as a choice."""
-    (first, *_) = block
-    return isinstance(first, Return) and not any(
-        calls(Routine("", "", (), (), (("", e),))) for e in first.results
-    )
+def _plain(block: Block) -> Expr | None:
+    """The one expression of a block that is nothing else and calls nothing."""
+    first = block[0]
+    if not isinstance(first, Return) or calls(Routine("", "", (), (), (("", first.results[0]),))):
+        return None
+    return first.results[0]
 
 
 def _free(block: Block) -> list[Symbol]:
@@ -319,4 +323,3 @@ def _free(block: Block) -> list[Symbol]:
 
 
 TARGET = ArrayApi()
-__all__ = ["TARGET", "ArrayApi", "code_name"]

@@ -51,17 +51,13 @@ def elementwise(xp, work, *values):
 
     It gets flat ones, of one element where there is but one, unless numbers cannot be looked at.
     """
+    shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))
     if deferred(values[0]):
         results = _without_nan(xp, work, values)
-        shape = numpy.broadcast_shapes(*(v.shape for v in values))
         results = [xp.broadcast_to(r, shape) for r in results]
         return results[0] if len(results) == 1 else tuple(results)
-    shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))
     size = math.prod(shape)
-    flat = [
-        xp.reshape(v, (1,)) if math.prod(v.shape) == 1 else xp.reshape(xp.broadcast_to(v, shape), (-1,))
-        for v in values
-    ]
+    flat = [xp.reshape(_stretched(xp, v, shape), (-1,)) for v in values]
     if size <= BLOCK or not is_numpy_array(values[0]):
         found = [xp.broadcast_to(r, (size,)) for r in _without_nan(xp, work, flat)]
     else:
@@ -75,6 +71,10 @@ def elementwise(xp, work, *values):
                 whole[part] = row
     results = [xp.reshape(r, shape) for r in found]
     return results[0] if len(results) == 1 else tuple(results)
+
+
+def _stretched(xp, values, shape):
+    return values if math.prod(values.shape) == 1 else xp.broadcast_to(values, shape)
 
 
 def _without_nan(xp, work, values):
@@ -130,7 +130,7 @@ PRODUCT_ERROR = '''def product_error(product, one, two):
     return ((high*most - product) + high*least + low*most) + low*least
 '''
 
-SELFTEST = '''from pathlib import Path
+SELFTEST = """from pathlib import Path
 
 import numpy as np
 
@@ -151,4 +151,4 @@ for line in Path("vectors.txt").read_text(encoding="ascii").splitlines():
             print(f"{name}, result {i}: {value!r} instead of {expected!r}")
 print(f"{tried} values, {missed} missed")
 raise SystemExit(tried == 0 or missed > 0)
-'''
+"""
