@@ -119,7 +119,7 @@ def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
     """Raise :class:`ValueError` with the first bad value."""
     xp = array_namespace(bad)
     if bool(xp.any(bad)):
-        value = float(xp.reshape(values, (-1,))[int(xp.argmax(xp.reshape(bad, (-1,))))])
+        value = float(xp.reshape(values, (-1,))[xp.reshape(bad, (-1,))][0])
         raise ValueError(f"{name}: {value!r} is not allowed; {allowed}")
 
 

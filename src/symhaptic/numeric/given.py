@@ -95,7 +95,7 @@ def to_numpy(values: Any) -> Array:
 
 
 def _plain(name: str, value: Any) -> Any:
-    """An array of real numbers as it is, a number as Python's, anything else as NumPy array."""
+    """An array of real numbers as it is, numbers and lists as Python's floats."""
     if is_array_api_obj(value) and not is_numpy_array(value):
         allowed = ("bool", "integral", "real floating")
         if not array_namespace(value).isdtype(value.dtype, allowed):
@@ -104,7 +104,7 @@ def _plain(name: str, value: Any) -> Any:
     array = arguments.real(name, value)
     if isinstance(value, np.ndarray):
         return value if value.dtype == np.float32 else array
-    return array if array.ndim else float(array)
+    return array.tolist()
 
 
 def _is_traced(x: Any) -> bool:
