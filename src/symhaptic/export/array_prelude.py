@@ -13,8 +13,8 @@ from array_api_compat import (
     is_torch_array,
 )
 
-BLOCK = 16384
-"""Elements of NumPy arrays worked on at a time: so many fit the cache."""
+BLOCK = 8192
+"""Elements of NumPy arrays worked on at a time: so many fit the caches."""
 
 
 def arrays(*values):

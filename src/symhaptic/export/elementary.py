@@ -151,17 +151,15 @@ def _root(do: Steps) -> tuple[Expr, Expr, Expr]:
 def cos_next() -> Routine:
     """cos((k + 1) x) with the rounding of sum and product put back."""
     do = Steps()
-    angle, off = _next(do)
-    cosine = do("cosine", cos(angle))
-    return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine - off * sin(angle))
+    cosine, sine, off = _next(do)
+    return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine - off * sine)
 
 
 def sin_next() -> Routine:
     """sin((k + 1) x) with the rounding of sum and product put back."""
     do = Steps()
-    angle, off = _next(do)
-    sine = do("sine", sin(angle))
-    return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine + off * cos(angle))
+    cosine, sine, off = _next(do)
+    return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine + off * cosine)
 
 
 def spread() -> Routine:
@@ -195,12 +193,18 @@ def _delayed(do: Steps) -> tuple[Expr, Expr, Expr, Expr]:
     return do("order", 2 * (k + 1)), turn, angle, some
 
 
-def _next(do: Steps) -> tuple[Expr, Expr]:
+def _next(do: Steps) -> tuple[Expr, Expr, Expr]:
+    """Cosine and sine of the rounded angle, and what the rounding has taken from it."""
     count = do("count", k + 1)
     before = do("before", count - 1)
     angle = do("angle", count * x)
     missed = do("missed", k - before)
-    return angle, do("off", ProductError(count, x) + missed * x)
+    off = do("off", ProductError(count, x) + missed * x)
+    cosine, sine = do("cosine", cos(angle)), do("sine", sin(angle))
+    do.share(
+        "NextAngle", "cosine and sine of (k + 1) x as it is rounded, and the rest of the angle"
+    )
+    return cosine, sine, off
 
 
 ROUTINES = (

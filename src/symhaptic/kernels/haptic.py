@@ -14,8 +14,8 @@ from array_api_compat import (
     is_torch_array,
 )
 
-BLOCK = 16384
-"""Elements of NumPy arrays worked on at a time: so many fit the cache."""
+BLOCK = 8192
+"""Elements of NumPy arrays worked on at a time: so many fit the caches."""
 
 
 def arrays(*values):
@@ -135,109 +135,109 @@ def fall_series(xp, gamma, delta):
     """divided difference of exp at 0, p and q, less 1/2"""
     b32 = 9.67759295863189e-41*delta + 3.387157535521162e-39
     b31 = b32*delta - 9.67759295863189e-41*gamma + 1.151633562077195e-37
-    b30 = b31*delta - b32*gamma + 3.8003907548547434e-36
-    b29 = b30*delta - b31*gamma + 1.216125041553518e-34
-    b28 = b29*delta - b30*gamma + 3.7699876288159054e-33
-    b27 = b28*delta - b29*gamma + 1.1309962886447716e-31
-    b26 = b27*delta - b28*gamma + 3.279889237069838e-30
-    b25 = b26*delta - b27*gamma + 9.183689863795546e-29
-    b24 = b25*delta - b26*gamma + 2.4795962632247976e-27
-    b23 = b24*delta - b25*gamma + 6.446950284384474e-26
-    b22 = b23*delta - b24*gamma + 1.6117375710961184e-24
-    b21 = b22*delta - b23*gamma + 3.868170170630684e-23
-    b20 = b21*delta - b22*gamma + 8.896791392450574e-22
-    b19 = b20*delta - b21*gamma + 1.9572941063391263e-20
-    b18 = b19*delta - b20*gamma + 4.110317623312165e-19
-    b17 = b18*delta - b19*gamma + 8.22063524662433e-18
-    b16 = b17*delta - b18*gamma + 1.5619206968586225e-16
-    b15 = b16*delta - b17*gamma + 2.8114572543455206e-15
-    b14 = b15*delta - b16*gamma + 4.779477332387385e-14
-    b13 = b14*delta - b15*gamma + 7.647163731819816e-13
-    b12 = b13*delta - b14*gamma + 1.1470745597729725e-11
-    b11 = b12*delta - b13*gamma + 1.6059043836821613e-10
-    b10 = b11*delta - b12*gamma + 2.08767569878681e-09
-    b9 = b10*delta - b11*gamma + 2.505210838544172e-08
-    b8 = b9*delta - b10*gamma + 2.755731922398589e-07
-    b7 = b8*delta - b9*gamma + 2.7557319223985893e-06
-    b6 = b7*delta - b8*gamma + 2.48015873015873e-05
-    b5 = b6*delta - b7*gamma + 0.0001984126984126984
-    b4 = b5*delta - b6*gamma + 0.001388888888888889
-    total = b4*delta
+    b32 = b31*delta - b32*gamma + 3.8003907548547434e-36
+    b31 = b32*delta - b31*gamma + 1.216125041553518e-34
+    b32 = b31*delta - b32*gamma + 3.7699876288159054e-33
+    b31 = b32*delta - b31*gamma + 1.1309962886447716e-31
+    b32 = b31*delta - b32*gamma + 3.279889237069838e-30
+    b31 = b32*delta - b31*gamma + 9.183689863795546e-29
+    b32 = b31*delta - b32*gamma + 2.4795962632247976e-27
+    b31 = b32*delta - b31*gamma + 6.446950284384474e-26
+    b32 = b31*delta - b32*gamma + 1.6117375710961184e-24
+    b31 = b32*delta - b31*gamma + 3.868170170630684e-23
+    b32 = b31*delta - b32*gamma + 8.896791392450574e-22
+    b31 = b32*delta - b31*gamma + 1.9572941063391263e-20
+    b32 = b31*delta - b32*gamma + 4.110317623312165e-19
+    b31 = b32*delta - b31*gamma + 8.22063524662433e-18
+    b32 = b31*delta - b32*gamma + 1.5619206968586225e-16
+    b31 = b32*delta - b31*gamma + 2.8114572543455206e-15
+    b32 = b31*delta - b32*gamma + 4.779477332387385e-14
+    b31 = b32*delta - b31*gamma + 7.647163731819816e-13
+    b32 = b31*delta - b32*gamma + 1.1470745597729725e-11
+    b31 = b32*delta - b31*gamma + 1.6059043836821613e-10
+    b32 = b31*delta - b32*gamma + 2.08767569878681e-09
+    b31 = b32*delta - b31*gamma + 2.505210838544172e-08
+    b32 = b31*delta - b32*gamma + 2.755731922398589e-07
+    b31 = b32*delta - b31*gamma + 2.7557319223985893e-06
+    b32 = b31*delta - b32*gamma + 2.48015873015873e-05
+    b31 = b32*delta - b31*gamma + 0.0001984126984126984
+    b32 = b31*delta - b32*gamma + 0.001388888888888889
+    total = b32*delta
     delta_halves = halves(xp, delta)
-    b4_halves = halves(xp, b4)
-    lost = product_error(total, delta_halves, b4_halves)
-    total2 = b5*gamma
+    b32_halves = halves(xp, b32)
+    lost = product_error(total, delta_halves, b32_halves)
+    total2 = b31*gamma
     gamma_halves = halves(xp, gamma)
-    b5_halves = halves(xp, b5)
-    lost2 = product_error(total2, gamma_halves, b5_halves)
+    b31_halves = halves(xp, b31)
+    lost2 = product_error(total2, gamma_halves, b31_halves)
     total3 = total - total2
     back = total3 - total
     rest = total3 - back
     one = total - rest
     two = -back - total2
     lost3 = one + two
-    total4 = total3 + 0.008333333333333333
-    back2 = total4 - total3
-    rest2 = total4 - back2
-    one2 = total3 - rest2
-    two2 = 0.008333333333333333 - back2
-    lost4 = one2 + two2
+    total2 = total3 + 0.008333333333333333
+    back = total2 - total3
+    rest = total2 - back
+    one = total3 - rest
+    two = 0.008333333333333333 - back
+    lost4 = one + two
     low = lost - lost2 + lost3 + lost4
-    total5 = delta*total4
-    total4_halves = halves(xp, total4)
-    lost5 = delta*low + product_error(total5, delta_halves, total4_halves)
-    total6 = b4*gamma
-    lost6 = product_error(total6, gamma_halves, b4_halves)
-    total7 = total5 - total6
-    back3 = total7 - total5
-    rest3 = total7 - back3
-    one3 = total5 - rest3
-    two3 = -back3 - total6
-    lost7 = one3 + two3
-    total8 = total7 + 0.041666666666666664
-    back4 = total8 - total7
-    rest4 = total8 - back4
-    one4 = total7 - rest4
-    two4 = 0.041666666666666664 - back4
-    lost8 = one4 + two4
-    low2 = lost5 - lost6 + lost7 + lost8
-    total9 = delta*total8
-    total8_halves = halves(xp, total8)
-    lost9 = delta*low2 + product_error(total9, delta_halves, total8_halves)
-    total10 = gamma*total4
-    lost10 = gamma*low + product_error(total10, gamma_halves, total4_halves)
-    total11 = total9 - total10
-    back5 = total11 - total9
-    rest5 = total11 - back5
-    one5 = total9 - rest5
-    two5 = -back5 - total10
-    lost11 = one5 + two5
-    total12 = total11 + 0.16666666666666666
-    back6 = total12 - total11
-    rest6 = total12 - back6
-    one6 = total11 - rest6
-    two6 = 0.16666666666666666 - back6
-    lost12 = one6 + two6
-    low3 = lost11 - lost10 + lost12 + lost9
-    total13 = delta*total12
-    total12_halves = halves(xp, total12)
-    lost13 = delta*low3 + product_error(total13, delta_halves, total12_halves)
-    total14 = gamma*total8
-    lost14 = gamma*low2 + product_error(total14, gamma_halves, total8_halves)
-    total15 = total13 - total14
-    back7 = total15 - total13
-    rest7 = total15 - back7
-    one7 = total13 - rest7
-    two7 = -back7 - total14
-    lost15 = one7 + two7
-    total16 = total15
-    back8 = total16 - total15
-    rest8 = total16 - back8
-    one8 = total15 - rest8
-    two8 = -back8
-    lost16 = one8 + two8
-    low4 = lost13 - lost14 + lost15 + lost16
-    return low4 + total16
+    total3 = delta*total2
+    total2_halves = halves(xp, total2)
+    lost = delta*low + product_error(total3, delta_halves, total2_halves)
+    total = b32*gamma
+    lost2 = product_error(total, gamma_halves, b32_halves)
+    total7 = total3 - total
+    back = total7 - total3
+    rest = total7 - back
+    one = total3 - rest
+    two = -back - total
+    lost3 = one + two
+    total = total7 + 0.041666666666666664
+    back = total - total7
+    rest = total - back
+    one = total7 - rest
+    two = 0.041666666666666664 - back
+    lost4 = one + two
+    low2 = lost - lost2 + lost3 + lost4
+    total7 = delta*total
+    total_halves = halves(xp, total)
+    lost4 = delta*low2 + product_error(total7, delta_halves, total_halves)
+    total3 = gamma*total2
+    lost3 = gamma*low + product_error(total3, gamma_halves, total2_halves)
+    total2 = total7 - total3
+    back = total2 - total7
+    rest = total2 - back
+    one = total7 - rest
+    two = -back - total3
+    lost = one + two
+    total3 = total2 + 0.16666666666666666
+    back = total3 - total2
+    rest = total3 - back
+    one = total2 - rest
+    two = 0.16666666666666666 - back
+    lost2 = one + two
+    low = lost - lost3 + lost2 + lost4
+    total2 = delta*total3
+    total3_halves = halves(xp, total3)
+    lost3 = delta*low + product_error(total2, delta_halves, total3_halves)
+    total3 = gamma*total
+    lost2 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
+    total = total2 - total3
+    back = total - total2
+    rest = total - back
+    one = total2 - rest
+    two = -back - total3
+    lost4 = one + two
+    total3 = total
+    back = total3 - total
+    rest = total3 - back
+    one = total - rest
+    two = -back
+    lost = one + two
+    low2 = lost3 - lost2 + lost4 + lost
+    return low2 + total3
 
 
 def motion(xp, gamma, delta):
@@ -251,32 +251,32 @@ def motion(xp, gamma, delta):
     two = -back - gamma
     lost = one + two
     half_halves = halves(xp, half)
-    rest2 = lost + product_error(square, half_halves, half_halves)
-    total2 = rest2 + total
-    back2 = total2 - total
-    lost2 = rest2 - back2
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
     size = xp.abs(total2)
     root = square_root(xp, size)
-    sign_low = xp.where(total2 < 0.0, -lost2, lost2)
+    sign_low = xp.where(total2 < 0.0, -lost, lost)
     left = size - (root*root)
     root_halves = halves(xp, root)
-    left2 = left - product_error(root*root, root_halves, root_halves)
-    left3 = left2 + sign_low
+    left = left - product_error(root*root, root_halves, root_halves)
+    left = left + sign_low
     whole = xp.where(root == 0.0, 1.0, root)
-    root_low = 0.5*left3/whole
-    total3 = half + root
-    back3 = total3 - half
-    lost3 = root - back3
-    p_low = lost3 + root_low
-    whole2 = xp.where(total3 == 0.0, 1.0, total3)
+    root_low = 0.5*left/whole
+    total = half + root
+    back = total - half
+    lost = root - back
+    p_low = lost + root_low
+    whole2 = xp.where(total == 0.0, 1.0, total)
     q = gamma/whole2
     off = gamma - q*whole2
     whole2_halves = halves(xp, whole2)
     q_halves = halves(xp, q)
-    off2 = off - product_error(whole2*q, whole2_halves, q_halves)
-    off3 = off2 - p_low*q
-    q_low = off3/whole2
-    return half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low
+    off = off - product_error(whole2*q, whole2_halves, q_halves)
+    off = off - p_low*q
+    q_low = off/whole2
+    return half, total2, root, whole, root_low, total, p_low, whole2, q, q_low
 
 
 def fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low):
@@ -293,8 +293,8 @@ def fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
         total17 = envelope2*total16
         envelope2_halves = halves(xp, envelope2)
         total16_halves = halves(xp, total16)
-        lost17 = envelope2*lost16 + product_error(total17, envelope2_halves, total16_halves)
-        return lost17 + total17
+        lost16 = envelope2*lost16 + product_error(total17, envelope2_halves, total16_halves)
+        return lost16 + total17
 
     def no(gamma, half, p_low, q, q_low, root, root_low, total2, whole, whole2):
 
@@ -310,41 +310,41 @@ def fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
             left13 = total10 - total11*whole
             total11_halves = halves(xp, total11)
             whole_halves = halves(xp, whole)
-            left14 = left13 - product_error(total11*whole, total11_halves, whole_halves)
-            left15 = left14 + lost10 - root_low*total11
-            lost11 = left15/whole
+            left13 = left13 - product_error(total11*whole, total11_halves, whole_halves)
+            left13 = left13 + lost10 - root_low*total11
+            lost10 = left13/whole
             envelope = xp.exp(-half)
-            total12 = total11 - cosine
-            back5 = total12 - total11
-            rest4 = total12 - back5
+            total10 = total11 - cosine
+            back5 = total10 - total11
+            rest4 = total10 - back5
             one3 = total11 - rest4
             two3 = -back5 - cosine
             lost12 = one3 + two3
-            total13 = envelope + total12
-            back6 = total13 - total12
-            rest5 = total13 - back6
-            one4 = total12 - rest5
-            two4 = envelope - back6
-            lost13 = one4 + two4
-            total14 = envelope*total13
+            total11 = envelope + total10
+            back5 = total11 - total10
+            rest4 = total11 - back5
+            one3 = total10 - rest4
+            two3 = envelope - back5
+            lost13 = one3 + two3
+            total10 = envelope*total11
             envelope_halves = halves(xp, envelope)
-            total13_halves = halves(xp, total13)
-            lost14 = envelope*(lost11 + lost12 + lost13 - low) + product_error(total14, envelope_halves, total13_halves)
+            total11_halves = halves(xp, total11)
+            lost12 = envelope*(lost10 + lost12 + lost13 - low) + product_error(total10, envelope_halves, total11_halves)
             stiff = xp.where(4.0 > gamma, 4.0, gamma)
-            total15 = total14/stiff
-            left16 = total14 - stiff*total15
-            total15_halves = halves(xp, total15)
+            total11 = total10/stiff
+            left13 = total10 - stiff*total11
+            total11_halves = halves(xp, total11)
             stiff_halves = halves(xp, stiff)
-            left17 = left16 - product_error(total15*stiff, total15_halves, stiff_halves)
-            left18 = left17 + lost14
-            lost15 = left18/stiff
-            return lost15 + total15
+            left13 = left13 - product_error(total11*stiff, total11_halves, stiff_halves)
+            left13 = left13 + lost12
+            lost12 = left13/stiff
+            return lost12 + total11
 
         def no(p_low, q, q_low, root, root_low, whole2):
             fall_ = xp.exp(-q)
-            fall2 = fall_ - fall_*q_low
+            fall_ = fall_ - fall_*q_low
             ratio = xp.exp(-2.0*root)
-            ratio2 = ratio - 2.0*ratio*root_low
+            ratio = ratio - 2.0*ratio*root_low
             whole3 = xp.where(q == 0.0, 1.0, q)
             none = whole3 - q
             top = none - xp.expm1(-q)
@@ -352,39 +352,39 @@ def fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
             left4 = top - total4*whole3
             total4_halves = halves(xp, total4)
             whole3_halves = halves(xp, whole3)
-            left5 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
-            left6 = fall2*q_low + left5 - q_low*total4
-            lost4 = left6/whole3
-            whole4 = xp.where(root == 0.0, 1.0, 2.0*root)
-            none2 = whole4 - 2.0*root
-            top2 = none2 - xp.expm1(-2.0*root)
-            total5 = top2/whole4
-            left7 = top2 - total5*whole4
+            left4 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
+            left4 = fall_*q_low + left4 - q_low*total4
+            lost4 = left4/whole3
+            whole3 = xp.where(root == 0.0, 1.0, 2.0*root)
+            none = whole3 - 2.0*root
+            top = none - xp.expm1(-2.0*root)
+            total5 = top/whole3
+            left4 = top - total5*whole3
             total5_halves = halves(xp, total5)
-            whole4_halves = halves(xp, whole4)
-            left8 = left7 - product_error(total5*whole4, total5_halves, whole4_halves)
-            left9 = left8 + 2.0*ratio2*root_low - 2.0*root_low*total5
-            lost5 = left9/whole4
-            total6 = ratio2*total4
-            ratio2_halves = halves(xp, ratio2)
-            lost6 = lost4*ratio2 + product_error(total6, ratio2_halves, total4_halves)
-            total7 = total5 - total6
-            back4 = total7 - total5
-            rest3 = total7 - back4
+            whole3_halves = halves(xp, whole3)
+            left4 = left4 - product_error(total5*whole3, total5_halves, whole3_halves)
+            left4 = left4 + 2.0*ratio*root_low - 2.0*root_low*total5
+            lost5 = left4/whole3
+            total6 = ratio*total4
+            ratio_halves = halves(xp, ratio)
+            lost4 = lost4*ratio + product_error(total6, ratio_halves, total4_halves)
+            total4 = total5 - total6
+            back4 = total4 - total5
+            rest3 = total4 - back4
             one2 = total5 - rest3
             two2 = -back4 - total6
             lost7 = one2 + two2
-            total8 = total7/whole2
-            left10 = total7 - total8*whole2
-            total8_halves = halves(xp, total8)
+            total6 = total4/whole2
+            left4 = total4 - total6*whole2
+            total6_halves = halves(xp, total6)
             whole2_halves = halves(xp, whole2)
-            left11 = left10 - product_error(total8*whole2, total8_halves, whole2_halves)
-            left12 = left11 + lost5 - lost6 + lost7 - p_low*total8
-            lost8 = left12/whole2
-            total9 = fall2*total8
-            fall2_halves = halves(xp, fall2)
-            lost9 = fall2*lost8 + product_error(total9, fall2_halves, total8_halves)
-            creep_ = lost9 + total9
+            left4 = left4 - product_error(total6*whole2, total6_halves, whole2_halves)
+            left4 = left4 + lost5 - lost4 + lost7 - p_low*total6
+            lost4 = left4/whole2
+            total4 = fall_*total6
+            fall__halves = halves(xp, fall_)
+            lost4 = fall_*lost4 + product_error(total4, fall__halves, total6_halves)
+            creep_ = lost4 + total4
             return creep_
 
         return select(xp, total2 < 0.0, yes, (gamma, half, root, root_low, whole), no, (p_low, q, q_low, root, root_low, whole2))
@@ -396,70 +396,70 @@ def rise_series(xp, h, w):
     """divided difference of exp at h, sqrt(w), -sqrt(w), less 1/2"""
     b32 = 9.67759295863189e-41*h + 3.387157535521162e-39
     e31 = 9.67759295863189e-41*w + 1.151633562077195e-37
-    b31 = b32*h + e31
+    b32 = b32*h + e31
     e30 = 3.387157535521162e-39*w + 3.8003907548547434e-36
-    b30 = b31*h + e30
-    e29 = e31*w + 1.216125041553518e-34
-    b29 = b30*h + e29
-    e28 = e30*w + 3.7699876288159054e-33
-    b28 = b29*h + e28
-    e27 = e29*w + 1.1309962886447716e-31
-    b27 = b28*h + e27
-    e26 = e28*w + 3.279889237069838e-30
-    b26 = b27*h + e26
-    e25 = e27*w + 9.183689863795546e-29
-    b25 = b26*h + e25
-    e24 = e26*w + 2.4795962632247976e-27
-    b24 = b25*h + e24
-    e23 = e25*w + 6.446950284384474e-26
-    b23 = b24*h + e23
-    e22 = e24*w + 1.6117375710961184e-24
-    b22 = b23*h + e22
-    e21 = e23*w + 3.868170170630684e-23
-    b21 = b22*h + e21
-    e20 = e22*w + 8.896791392450574e-22
-    b20 = b21*h + e20
-    e19 = e21*w + 1.9572941063391263e-20
-    b19 = b20*h + e19
-    e18 = e20*w + 4.110317623312165e-19
-    b18 = b19*h + e18
-    e17 = e19*w + 8.22063524662433e-18
-    b17 = b18*h + e17
-    e16 = e18*w + 1.5619206968586225e-16
-    b16 = b17*h + e16
-    e15 = e17*w + 2.8114572543455206e-15
-    b15 = b16*h + e15
-    e14 = e16*w + 4.779477332387385e-14
-    b14 = b15*h + e14
-    e13 = e15*w + 7.647163731819816e-13
-    b13 = b14*h + e13
-    e12 = e14*w + 1.1470745597729725e-11
-    b12 = b13*h + e12
-    e11 = e13*w + 1.6059043836821613e-10
-    b11 = b12*h + e11
-    e10 = e12*w + 2.08767569878681e-09
-    b10 = b11*h + e10
-    e9 = e11*w + 2.505210838544172e-08
-    b9 = b10*h + e9
-    e8 = e10*w + 2.755731922398589e-07
-    b8 = b9*h + e8
-    e7 = e9*w + 2.7557319223985893e-06
-    b7 = b8*h + e7
-    e6 = e8*w + 2.48015873015873e-05
-    b6 = b7*h + e6
-    e5 = e7*w + 0.0001984126984126984
-    b5 = b6*h + e5
-    e4 = e6*w + 0.001388888888888889
-    b4 = b5*h + e4
-    e3 = e5*w + 0.008333333333333333
-    b3 = b4*h + e3
-    e2 = e4*w + 0.041666666666666664
-    b2 = b3*h + e2
-    e1 = e3*w + 0.16666666666666666
-    b1 = b2*h + e1
-    e0 = e2*w
-    b0 = b1*h + e0
-    return b0
+    b32 = b32*h + e30
+    e31 = e31*w + 1.216125041553518e-34
+    b32 = b32*h + e31
+    e30 = e30*w + 3.7699876288159054e-33
+    b32 = b32*h + e30
+    e31 = e31*w + 1.1309962886447716e-31
+    b32 = b32*h + e31
+    e30 = e30*w + 3.279889237069838e-30
+    b32 = b32*h + e30
+    e31 = e31*w + 9.183689863795546e-29
+    b32 = b32*h + e31
+    e30 = e30*w + 2.4795962632247976e-27
+    b32 = b32*h + e30
+    e31 = e31*w + 6.446950284384474e-26
+    b32 = b32*h + e31
+    e30 = e30*w + 1.6117375710961184e-24
+    b32 = b32*h + e30
+    e31 = e31*w + 3.868170170630684e-23
+    b32 = b32*h + e31
+    e30 = e30*w + 8.896791392450574e-22
+    b32 = b32*h + e30
+    e31 = e31*w + 1.9572941063391263e-20
+    b32 = b32*h + e31
+    e30 = e30*w + 4.110317623312165e-19
+    b32 = b32*h + e30
+    e31 = e31*w + 8.22063524662433e-18
+    b32 = b32*h + e31
+    e30 = e30*w + 1.5619206968586225e-16
+    b32 = b32*h + e30
+    e31 = e31*w + 2.8114572543455206e-15
+    b32 = b32*h + e31
+    e30 = e30*w + 4.779477332387385e-14
+    b32 = b32*h + e30
+    e31 = e31*w + 7.647163731819816e-13
+    b32 = b32*h + e31
+    e30 = e30*w + 1.1470745597729725e-11
+    b32 = b32*h + e30
+    e31 = e31*w + 1.6059043836821613e-10
+    b32 = b32*h + e31
+    e30 = e30*w + 2.08767569878681e-09
+    b32 = b32*h + e30
+    e31 = e31*w + 2.505210838544172e-08
+    b32 = b32*h + e31
+    e30 = e30*w + 2.755731922398589e-07
+    b32 = b32*h + e30
+    e31 = e31*w + 2.7557319223985893e-06
+    b32 = b32*h + e31
+    e30 = e30*w + 2.48015873015873e-05
+    b32 = b32*h + e30
+    e31 = e31*w + 0.0001984126984126984
+    b32 = b32*h + e31
+    e30 = e30*w + 0.001388888888888889
+    b32 = b32*h + e30
+    e31 = e31*w + 0.008333333333333333
+    b32 = b32*h + e31
+    e30 = e30*w + 0.041666666666666664
+    b32 = b32*h + e30
+    e31 = e31*w + 0.16666666666666666
+    b32 = b32*h + e31
+    e30 = e30*w
+    b32 = b32*h + e30
+    return b32
 
 
 def rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low):
@@ -476,8 +476,8 @@ def rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
         total12 = envelope2*total11
         envelope2_halves = halves(xp, envelope2)
         total11_halves = halves(xp, total11)
-        lost12 = envelope2*lost11 + product_error(total12, envelope2_halves, total11_halves)
-        return lost12 + total12
+        lost11 = envelope2*lost11 + product_error(total12, envelope2_halves, total11_halves)
+        return lost11 + total12
 
     def no(gamma, half, p_low, q, q_low, root, root_low, total2, whole, whole2):
 
@@ -486,17 +486,17 @@ def rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
             cosine = xp.cos(root)
             low = -root_low*sine
             total9 = half*sine
-            total10 = total9/whole
+            total9 = total9/whole
             envelope = xp.exp(-half)
-            return (1.0 - envelope*(cosine + low + total10))/xp.where(4.0 > gamma, 4.0, gamma)
+            return (1.0 - envelope*(cosine + low + total9))/xp.where(4.0 > gamma, 4.0, gamma)
 
         def no(gamma, p_low, q, q_low, root, root_low, whole2):
 
             def yes(p_low, q, q_low, root, root_low, whole2):
                 fall_ = xp.exp(-q)
-                fall2 = fall_ - fall_*q_low
+                fall_ = fall_ - fall_*q_low
                 ratio = xp.exp(-2.0*root)
-                ratio2 = ratio - 2.0*ratio*root_low
+                ratio = ratio - 2.0*ratio*root_low
                 whole3 = xp.where(q == 0.0, 1.0, q)
                 none = whole3 - q
                 top = none - xp.expm1(-q)
@@ -504,46 +504,46 @@ def rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
                 left4 = top - total4*whole3
                 total4_halves = halves(xp, total4)
                 whole3_halves = halves(xp, whole3)
-                left5 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
-                left6 = fall2*q_low + left5 - q_low*total4
-                lost4 = left6/whole3
-                whole4 = xp.where(root == 0.0, 1.0, 2.0*root)
-                none2 = whole4 - 2.0*root
-                top2 = none2 - xp.expm1(-2.0*root)
-                total5 = top2/whole4
-                left7 = top2 - total5*whole4
+                left4 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
+                left4 = fall_*q_low + left4 - q_low*total4
+                lost4 = left4/whole3
+                whole3 = xp.where(root == 0.0, 1.0, 2.0*root)
+                none = whole3 - 2.0*root
+                top = none - xp.expm1(-2.0*root)
+                total5 = top/whole3
+                left4 = top - total5*whole3
                 total5_halves = halves(xp, total5)
-                whole4_halves = halves(xp, whole4)
-                left8 = left7 - product_error(total5*whole4, total5_halves, whole4_halves)
-                left9 = left8 + 2.0*ratio2*root_low - 2.0*root_low*total5
-                lost5 = left9/whole4
-                total6 = fall2*total5
-                fall2_halves = halves(xp, fall2)
-                lost6 = fall2*lost5 + product_error(total6, fall2_halves, total5_halves)
-                total7 = total4 - total6
-                back4 = total7 - total4
-                rest3 = total7 - back4
+                whole3_halves = halves(xp, whole3)
+                left4 = left4 - product_error(total5*whole3, total5_halves, whole3_halves)
+                left4 = left4 + 2.0*ratio*root_low - 2.0*root_low*total5
+                lost5 = left4/whole3
+                total6 = fall_*total5
+                fall__halves = halves(xp, fall_)
+                lost5 = fall_*lost5 + product_error(total6, fall__halves, total5_halves)
+                total5 = total4 - total6
+                back4 = total5 - total4
+                rest3 = total5 - back4
                 one2 = total4 - rest3
                 two2 = -back4 - total6
                 lost7 = one2 + two2
-                total8 = total7/whole2
-                left10 = total7 - total8*whole2
-                total8_halves = halves(xp, total8)
+                total6 = total5/whole2
+                left4 = total5 - total6*whole2
+                total6_halves = halves(xp, total6)
                 whole2_halves = halves(xp, whole2)
-                left11 = left10 - product_error(total8*whole2, total8_halves, whole2_halves)
-                left12 = left11 + lost4 - lost6 + lost7 - p_low*total8
-                lost8 = left12/whole2
-                return lost8 + total8
+                left4 = left4 - product_error(total6*whole2, total6_halves, whole2_halves)
+                left4 = left4 + lost4 - lost5 + lost7 - p_low*total6
+                lost5 = left4/whole2
+                return lost5 + total6
 
             def no(gamma, q, q_low, root):
                 fall_ = xp.exp(-q)
-                fall2 = fall_ - fall_*q_low
+                fall_ = fall_ - fall_*q_low
                 whole4 = xp.where(root == 0.0, 1.0, 2.0*root)
                 none2 = whole4 - 2.0*root
                 top2 = none2 - xp.expm1(-2.0*root)
                 total5 = top2/whole4
-                whole5 = xp.where(gamma == 0.0, 1.0, gamma)
-                return (1.0 - fall2*(q*total5 + 1.0))/whole5
+                whole4 = xp.where(gamma == 0.0, 1.0, gamma)
+                return (1.0 - fall_*(q*total5 + 1.0))/whole4
 
             return select(xp, q < 2.0, yes, (p_low, q, q_low, root, root_low, whole2), no, (gamma, q, q_low, root))
 
@@ -567,10 +567,10 @@ def swing(xp, gamma, delta, half, total2, root, root_low, total3, q, q_low):
 
     def no(q, q_low, root, root_low):
         fall_ = xp.exp(-q)
-        fall2 = fall_ - fall_*q_low
+        fall_ = fall_ - fall_*q_low
         ratio = xp.exp(-2.0*root)
-        ratio2 = ratio - 2.0*ratio*root_low
-        return fall2*ratio2 + fall2
+        ratio = ratio - 2.0*ratio*root_low
+        return fall_*ratio + fall_
 
     return select(xp, total2 < 0.0, yes, (half, root, root_low), no, (q, q_low, root, root_low))
 
@@ -580,35 +580,35 @@ def apart_series(xp, h, w):
     y = (h*h)
     e14 = 1.151633562077195e-37*w + 1.216125041553518e-34
     b14 = e14 + 1.151633562077195e-37*y
-    e13 = e14*w + 1.1309962886447716e-31
-    b13 = b14*y + e13
-    e12 = e13*w + 9.183689863795546e-29
-    b12 = b13*y + e12
-    e11 = e12*w + 6.446950284384474e-26
-    b11 = b12*y + e11
-    e10 = e11*w + 3.868170170630684e-23
-    b10 = b11*y + e10
-    e9 = e10*w + 1.9572941063391263e-20
-    b9 = b10*y + e9
-    e8 = e9*w + 8.22063524662433e-18
-    b8 = b9*y + e8
-    e7 = e8*w + 2.8114572543455206e-15
-    b7 = b8*y + e7
-    e6 = e7*w + 7.647163731819816e-13
-    b6 = b7*y + e6
-    e5 = e6*w + 1.6059043836821613e-10
-    b5 = b6*y + e5
-    e4 = e5*w + 2.505210838544172e-08
-    b4 = b5*y + e4
-    e3 = e4*w + 2.7557319223985893e-06
-    b3 = b4*y + e3
-    e2 = e3*w + 0.0001984126984126984
-    b2 = b3*y + e2
-    e1 = e2*w + 0.008333333333333333
-    b1 = b2*y + e1
-    e0 = e1*w + 0.16666666666666666
-    b0 = b1*y + e0
-    return b0
+    e14 = e14*w + 1.1309962886447716e-31
+    b14 = b14*y + e14
+    e14 = e14*w + 9.183689863795546e-29
+    b14 = b14*y + e14
+    e14 = e14*w + 6.446950284384474e-26
+    b14 = b14*y + e14
+    e14 = e14*w + 3.868170170630684e-23
+    b14 = b14*y + e14
+    e14 = e14*w + 1.9572941063391263e-20
+    b14 = b14*y + e14
+    e14 = e14*w + 8.22063524662433e-18
+    b14 = b14*y + e14
+    e14 = e14*w + 2.8114572543455206e-15
+    b14 = b14*y + e14
+    e14 = e14*w + 7.647163731819816e-13
+    b14 = b14*y + e14
+    e14 = e14*w + 1.6059043836821613e-10
+    b14 = b14*y + e14
+    e14 = e14*w + 2.505210838544172e-08
+    b14 = b14*y + e14
+    e14 = e14*w + 2.7557319223985893e-06
+    b14 = b14*y + e14
+    e14 = e14*w + 0.0001984126984126984
+    b14 = b14*y + e14
+    e14 = e14*w + 0.008333333333333333
+    b14 = b14*y + e14
+    e14 = e14*w + 0.16666666666666666
+    b14 = b14*y + e14
+    return b14
 
 
 def decay(xp, x):
@@ -637,16 +637,16 @@ def apart(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_lo
         def yes(delta, gamma, half, root, whole):
             sine = xp.sin(root)
             total9 = half*sine
-            total10 = total9/whole
+            total9 = total9/whole
             envelope = xp.exp(-half)
             whole6 = xp.where(delta == 0.0, 1.0, delta)
-            return (decay(xp, delta) - 2.0*envelope*total10/whole6)/xp.where(4.0 > gamma, 4.0, gamma)
+            return (decay(xp, delta) - 2.0*envelope*total9/whole6)/xp.where(4.0 > gamma, 4.0, gamma)
 
         def no(delta, q, q_low, root, root_low, total3):
             fall_ = xp.exp(-q)
-            fall2 = fall_ - fall_*q_low
+            fall_ = fall_ - fall_*q_low
             ratio = xp.exp(-2.0*root)
-            ratio2 = ratio - 2.0*ratio*root_low
+            ratio = ratio - 2.0*ratio*root_low
             whole3 = xp.where(q == 0.0, 1.0, q)
             none = whole3 - q
             top = none - xp.expm1(-q)
@@ -654,37 +654,37 @@ def apart(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_lo
             left4 = top - total4*whole3
             total4_halves = halves(xp, total4)
             whole3_halves = halves(xp, whole3)
-            left5 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
-            left6 = fall2*q_low + left5 - q_low*total4
-            lost4 = left6/whole3
-            whole4 = xp.where(root == 0.0, 1.0, 2.0*root)
-            none2 = whole4 - 2.0*root
-            top2 = none2 - xp.expm1(-2.0*root)
-            total5 = top2/whole4
-            left7 = top2 - total5*whole4
+            left4 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
+            left4 = fall_*q_low + left4 - q_low*total4
+            lost4 = left4/whole3
+            whole3 = xp.where(root == 0.0, 1.0, 2.0*root)
+            none = whole3 - 2.0*root
+            top = none - xp.expm1(-2.0*root)
+            total5 = top/whole3
+            left4 = top - total5*whole3
             total5_halves = halves(xp, total5)
-            whole4_halves = halves(xp, whole4)
-            left8 = left7 - product_error(total5*whole4, total5_halves, whole4_halves)
-            left9 = left8 + 2.0*ratio2*root_low - 2.0*root_low*total5
-            lost5 = left9/whole4
-            fast = fall2*ratio2
-            twice = 2.0*fall2
+            whole3_halves = halves(xp, whole3)
+            left4 = left4 - product_error(total5*whole3, total5_halves, whole3_halves)
+            left4 = left4 + 2.0*ratio*root_low - 2.0*root_low*total5
+            lost5 = left4/whole3
+            fast = fall_*ratio
+            twice = 2.0*fall_
             total6 = total5*twice
             twice_halves = halves(xp, twice)
-            lost6 = lost5*twice + product_error(total6, twice_halves, total5_halves)
-            total7 = total4 - total6
-            back4 = total7 - total4
-            rest3 = total7 - back4
+            lost5 = lost5*twice + product_error(total6, twice_halves, total5_halves)
+            total5 = total4 - total6
+            back4 = total5 - total4
+            rest3 = total5 - back4
             one2 = total4 - rest3
             two2 = -back4 - total6
             lost7 = one2 + two2
-            total8 = fast*total4
+            total6 = fast*total4
             fast_halves = halves(xp, fast)
-            lost8 = fast*lost4 + product_error(total8, fast_halves, total4_halves)
-            top3 = total7 + total8
-            low = lost4 - lost6 + lost7 + lost8
-            whole5 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-            return (low + top3)/whole5
+            lost8 = fast*lost4 + product_error(total6, fast_halves, total4_halves)
+            top = total5 + total6
+            low = lost4 - lost5 + lost7 + lost8
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+            return (low + top)/whole3
 
         return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, whole), no, (delta, q, q_low, root, root_low, total3))
 
@@ -708,16 +708,16 @@ def nyquist(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_
             grown = -0.5*xp.expm1(-half)
             angle = 0.5*root
             wave = xp.cos(angle)
-            wave2 = wave - 0.5*root_low*xp.sin(angle)
-            return 4.0*(grown*grown) + 4.0*(wave2*wave2)*xp.exp(-half)
+            wave = wave - 0.5*root_low*xp.sin(angle)
+            return 4.0*(grown*grown) + 4.0*(wave*wave)*xp.exp(-half)
 
         return select(xp, cosine > 0.0, yes, (cosine, delta, half, root, root_low), no, (half, root, root_low))
 
     def no(q, q_low, total3):
         fast = xp.exp(-total3)
         slow = xp.exp(-q)
-        slow2 = slow - q_low*slow
-        return (fast + 1.0)*(slow2 + 1.0)
+        slow = slow - q_low*slow
+        return (fast + 1.0)*(slow + 1.0)
 
     return select(xp, total2 < 0.0, yes, (delta, half, root, root_low), no, (q, q_low, total3))
 
@@ -742,8 +742,8 @@ def sinhc_root(xp, w):
             whole = xp.where(root == 0.0, 1.0, root)
             left = size - (root*root)
             root_halves = halves(xp, root)
-            left2 = left - product_error(root*root, root_halves, root_halves)
-            low = 0.5*left2/whole
+            left = left - product_error(root*root, root_halves, root_halves)
+            low = 0.5*left/whole
             sine = xp.sin(root)
             turned = low*xp.cos(root) + sine
             return turned/whole
@@ -765,35 +765,35 @@ def together_series(xp, h, w):
     y = (h*h)
     e14 = 3.8003907548547434e-36*w + 3.7699876288159054e-33
     b14 = e14 + 3.8003907548547434e-36*y
-    e13 = e14*w + 3.279889237069838e-30
-    b13 = b14*y + e13
-    e12 = e13*w + 2.4795962632247976e-27
-    b12 = b13*y + e12
-    e11 = e12*w + 1.6117375710961184e-24
-    b11 = b12*y + e11
-    e10 = e11*w + 8.896791392450574e-22
-    b10 = b11*y + e10
-    e9 = e10*w + 4.110317623312165e-19
-    b9 = b10*y + e9
-    e8 = e9*w + 1.5619206968586225e-16
-    b8 = b9*y + e8
-    e7 = e8*w + 4.779477332387385e-14
-    b7 = b8*y + e7
-    e6 = e7*w + 1.1470745597729725e-11
-    b6 = b7*y + e6
-    e5 = e6*w + 2.08767569878681e-09
-    b5 = b6*y + e5
-    e4 = e5*w + 2.755731922398589e-07
-    b4 = b5*y + e4
-    e3 = e4*w + 2.48015873015873e-05
-    b3 = b4*y + e3
-    e2 = e3*w + 0.001388888888888889
-    b2 = b3*y + e2
-    e1 = e2*w + 0.041666666666666664
-    b1 = b2*y + e1
-    e0 = e1*w
-    b0 = b1*y + e0
-    return b0
+    e14 = e14*w + 3.279889237069838e-30
+    b14 = b14*y + e14
+    e14 = e14*w + 2.4795962632247976e-27
+    b14 = b14*y + e14
+    e14 = e14*w + 1.6117375710961184e-24
+    b14 = b14*y + e14
+    e14 = e14*w + 8.896791392450574e-22
+    b14 = b14*y + e14
+    e14 = e14*w + 4.110317623312165e-19
+    b14 = b14*y + e14
+    e14 = e14*w + 1.5619206968586225e-16
+    b14 = b14*y + e14
+    e14 = e14*w + 4.779477332387385e-14
+    b14 = b14*y + e14
+    e14 = e14*w + 1.1470745597729725e-11
+    b14 = b14*y + e14
+    e14 = e14*w + 2.08767569878681e-09
+    b14 = b14*y + e14
+    e14 = e14*w + 2.755731922398589e-07
+    b14 = b14*y + e14
+    e14 = e14*w + 2.48015873015873e-05
+    b14 = b14*y + e14
+    e14 = e14*w + 0.001388888888888889
+    b14 = b14*y + e14
+    e14 = e14*w + 0.041666666666666664
+    b14 = b14*y + e14
+    e14 = e14*w
+    b14 = b14*y + e14
+    return b14
 
 
 def together(xp, gamma, delta, half, total2, root, root_low, total3, q):
@@ -810,8 +810,8 @@ def together(xp, gamma, delta, half, total2, root, root_low, total3, q):
         total5 = envelope*total4
         envelope_halves = halves(xp, envelope)
         total4_halves = halves(xp, total4)
-        lost5 = envelope*lost4 + product_error(total5, envelope_halves, total4_halves)
-        return 2.0*lost5 + 2.0*total5
+        lost4 = envelope*lost4 + product_error(total5, envelope_halves, total4_halves)
+        return 2.0*lost4 + 2.0*total5
 
     def no(delta, gamma, half, q, root, root_low, total2, total3):
 
@@ -824,8 +824,8 @@ def together(xp, gamma, delta, half, total2, root, root_low, total3, q):
                 grown = -0.5*xp.expm1(-half)
                 angle = 0.5*root
                 wave = xp.sin(angle)
-                wave2 = 0.5*root_low*xp.cos(angle) + wave
-                return 4.0*((grown*grown) + (wave2*wave2)*xp.exp(-half))/xp.where(4.0 > gamma, 4.0, gamma)
+                wave = 0.5*root_low*xp.cos(angle) + wave
+                return 4.0*((grown*grown) + (wave*wave)*xp.exp(-half))/xp.where(4.0 > gamma, 4.0, gamma)
 
             return select(xp, delta == 0.0, yes, (delta, gamma), no, (gamma, half, root, root_low))
 
@@ -868,16 +868,16 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     product = 4.0*near0*square
     disc = square2 - product
     size = square2 + xp.abs(product)
-    square3 = (own1*own1)
-    product2 = 4.0*own0*own2
-    disc2 = square3 - product2
-    size2 = square3 + xp.abs(product2)
-    square4 = (far1*far1)
-    product3 = 4.0*far0*square
-    disc3 = square4 - product3
-    size3 = square4 + xp.abs(product3)
-    disc4 = xp.where((size >= size2) & (size2 <= size3), disc2, xp.where((size > size3) & (size2 > size3), disc3, disc))
-    root = square_root(xp, xp.where(0.0 > disc4, 0.0, disc4))
+    square2 = (own1*own1)
+    product = 4.0*own0*own2
+    disc2 = square2 - product
+    size2 = square2 + xp.abs(product)
+    square2 = (far1*far1)
+    product = 4.0*far0*square
+    disc3 = square2 - product
+    size3 = square2 + xp.abs(product)
+    disc3 = xp.where((size >= size2) & (size2 <= size3), disc2, xp.where((size > size3) & (size2 > size3), disc3, disc))
+    root = square_root(xp, xp.where(0.0 > disc3, 0.0, disc3))
     case1 = near1 >= 0.0
     q = -0.5*near1 - 0.5*xp.where(case1, root, -root)
     case2 = square == 0.0
@@ -889,104 +889,104 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     low = xp.where(case1, one, two)
     high = xp.where(case1, two, one)
     case4 = own1 >= 0.0
-    q2 = -0.5*own1 - 0.5*xp.where(case4, root, -root)
+    q = -0.5*own1 - 0.5*xp.where(case4, root, -root)
     case5 = own2 == 0.0
-    lead2 = xp.where(case5, 1.0, own2)
-    case6 = q2 == 0.0
-    own3 = xp.where(case6, 1.0, q2)
-    one2 = xp.where(case5, -1.0, q2/lead2)
-    two2 = xp.where(case6, -1.0, own0/own3)
-    low2 = xp.where(case4, one2, two2)
-    high2 = xp.where(case4, two2, one2)
+    lead = xp.where(case5, 1.0, own2)
+    case6 = q == 0.0
+    own = xp.where(case6, 1.0, q)
+    one = xp.where(case5, -1.0, q/lead)
+    two = xp.where(case6, -1.0, own0/own)
+    low2 = xp.where(case4, one, two)
+    high2 = xp.where(case4, two, one)
     case7 = far1 >= 0.0
-    q3 = -0.5*far1 - 0.5*xp.where(case7, root, -root)
-    lead3 = xp.where(case2, 1.0, square)
-    case8 = q3 == 0.0
-    own4 = xp.where(case8, 1.0, q3)
-    one3 = xp.where(case2, -1.0, q3/lead3)
-    two3 = xp.where(case8, -1.0, far0/own4)
-    low3 = xp.where(case7, one3, two3)
-    high3 = xp.where(case7, two3, one3)
+    q = -0.5*far1 - 0.5*xp.where(case7, root, -root)
+    lead = xp.where(case2, 1.0, square)
+    case8 = q == 0.0
+    own1 = xp.where(case8, 1.0, q)
+    one = xp.where(case2, -1.0, q/lead)
+    two = xp.where(case8, -1.0, far0/own1)
+    low3 = xp.where(case7, one, two)
+    high3 = xp.where(case7, two, one)
     case9 = high3 > low
     edge = xp.where(case9, low, high3)
     case10 = (beyond - low2 > 0.0) & (center + low2 > 0.0) & (edge > xp.abs(low2))
     at = xp.where(case10, center + low2, xp.where(case9, low, 4.0 - high3))
     still = xp.where(case10, beyond - low2, xp.where(case9, 4.0 - low, high3))
     away = xp.where(case10, low2, xp.where(case9, low - center, beyond - high3))
-    case11 = (disc4 >= 0.0) & (edge < 4.0) & (high3 > 0.0) & (low > 0.0)
-    at2 = xp.where(case11, at, 2.0)
-    still2 = xp.where(case11, still, 2.0)
-    at3 = xp.where(0.0 > at2, 0.0, at2)
-    still3 = xp.where(0.0 > still2, 0.0, still2)
-    sine2 = 2.0*square_root(xp, at3*still3)
+    case11 = (disc3 >= 0.0) & (edge < 4.0) & (high3 > 0.0) & (low > 0.0)
+    at = xp.where(case11, at, 2.0)
+    still = xp.where(case11, still, 2.0)
+    at = xp.where(0.0 > at, 0.0, at)
+    still = xp.where(0.0 > still, 0.0, still)
+    sine = 2.0*square_root(xp, at*still)
     x = away*(-2.0*e - 2.0)
-    y = loss*sine2
+    y = loss*sine
     case12 = x < 0.0
     halves_ = xp.where(case12, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
     turned = xp.atan2(xp.where(case12, -y, y), xp.abs(x))
-    x2 = still3*together_ - apart_*at3
-    y2 = n1*sine2
-    case13 = x2 < 0.0
-    halves2 = xp.where(case13, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
-    turned2 = xp.atan2(xp.where(case13, -y2, y2), xp.abs(x2))
-    x3 = alpha*still3 - at3*wall_far
-    y3 = sine2*slope
-    case14 = x3 < 0.0
-    halves3 = xp.where(case14, xp.where(y3 < 0.0, xp.full_like(y3, -1.0), 1.0), 0.0)
-    turned3 = xp.atan2(xp.where(case14, -y3, y3), xp.abs(x3))
-    case15 = at3 > 2.0
-    half = xp.atan2(xp.where(case15, square_root(xp, still3), square_root(xp, at3)), xp.where(case15, square_root(xp, at3), square_root(xp, still3)))
+    x = still*together_ - apart_*at
+    y = n1*sine
+    case13 = x < 0.0
+    halves2 = xp.where(case13, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    turned2 = xp.atan2(xp.where(case13, -y, y), xp.abs(x))
+    x = alpha*still - at*wall_far
+    y = sine*slope
+    case14 = x < 0.0
+    halves3 = xp.where(case14, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    turned3 = xp.atan2(xp.where(case14, -y, y), xp.abs(x))
+    case15 = at > 2.0
+    half = xp.atan2(xp.where(case15, square_root(xp, still), square_root(xp, at)), xp.where(case15, square_root(xp, at), square_root(xp, still)))
     late = d + 2.0
-    halves4 = halves2 - halves_ + halves3 - xp.where(case15, late, 0.0)
+    halves2 = halves2 - halves_ + halves3 - xp.where(case15, late, 0.0)
     share = 0.5*(turned2 - late*xp.where(case15, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
-    even = xp.floor(0.5*halves4)
-    left = 0.5*halves4 - even
+    even = xp.floor(0.5*halves2)
+    left = 0.5*halves2 - even
     turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
     total = xp.where(case11, 2.0*turns, 0.0)
     case16 = high < low3
-    edge2 = xp.where(case16, high, low3)
-    case17 = (beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge2 > xp.abs(high2))
-    at4 = xp.where(case17, center + high2, xp.where(case16, high, 4.0 - low3))
-    still4 = xp.where(case17, beyond - high2, xp.where(case16, 4.0 - high, low3))
-    away2 = xp.where(case17, high2, xp.where(case16, high - center, beyond - low3))
-    case18 = (disc4 >= 0.0) & (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0)
-    at5 = xp.where(case18, at4, 2.0)
-    still5 = xp.where(case18, still4, 2.0)
-    at6 = xp.where(0.0 > at5, 0.0, at5)
-    still6 = xp.where(0.0 > still5, 0.0, still5)
-    sine3 = 2.0*square_root(xp, at6*still6)
-    x4 = away2*(-2.0*e - 2.0)
-    y4 = loss*sine3
-    case19 = x4 < 0.0
-    halves5 = xp.where(case19, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
-    turned4 = xp.atan2(xp.where(case19, -y4, y4), xp.abs(x4))
-    x5 = still6*together_ - apart_*at6
-    y5 = n1*sine3
-    case20 = x5 < 0.0
-    halves6 = xp.where(case20, xp.where(y5 < 0.0, xp.full_like(y5, -1.0), 1.0), 0.0)
-    turned5 = xp.atan2(xp.where(case20, -y5, y5), xp.abs(x5))
-    x6 = alpha*still6 - at6*wall_far
-    y6 = sine3*slope
-    case21 = x6 < 0.0
-    halves7 = xp.where(case21, xp.where(y6 < 0.0, xp.full_like(y6, -1.0), 1.0), 0.0)
-    turned6 = xp.atan2(xp.where(case21, -y6, y6), xp.abs(x6))
-    case22 = at6 > 2.0
-    half2 = xp.atan2(xp.where(case22, square_root(xp, still6), square_root(xp, at6)), xp.where(case22, square_root(xp, at6), square_root(xp, still6)))
-    late2 = d + 2.0
-    halves8 = halves6 - halves5 + halves7 - xp.where(case22, late2, 0.0)
-    share2 = 0.5*(turned5 - late2*xp.where(case22, -2.0*half2, 2.0*half2) - turned4 + turned6)/3.141592653589793
-    even2 = xp.floor(0.5*halves8)
-    left2 = 0.5*halves8 - even2
-    turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0, xp.floor(left2 + share2 + 0.5))
-    total2 = total + xp.where(case18, -2.0*turns2, 0.0)
+    edge = xp.where(case16, high, low3)
+    case17 = (beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge > xp.abs(high2))
+    at = xp.where(case17, center + high2, xp.where(case16, high, 4.0 - low3))
+    still = xp.where(case17, beyond - high2, xp.where(case16, 4.0 - high, low3))
+    away = xp.where(case17, high2, xp.where(case16, high - center, beyond - low3))
+    case18 = (disc3 >= 0.0) & (edge < 4.0) & (high > 0.0) & (low3 > 0.0)
+    at = xp.where(case18, at, 2.0)
+    still = xp.where(case18, still, 2.0)
+    at = xp.where(0.0 > at, 0.0, at)
+    still = xp.where(0.0 > still, 0.0, still)
+    sine = 2.0*square_root(xp, at*still)
+    x = away*(-2.0*e - 2.0)
+    y = loss*sine
+    case19 = x < 0.0
+    halves2 = xp.where(case19, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    turned3 = xp.atan2(xp.where(case19, -y, y), xp.abs(x))
+    x = still*together_ - apart_*at
+    y = n1*sine
+    case20 = x < 0.0
+    halves_ = xp.where(case20, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    turned = xp.atan2(xp.where(case20, -y, y), xp.abs(x))
+    x = alpha*still - at*wall_far
+    y = sine*slope
+    case21 = x < 0.0
+    halves3 = xp.where(case21, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    turned2 = xp.atan2(xp.where(case21, -y, y), xp.abs(x))
+    case22 = at > 2.0
+    half = xp.atan2(xp.where(case22, square_root(xp, still), square_root(xp, at)), xp.where(case22, square_root(xp, at), square_root(xp, still)))
+    late = d + 2.0
+    halves_ = halves_ - halves2 + halves3 - xp.where(case22, late, 0.0)
+    share = 0.5*(turned - late*xp.where(case22, -2.0*half, 2.0*half) - turned3 + turned2)/3.141592653589793
+    even = xp.floor(0.5*halves_)
+    left = 0.5*halves_ - even
+    turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
+    total = total + xp.where(case18, -2.0*turns, 0.0)
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
     end = xp.where(wall_far > 0.0, side, 0.0) - d + xp.where(apart_ > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
-    total3 = total2 + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-    return total3 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+    total = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
+    return total - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
 
 
-def cos_next(xp, k, x):
-    """cos((k + 1) x)"""
+def next_angle(xp, k, x):
+    """cosine and sine of (k + 1) x as it is rounded, and the rest of the angle"""
     count = k + 1.0
     before = count - 1.0
     angle = count*x
@@ -995,20 +995,18 @@ def cos_next(xp, k, x):
     x_halves = halves(xp, x)
     off = missed*x + product_error(angle, count_halves, x_halves)
     cosine = xp.cos(angle)
-    return cosine - off*xp.sin(angle)
-
-
-def sin_next(xp, k, x):
-    """sin((k + 1) x)"""
-    count = k + 1.0
-    before = count - 1.0
-    angle = count*x
-    missed = k - before
-    count_halves = halves(xp, count)
-    x_halves = halves(xp, x)
-    off = missed*x + product_error(angle, count_halves, x_halves)
     sine = xp.sin(angle)
-    return off*xp.cos(angle) + sine
+    return off, cosine, sine
+
+
+def cos_next(xp, k, x, off, cosine, sine):
+    """cos((k + 1) x)"""
+    return cosine - off*sine
+
+
+def sin_next(xp, k, x, off, cosine, sine):
+    """sin((k + 1) x)"""
+    return cosine*off + sine
 
 
 def gap(xp, x):
@@ -1018,18 +1016,18 @@ def gap(xp, x):
         near = xp.where(xp.abs(x) >= 2.0, 0.0, x)
         square = -(near*near)
         b12 = 1.1309962886447716e-31*square + 9.183689863795546e-29
-        b11 = b12*square + 6.446950284384474e-26
-        b10 = b11*square + 3.868170170630684e-23
-        b9 = b10*square + 1.9572941063391263e-20
-        b8 = b9*square + 8.22063524662433e-18
-        b7 = b8*square + 2.8114572543455206e-15
-        b6 = b7*square + 7.647163731819816e-13
-        b5 = b6*square + 1.6059043836821613e-10
-        b4 = b5*square + 2.505210838544172e-08
-        b3 = b4*square + 2.7557319223985893e-06
-        b2 = b3*square + 0.0001984126984126984
-        b1 = b2*square + 0.008333333333333333
-        rest = b1*square + 9.25185853854297e-18
+        b12 = b12*square + 6.446950284384474e-26
+        b12 = b12*square + 3.868170170630684e-23
+        b12 = b12*square + 1.9572941063391263e-20
+        b12 = b12*square + 8.22063524662433e-18
+        b12 = b12*square + 2.8114572543455206e-15
+        b12 = b12*square + 7.647163731819816e-13
+        b12 = b12*square + 1.6059043836821613e-10
+        b12 = b12*square + 2.505210838544172e-08
+        b12 = b12*square + 2.7557319223985893e-06
+        b12 = b12*square + 0.0001984126984126984
+        b12 = b12*square + 0.008333333333333333
+        rest = b12*square + 9.25185853854297e-18
         total = rest + 0.16666666666666666
         return total
 
@@ -1061,7 +1059,8 @@ def chord(xp, k, x):
     def yes(k, turn, x):
         angle = xp.where(turn >= 1.5, 0.0, turn)
         order = 2.0*k + 2.0
-        along = cos_next(xp, k, x)
+        off, cosine, sine = next_angle(xp, k, x)
+        along = cos_next(xp, k, x, off, cosine, sine)
         wave = sinc(xp, 0.5*angle)
         inner = 0.5*(wave*wave) - gap(xp, angle)
         return order*(along*gap(xp, x) + 0.25*inner*(order*order))
@@ -1069,8 +1068,9 @@ def chord(xp, k, x):
     def no(k, turn, x):
         some = xp.where(turn < 1.5, 1.0, x)
         order = 2.0*k + 2.0
-        along = cos_next(xp, k, x)
-        return (2.0*sin_next(xp, k, x) - along*order*xp.sin(x))/(some*some*some)
+        off, cosine, sine = next_angle(xp, k, x)
+        along = cos_next(xp, k, x, off, cosine, sine)
+        return (2.0*sin_next(xp, k, x, off, cosine, sine) - along*order*xp.sin(x))/(some*some*some)
 
     return select(xp, turn < 1.5, yes, (k, turn, x), no, (k, turn, x))
 
@@ -1087,7 +1087,8 @@ def spread(xp, k, x):
     def no(k, turn, x):
         some = xp.where(turn < 1.5, 1.0, x)
         order = 2.0*k + 2.0
-        return (order*xp.sin(x) - 2.0*cos_next(xp, k, x)*sin_next(xp, k, x))/(some*some*some)
+        off, cosine, sine = next_angle(xp, k, x)
+        return (order*xp.sin(x) - 2.0*cos_next(xp, k, x, off, cosine, sine)*sin_next(xp, k, x, off, cosine, sine))/(some*some*some)
 
     return select(xp, turn < 1.5, yes, (k, turn, x), no, (k, turn, x))
 
@@ -1158,11 +1159,12 @@ def stability_boundary(theta, gamma, delta, d):
         t6 = t0 + t4
         t8 = t2*t6*t7 + t3*t5
         t9 = 1.0/(t2*(t6*t6) + (t5*t5))
-        t10 = sin_next(xp, d, theta)
-        t11 = t1*t5*t7 - t1*t3*t6
-        t12 = t9*cos_next(xp, d, theta)
-        t13 = -t10*t8*t9 - t11*t12
-        return t10*t11*t9 - t1*t13 - t12*t8, 0.5*t13*(t2 + 1.0)/t1
+        off, cosine, sine = next_angle(xp, d, theta)
+        t10 = sin_next(xp, d, theta, off, cosine, sine)
+        t6 = t1*t5*t7 - t1*t3*t6
+        t5 = t9*cos_next(xp, d, theta, off, cosine, sine)
+        t3 = -t10*t8*t9 - t6*t5
+        return t10*t6*t9 - t1*t3 - t5*t8, 0.5*t3*(t2 + 1.0)/t1
 
     return elementwise(xp, work, theta, gamma, d, t0, nyquist_, t4, t7)
 
@@ -1181,7 +1183,9 @@ def passivity_margin(theta, alpha, beta, delta, d):
 
     def work(theta, alpha, beta, delta, d):
         t0 = 0.5*theta
-        return beta*cos_next(xp, d, theta) - 0.5*alpha*sin_next(xp, 2.0*d, t0)/xp.sin(t0) + delta
+        off, cosine, sine = next_angle(xp, d, theta)
+        off_2, cosine_2, sine_2 = next_angle(xp, 2.0*d, t0)
+        return beta*cos_next(xp, d, theta, off, cosine, sine) - 0.5*alpha*sin_next(xp, 2.0*d, t0, off_2, cosine_2, sine_2)/xp.sin(t0) + delta
 
     return elementwise(xp, work, theta, alpha, beta, delta, d)
 
@@ -1199,8 +1203,9 @@ def passivity_boundary(theta, delta, d):
     def work(theta, delta, d):
         t0 = delta/spread(xp, d, theta)
         t2 = sinc(xp, 0.5*theta)
-        t1 = (t2*t2)*(d + 1.0)*sin_next(xp, d, theta)/theta
-        return 2.0*t0*t1, t0*(chord(xp, d, theta) - t1)
+        off, cosine, sine = next_angle(xp, d, theta)
+        t2 = (t2*t2)*(d + 1.0)*sin_next(xp, d, theta, off, cosine, sine)/theta
+        return 2.0*t0*t2, t0*(chord(xp, d, theta) - t2)
 
     return elementwise(xp, work, theta, delta, d)
 
@@ -1218,9 +1223,9 @@ def max_passive_stiffness(delta, d):
         t0 = 1.0/(d + 1.0)
         t1 = 3.141592653589793*t0
         t2 = 0.25*t1
-        t3 = 0.5*t1
+        t1 = 0.5*t1
         t4 = xp.sin(t2)
-        return 2.0*delta*xp.tan(t2), delta*(t0 - 2.0*(t4*t4))/xp.sin(t3), t3
+        return 2.0*delta*xp.tan(t2), delta*(t0 - 2.0*(t4*t4))/xp.sin(t1), t1
 
     return elementwise(xp, work, delta, d)
 
