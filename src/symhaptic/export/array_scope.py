@@ -130,7 +130,7 @@ class Scope:
                 for error in expr.atoms(ProductError):
                     if product := self._product(*error.args):
                         used.add(product)
-            last |= dict.fromkeys(used & own, i)
+            last |= dict.fromkeys(sorted(used & own, key=str), i)
         found: dict[int, list[Symbol]] = {}
         for symbol, i in last.items():
             found.setdefault(i, []).append(symbol)

@@ -185,58 +185,58 @@ def fall_series(xp, gamma, delta):
     low = lost - lost2 + lost3 + lost4
     total3 = delta*total2
     total2_halves = halves(xp, total2)
-    lost = delta*low + product_error(total3, delta_halves, total2_halves)
+    lost4 = delta*low + product_error(total3, delta_halves, total2_halves)
     total = b32*gamma
-    lost2 = product_error(total, gamma_halves, b32_halves)
+    lost3 = product_error(total, gamma_halves, b32_halves)
     total7 = total3 - total
     back = total7 - total3
     rest = total7 - back
     one = total3 - rest
     two = -back - total
-    lost3 = one + two
+    lost2 = one + two
     total = total7 + 0.041666666666666664
     back = total - total7
     rest = total - back
     one = total7 - rest
     two = 0.041666666666666664 - back
-    lost4 = one + two
-    low2 = lost - lost2 + lost3 + lost4
+    lost = one + two
+    low2 = lost4 - lost3 + lost2 + lost
     total7 = delta*total
     total_halves = halves(xp, total)
-    lost4 = delta*low2 + product_error(total7, delta_halves, total_halves)
+    lost = delta*low2 + product_error(total7, delta_halves, total_halves)
     total3 = gamma*total2
-    lost3 = gamma*low + product_error(total3, gamma_halves, total2_halves)
+    lost2 = gamma*low + product_error(total3, gamma_halves, total2_halves)
     total2 = total7 - total3
     back = total2 - total7
     rest = total2 - back
     one = total7 - rest
     two = -back - total3
-    lost = one + two
+    lost3 = one + two
     total3 = total2 + 0.16666666666666666
     back = total3 - total2
     rest = total3 - back
     one = total2 - rest
     two = 0.16666666666666666 - back
-    lost2 = one + two
-    low = lost - lost3 + lost2 + lost4
+    lost4 = one + two
+    low = lost3 - lost2 + lost4 + lost
     total2 = delta*total3
     total3_halves = halves(xp, total3)
-    lost3 = delta*low + product_error(total2, delta_halves, total3_halves)
+    lost = delta*low + product_error(total2, delta_halves, total3_halves)
     total3 = gamma*total
-    lost2 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
+    lost4 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
     total = total2 - total3
     back = total - total2
     rest = total - back
     one = total2 - rest
     two = -back - total3
-    lost4 = one + two
+    lost3 = one + two
     total3 = total
     back = total3 - total
     rest = total3 - back
     one = total - rest
     two = -back
-    lost = one + two
-    low2 = lost3 - lost2 + lost4 + lost
+    lost2 = one + two
+    low2 = lost - lost4 + lost3 + lost2
     return low2 + total3
 
 
@@ -329,16 +329,16 @@ def fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
             total10 = envelope*total11
             envelope_halves = halves(xp, envelope)
             total11_halves = halves(xp, total11)
-            lost12 = envelope*(lost10 + lost12 + lost13 - low) + product_error(total10, envelope_halves, total11_halves)
+            lost13 = envelope*(lost10 + lost12 + lost13 - low) + product_error(total10, envelope_halves, total11_halves)
             stiff = xp.where(4.0 > gamma, 4.0, gamma)
             total11 = total10/stiff
             left13 = total10 - stiff*total11
             total11_halves = halves(xp, total11)
             stiff_halves = halves(xp, stiff)
             left13 = left13 - product_error(total11*stiff, total11_halves, stiff_halves)
-            left13 = left13 + lost12
-            lost12 = left13/stiff
-            return lost12 + total11
+            left13 = left13 + lost13
+            lost13 = left13/stiff
+            return lost13 + total11
 
         def no(p_low, q, q_low, root, root_low, whole2):
             fall_ = xp.exp(-q)
@@ -380,11 +380,11 @@ def fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
             whole2_halves = halves(xp, whole2)
             left4 = left4 - product_error(total6*whole2, total6_halves, whole2_halves)
             left4 = left4 + lost5 - lost4 + lost7 - p_low*total6
-            lost4 = left4/whole2
+            lost7 = left4/whole2
             total4 = fall_*total6
             fall__halves = halves(xp, fall_)
-            lost4 = fall_*lost4 + product_error(total4, fall__halves, total6_halves)
-            creep_ = lost4 + total4
+            lost7 = fall_*lost7 + product_error(total4, fall__halves, total6_halves)
+            creep_ = lost7 + total4
             return creep_
 
         return select(xp, total2 < 0.0, yes, (gamma, half, root, root_low, whole), no, (p_low, q, q_low, root, root_low, whole2))
@@ -532,8 +532,8 @@ def rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, w
                 whole2_halves = halves(xp, whole2)
                 left4 = left4 - product_error(total6*whole2, total6_halves, whole2_halves)
                 left4 = left4 + lost4 - lost5 + lost7 - p_low*total6
-                lost5 = left4/whole2
-                return lost5 + total6
+                lost7 = left4/whole2
+                return lost7 + total6
 
             def no(gamma, q, q_low, root):
                 fall_ = xp.exp(-q)
@@ -937,10 +937,10 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     case15 = at > 2.0
     half = xp.atan2(xp.where(case15, square_root(xp, still), square_root(xp, at)), xp.where(case15, square_root(xp, at), square_root(xp, still)))
     late = d + 2.0
-    halves2 = halves2 - halves_ + halves3 - xp.where(case15, late, 0.0)
+    halves3 = halves2 - halves_ + halves3 - xp.where(case15, late, 0.0)
     share = 0.5*(turned2 - late*xp.where(case15, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
-    even = xp.floor(0.5*halves2)
-    left = 0.5*halves2 - even
+    even = xp.floor(0.5*halves3)
+    left = 0.5*halves3 - even
     turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
     total = xp.where(case11, 2.0*turns, 0.0)
     case16 = high < low3
@@ -958,23 +958,23 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     x = away*(-2.0*e - 2.0)
     y = loss*sine
     case19 = x < 0.0
-    halves2 = xp.where(case19, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    halves3 = xp.where(case19, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
     turned3 = xp.atan2(xp.where(case19, -y, y), xp.abs(x))
     x = still*together_ - apart_*at
     y = n1*sine
     case20 = x < 0.0
-    halves_ = xp.where(case20, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned = xp.atan2(xp.where(case20, -y, y), xp.abs(x))
+    halves2 = xp.where(case20, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    turned2 = xp.atan2(xp.where(case20, -y, y), xp.abs(x))
     x = alpha*still - at*wall_far
     y = sine*slope
     case21 = x < 0.0
-    halves3 = xp.where(case21, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned2 = xp.atan2(xp.where(case21, -y, y), xp.abs(x))
+    halves_ = xp.where(case21, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+    turned = xp.atan2(xp.where(case21, -y, y), xp.abs(x))
     case22 = at > 2.0
     half = xp.atan2(xp.where(case22, square_root(xp, still), square_root(xp, at)), xp.where(case22, square_root(xp, at), square_root(xp, still)))
     late = d + 2.0
-    halves_ = halves_ - halves2 + halves3 - xp.where(case22, late, 0.0)
-    share = 0.5*(turned - late*xp.where(case22, -2.0*half, 2.0*half) - turned3 + turned2)/3.141592653589793
+    halves_ = halves2 - halves3 + halves_ - xp.where(case22, late, 0.0)
+    share = 0.5*(turned2 - late*xp.where(case22, -2.0*half, 2.0*half) - turned3 + turned)/3.141592653589793
     even = xp.floor(0.5*halves_)
     left = 0.5*halves_ - even
     turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
