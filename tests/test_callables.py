@@ -1,5 +1,6 @@
 """Formulas as functions: on arrays without a warning, in many digits, and for smaller scenes."""
 
+import importlib.util
 import warnings
 
 import mpmath
@@ -99,6 +100,14 @@ def test_printed_and_derived_forms(monkeypatch):
         stiffness, damping = np.ravel(lambdify("eq11", form=form)(1.0, 1.0, 1.0))
         assert float(stiffness) == pytest.approx(2 * (2**0.5 - 1))
         assert float(damping) == pytest.approx(1 - 0.5**0.5)  # (sin(pi/4) - 1/2)/sin(pi/4)
+        for library in ("jax", "torch"):
+            if importlib.util.find_spec(library) is None:
+                continue
+            module = pytest.importorskip("jax.numpy" if library == "jax" else library)
+            one = module.asarray([1.0, 1.0])
+            stiffness, _ = lambdify("eq11", form=form, modules=library)(one, one, one)
+            assert type(stiffness) is type(one)
+            assert stiffness.tolist() == pytest.approx([2 * (2**0.5 - 1)] * 2, rel=1e-6)
 
 
 def test_a_scene_leaves_arguments_out():

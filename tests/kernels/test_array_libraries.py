@@ -196,7 +196,7 @@ def test_torch_slopes_and_compiled():
 
 @pytest.mark.parametrize("module", ["jax", "torch"])
 def test_formulas_as_functions(module):
-    """`lambdify` on arrays of the library that it names: the stable form, and SymPy's own."""
+    """`lambdify` on arrays of the library that it names."""
     make = MAKE[module]
     columns, expected, tolerance = known("max_passive_stiffness")
     found = lambdify("eq11", modules=module)(*(make(c) for c in columns))

@@ -91,8 +91,9 @@ class ArrayApi(Target):
         return lines
 
     def usage(self, library: Library) -> str:
-        """An import of the first function."""
-        return f"from {library.name} import {library.public[0].name}"
+        """What it needs, and an import of the first function."""
+        first = library.public[0].name
+        return f"# needs NumPy and array-api-compat\nfrom {library.name} import {first}"
 
     def selftest(self, library: Library) -> dict[str, str]:
         """selftest.py."""
