@@ -1,5 +1,6 @@
 """Formulas as functions: on arrays without a warning, in many digits, and for smaller scenes."""
 
+import importlib.util
 import warnings
 
 import mpmath
@@ -50,27 +51,6 @@ def test_hard_plants_on_arrays_without_a_warning():
     assert np.isfinite(found).all()
 
 
-def test_what_the_package_computes_otherwise():
-    """The kernels are another implementation; both are right to their last digits."""
-    gamma, delta = np.random.default_rng(4).uniform(0, 6, (2, 500))
-    theta = np.random.default_rng(5).uniform(0.05, 3, 500)
-    pairs = [
-        (lambdify("discretize")(gamma, delta), symhaptic.discretize(gamma, delta)),
-        (
-            lambdify("stability_boundary")(theta, gamma, delta, 2.0),
-            symhaptic.stability_boundary(theta, gamma, delta, 2),
-        ),
-        (
-            lambdify("passivity_boundary")(theta / 3, delta, 2.0),
-            symhaptic.passivity_boundary(theta / 3, delta, 2),
-        ),
-        (lambdify("eq11")(delta, 3.0), symhaptic.max_passive_stiffness(delta, 3)),
-    ]
-    for ours, theirs in pairs:
-        for one, other in zip(ours, theirs, strict=True):
-            assert np.broadcast_to(one, other.shape) == pytest.approx(other, rel=1e-11, abs=1e-12)
-
-
 def test_the_inequalities_are_the_roots():
     """All positive exactly where numpy.roots of the polynomial lie inside the unit circle."""
     rng = np.random.default_rng(6)
@@ -100,22 +80,6 @@ def test_many_digits():
         assert abs(a - (2 - delta)) < mpmath.mpf("1e-48")
 
 
-@pytest.mark.parametrize("library", ["torch", "jax"])
-def test_other_array_libraries(library):
-    module = pytest.importorskip(library, reason=f"no {library} here: its arrays are not tried")
-    if library == "jax":
-        module.config.update("jax_enable_x64", True)
-        module = pytest.importorskip("jax.numpy")
-    function = lambdify("discretize", modules=library)
-    if library == "jax":
-        function = pytest.importorskip("jax").jit(function)
-    gamma, delta = np.random.default_rng(7).uniform(0, 6, (2, 100))
-    found = function(module.asarray(gamma), module.asarray(delta))
-    for ours, numpys in zip(found, lambdify("discretize")(gamma, delta), strict=True):
-        assert type(ours).__module__.startswith(library)
-        assert np.asarray(ours) == pytest.approx(numpys, rel=1e-13)
-
-
 def test_single_precision_on_its_own_scale():
     gamma, delta = np.random.default_rng(8).uniform(0, 12, (2, 2000)).astype(np.float32)
     exact = lambdify("discretize")(gamma.astype(float), delta.astype(float))
@@ -136,6 +100,14 @@ def test_printed_and_derived_forms(monkeypatch):
         stiffness, damping = np.ravel(lambdify("eq11", form=form)(1.0, 1.0, 1.0))
         assert float(stiffness) == pytest.approx(2 * (2**0.5 - 1))
         assert float(damping) == pytest.approx(1 - 0.5**0.5)  # (sin(pi/4) - 1/2)/sin(pi/4)
+        for library in ("jax", "torch"):
+            if importlib.util.find_spec(library) is None:
+                continue
+            module = pytest.importorskip("jax.numpy" if library == "jax" else library)
+            one = module.asarray([1.0, 1.0])
+            stiffness, _ = lambdify("eq11", form=form, modules=library)(one, one, one)
+            assert type(stiffness) is type(one)
+            assert stiffness.tolist() == pytest.approx([2 * (2**0.5 - 1)] * 2, rel=1e-6)
 
 
 def test_a_scene_leaves_arguments_out():

@@ -12,9 +12,10 @@ import sympy as sp
 from scipy.linalg import expm
 
 from symhaptic.chapter import Page
-from symhaptic.kernels.passivity import passivity_margin
+from symhaptic.numeric.passivity import passivity_margin
 from symhaptic.library import BadChapter, folder, run
 from symhaptic.model import fractional, plant
+from symhaptic.numeric.passivity import passivity_margin
 from symhaptic.proof import sign
 from symhaptic.record import FalseStep
 from symhaptic.report.breaking import pieces

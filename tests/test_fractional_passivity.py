@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
-from symhaptic.kernels.bracket import rising_root
-from symhaptic.kernels.extremum import Extremum
-from symhaptic.kernels.passivity import (
+from symhaptic.numeric.bracket import rising_root
+from symhaptic.numeric.extremum import Extremum
+from symhaptic.numeric.passivity import (
     is_passive,
     max_passive_stiffness,
     passivity_boundary,

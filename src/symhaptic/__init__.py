@@ -13,17 +13,17 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from symhaptic.callables import lambdify
     from symhaptic.formulas import Formula, formula
-    from symhaptic.kernels.boundary import stability_boundary
-    from symhaptic.kernels.extremum import Extremum
-    from symhaptic.kernels.linear import linear_limit
-    from symhaptic.kernels.passivity import (
+    from symhaptic.numeric.boundary import stability_boundary
+    from symhaptic.numeric.extremum import Extremum
+    from symhaptic.numeric.linear import linear_limit
+    from symhaptic.numeric.passivity import (
         is_passive,
         max_passive_stiffness,
         passivity_boundary,
         passivity_margin,
     )
-    from symhaptic.kernels.plant import discretize
-    from symhaptic.kernels.stability import characteristic_polynomial, is_stable, unstable_roots
+    from symhaptic.numeric.plant import discretize
+    from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
     from symhaptic.proof.enclose import enclose, enclose_maximum
     from symhaptic.proof.prove import prove
     from symhaptic.proof.recheck import recheck
@@ -38,32 +38,32 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOME = {
-    "Extremum": "symhaptic.kernels.extremum",
+    "Extremum": "symhaptic.numeric.extremum",
     "Formula": "symhaptic.formulas",
     "Region": "symhaptic.tracer.region",
     "Scene": "symhaptic.scene",
     "Verdict": "symhaptic.proof.verdict",
-    "characteristic_polynomial": "symhaptic.kernels.stability",
+    "characteristic_polynomial": "symhaptic.numeric.stability",
     "delay_margin": "symhaptic.tracer.margin",
-    "discretize": "symhaptic.kernels.plant",
+    "discretize": "symhaptic.numeric.plant",
     "enclose": "symhaptic.proof.enclose",
     "enclose_maximum": "symhaptic.proof.enclose",
     "formula": "symhaptic.formulas",
     "grid_boundary": "symhaptic.tracer.grid",
-    "is_passive": "symhaptic.kernels.passivity",
-    "is_stable": "symhaptic.kernels.stability",
+    "is_passive": "symhaptic.numeric.passivity",
+    "is_stable": "symhaptic.numeric.stability",
     "lambdify": "symhaptic.callables",
-    "linear_limit": "symhaptic.kernels.linear",
-    "max_passive_stiffness": "symhaptic.kernels.passivity",
+    "linear_limit": "symhaptic.numeric.linear",
+    "max_passive_stiffness": "symhaptic.numeric.passivity",
     "max_stable_stiffness": "symhaptic.tracer.extremes",
-    "passivity_boundary": "symhaptic.kernels.passivity",
-    "passivity_margin": "symhaptic.kernels.passivity",
+    "passivity_boundary": "symhaptic.numeric.passivity",
+    "passivity_margin": "symhaptic.numeric.passivity",
     "prove": "symhaptic.proof.prove",
     "recheck": "symhaptic.proof.recheck",
     "robust_region": "symhaptic.tracer.robust",
-    "stability_boundary": "symhaptic.kernels.boundary",
+    "stability_boundary": "symhaptic.numeric.boundary",
     "stable_region": "symhaptic.tracer.region",
-    "unstable_roots": "symhaptic.kernels.stability",
+    "unstable_roots": "symhaptic.numeric.stability",
 }
 
 __all__ = [

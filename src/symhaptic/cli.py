@@ -390,6 +390,29 @@ def export(
     typer.echo(f"wrote {folder}")
 
 
+@app.command()
+def kernels(
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; fail where a kernel is stale.")
+    ] = False,
+) -> None:
+    """Write the package's own numeric functions from the stable forms."""
+    from symhaptic.export import kernels as own
+
+    if not check:
+        try:
+            own.write()
+        except OSError as wrong:
+            _unwritable(own.FOLDER, wrong.strerror)
+        typer.echo(f"wrote {own.FOLDER}")
+        return
+    diff = own.differences()
+    typer.echo(diff, nl=False)
+    if diff:
+        typer.echo("symhaptic: a kernel is stale; `symhaptic kernels` writes them", err=True)
+        raise typer.Exit(1)
+
+
 def _number(name: str, text: str) -> float:
     try:
         return float(text)

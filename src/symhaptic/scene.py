@@ -140,7 +140,7 @@ class Scene:
         >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
         1000.0
         """
-        from symhaptic.kernels.passivity import max_passive_stiffness
+        from symhaptic.numeric.passivity import max_passive_stiffness
 
         _, delta, delay = self.dimensionless
         found = max_passive_stiffness(delta, delay)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.kernels.plant import device
+from symhaptic.numeric.plant import device
 
 if TYPE_CHECKING:
     from symhaptic.scene import Scene

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from oracle import moduli, radius
 
@@ -83,7 +83,10 @@ def test_the_margin_of_a_slow_creep_is_that_of_the_linear_rule():
     assert np.isinf(delay_margin(0.1, 0.1, 0.0, 1e60))  # beyond 1e15 periods
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+MANY_LEFT_OUT = [HealthCheck.filter_too_much]  # most walls have no margin, or an infinite one
+
+
+@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=MANY_LEFT_OUT)
 @given(
     st.floats(1e-4, 1), st.floats(-0.5, 2), st.floats(0, 9), st.floats(0, 2),
     st.sampled_from(["exact", "principal"]),

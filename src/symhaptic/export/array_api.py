@@ -1,37 +1,38 @@
-"""Python, for arrays of any library of the Array API standard."""
+"""Python, for arrays of any library of the Array API standard.
+
+What a routine chooses between becomes functions of their own, which `select` calls with the
+elements that count.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
-from sympy import Expr
-from sympy.printing.pycode import PythonCodePrinter
+from sympy import Expr, Symbol
 
+from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFTEST
+from symhaptic.export.array_scope import ArrayPrinter, Scope, functional
 from symhaptic.export.library import Library, known
 from symhaptic.export.precision import SINGLE
-from symhaptic.export.routine import Repeat, Routine
-from symhaptic.export.target import Printing, Target, called, describe, vocabulary
-
-
-class _Printer(Printing, PythonCodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations; each routine gets the namespace of its arrays."""
-
-    def _print_Function(self, expr: Expr) -> str:
-        args = ", ".join(self._print(a) for a in expr.args)
-        return f"{self.target.call(expr.func.__name__)}(xp, {args})"
+from symhaptic.export.routine import Repeat, Routine, Step, lazy
+from symhaptic.export.stages import Begun, begun, staged
+from symhaptic.export.target import Target, called, describe, vocabulary
 
 
 class ArrayApi(Target):
-    """One module; every branch is computed and the right one taken, element by element."""
+    """One module of functions of arrays."""
 
-    name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", _Printer
+    name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", ArrayPrinter
     shares = False
-    choice = "xp.where({0}, {1}, {2})"
     words = MappingProxyType({"&&": "&", "||": "|", "!": "~"})
     keywords = vocabulary(
         "False None True and as assert async await break class continue def del elif else except "
         "finally for from global if import in is lambda nonlocal not or pass raise return try "
-        "while with yield match case xp np numpy selftest"
+        "while with yield match case xp np numpy selftest math sys array_namespace device "
+        "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
+        "select repeat over step is_jax_array halves square_root product_error plant work yes no"
     )
     operations = single = called(
         "xp.",
@@ -39,82 +40,86 @@ class ArrayApi(Target):
         NaN="xp.nan",
         Max="xp.where({0} > {1}, {0}, {1})",
         Min="xp.where({0} < {1}, {0}, {1})",
-        ProductError="product_error(xp, {0}, {1})",
+        ProductError="product_error({0}, {1})",
+        sqrt="square_root(xp, {0})",
     )
-
-    def number(self, value: float) -> str:
-        """A literal, which takes the precision of the array beside it."""
-        return repr(float(value))
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
-        lines = [f'"""{library.title}."""', "", *_PRELUDE.splitlines(), "", ""]
-        for helper in library.helpers:
+        lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
+        written = [_without_numbers(r) for r in library.helpers]
+        starts = begun(written)
+        for helper in written:
             if helper.name == "ProductError":
-                lines += [*_PRODUCT_ERROR.splitlines(), "", ""]
+                lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
                 continue
-            args = ["xp", *self._arguments(helper)]
-            lines += self._written(helper, args, [helper.about], known(SINGLE).get(helper.name))
+            start = starts.get(helper.name)
+            if start and start.first == helper.name:
+                lines += [*self._helper(start.routine, {}), "", ""]
+            own = start.rest(helper) if start else helper
+            other = _without_numbers(known(SINGLE)[helper.name])
+            brief = None if other == helper else other
+            lines += [*self._helper(own, starts, brief), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += self._written(routine, self._arguments(routine), describe(form))
+            lines += [*self._public(routine, describe(form), starts), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
-    def _arguments(self, routine: Routine) -> list[str]:
-        return [self.rename(s.name) for s in routine.arguments]
+    def _named(self, symbols: Iterable[Symbol]) -> list[str]:
+        return [self.rename(s.name) for s in symbols]
 
-    def _written(
-        self, routine: Routine, args: list[str], about: list[str], single: Routine | None = None
+    def _helper(
+        self, routine: Routine, starts: Mapping[str, Begun], brief: Routine | None = None
     ) -> list[str]:
-        """A function; where its single precision has other steps, these come first."""
-        name = self.call(routine.name)
-        lines = [f"def {name}({', '.join(args)}):", f'    """{about[0]}']
+        """A function; before it the one for single precision, where that has other steps."""
+        name, given = self.call(routine.name), self._named(routine.arguments)
+        arguments = ", ".join(["xp", *given])
+        head = [f"def {name}({arguments}):", f'    """{routine.about}"""']
+        short = ", ".join(["xp", *self._named((brief or routine).arguments)])
+        if brief is not None:
+            head += [f"    if {given[0]}.dtype == xp.float32:",
+                     f"        return {name}_single({short})"]  # fmt: skip
+        lines = [*head, *self._body(routine, starts, 1)]
+        if brief is None:
+            return lines
+        single = [f"def {name}_single({short}):", '    """The same in single precision."""']
+        single += self._body(brief, starts, 1)
+        return [*single, "", "", *lines]
+
+    def _public(self, routine: Routine, about: list[str], starts: Mapping[str, Begun]) -> list[str]:
+        names = self._named(routine.arguments)
+        lines = [f"def {self.call(routine.name)}({', '.join(names)}):", f'    """{about[0]}']
         lines += ["", *(f"    {line}" for line in about[1:]), '    """'] if about[1:] else []
         if not about[1:]:
             lines[-1] += '"""'
-        if not args:
-            lines.append('    xp = import_module("numpy")')
-        elif args[0] != "xp":
-            one = "," if len(args) == 1 else ""
-            lines.append(f"    xp, ({', '.join(args)}{one}) = _arrays({', '.join(args)})")
-        if single is not None and single != routine:
-            lines.append(f"    if {args[1]}.dtype == xp.float32:")
-            lines += [f"    {line}" for line in self._steps(single)]
-        return [*lines, *self._steps(routine), "", ""]
+        if not names:
+            return [*lines, "    (xp,) = arrays()", *self._body(routine, starts, 1)]
+        lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
+        plant, work = staged(routine)
+        for name, part in (("plant", plant), ("work", work)):
+            if part is None:
+                continue
+            given = ", ".join(self._named(part.arguments))
+            found = self._body(part, starts, 2)
+            lines += ["", f"    def {name}({given}):", *found, ""]
+            call = f"elementwise(xp, {name}, {given})"
+            results = self._named(Symbol(n) for n, _ in part.results)
+            lines.append(
+                f"    return {call}" if name == "work" else f"    {', '.join(results)} = {call}"
+            )
+        return lines
 
-    def _steps(self, routine: Routine) -> list[str]:
-        printer = self.printing()
-        lines = []
-        for step in routine.steps:
-            if isinstance(step, Repeat):
-                lines += [f"    {line}" for line in self._repeated(step)]
-            else:
-                value = printer.doprint(step[1])
-                if step[1].is_number and routine.arguments:
-                    value = f"xp.full_like({self._arguments(routine)[-1]}, {value})"
-                lines.append(f"    {self.rename(step[0].name)} = {value}")
-        values = ", ".join(printer.doprint(value) for _, value in routine.results)
-        return [*lines, f"    return {values}"]
-
-    def _repeated(self, loop: Repeat) -> list[str]:
-        """Its condition and its steps as two functions, which a helper calls."""
-        printer = self.printing()
-        states = ", ".join(self.rename(s.name) for s in loop.states)
-        over, step = (f"{word}_{loop.states[0].name}" for word in ("over", "step"))
-        lines = [f"def {over}({states}):", f"    return {printer.doprint(loop.done)}", ""]
-        lines.append(f"def {step}({states}):")
-        lines += [f"    {self.rename(n.name)} = {printer.doprint(e)}" for n, e in loop.steps]
-        lines += [f"    return {', '.join(self.rename(n.name) for n in loop.next)}", ""]
-        start = ", ".join(printer.doprint(first) for first in loop.start)
-        return [*lines, f"{states} = _repeat(xp, {loop.most}, {over}, {step}, {start})"]
+    def _body(self, routine: Routine, starts: Mapping[str, Begun], depth: int) -> list[str]:
+        return Scope(self, functional(lazy(routine)), starts).written(depth)
 
     def usage(self, library: Library) -> str:
-        """An import of the first function."""
-        return f"from {library.name} import {library.public[0].name}"
+        """What it needs, and an import of the first function."""
+        first = library.public[0].name
+        return f"# needs NumPy and array-api-compat\nfrom {library.name} import {first}"
 
     def selftest(self, library: Library) -> dict[str, str]:
         """selftest.py."""
         counts = {r.name: len(r.arguments) for r in library.public}
-        text = _SELFTEST.replace("NAME", library.name).replace("COUNTS", repr(counts))
+        text = SELFTEST.replace("NAME", library.name).replace("COUNTS", repr(counts))
         text = text.replace("KIND", self.precision.kind.__name__)
         return {"selftest.py": text}
 
@@ -123,73 +128,25 @@ class ArrayApi(Target):
         return [["python", "-W", "error", "selftest.py"]]
 
 
-_PRELUDE = """from importlib import import_module
+def _without_numbers(routine: Routine) -> Routine:
+    """The routine with the names of mere numbers replaced by these."""
+    numbers: dict[Symbol, Expr] = {}
+    steps: list[Step] = []
+    for step in routine.steps:
+        if isinstance(step, Repeat):
+            steps.append(step.xreplace(numbers))
+            continue
+        name, value = step[0], step[1].xreplace(numbers)
+        if value.is_number:
+            numbers[name] = value
+        else:
+            steps.append((name, value))
+    before = routine.shared
+    if before is not None and numbers:
+        count = sum(s[0] not in numbers for s in routine.assignments[: before.count])
+        before = replace(before, count=count)
+    results = tuple((name, expr.xreplace(numbers)) for name, expr in routine.results)
+    return replace(routine, steps=tuple(steps), results=results, shared=before)
 
-
-def _arrays(*values):
-    \"\"\"The namespace of the arrays, and all values as floats in it.\"\"\"
-    xp = None
-    for value in values:
-        home = type(value).__module__.partition(".")[0]
-        if home in ("torch", "cupy"):
-            xp = import_module(home)
-        elif hasattr(value, "__array_namespace__"):
-            xp = value.__array_namespace__()
-        if xp is not None:
-            break
-    if xp is None:
-        xp = import_module("numpy")
-    floats = [v.dtype for v in values if getattr(v, "dtype", None) in (xp.float32, xp.float64)]
-    wide = xp.float64 if xp.float64 in floats or not floats else xp.float32
-    return xp, [xp.asarray(v, dtype=wide) for v in values]
-
-
-def _repeat(xp, most, over, step, *states):
-    \"\"\"The states after so many steps; what is over keeps its own.\"\"\"
-    for _ in range(most):
-        done = over(*states)
-        if xp.all(done):
-            break
-        states = [xp.where(done, *pair) for pair in zip(states, step(*states))]
-    return states
-"""
-
-_PRODUCT_ERROR = """def product_error(xp, y, z):
-    \"\"\"y z minus the float nearest to it, by Dekker's product.\"\"\"
-    product = y*z
-    split = 134217729.0 if product.dtype == xp.float64 else 4097.0
-    if isinstance(z, float):
-        z = xp.full_like(product, z)
-    big = split*y
-    high = big - (big - y)
-    low = y - high
-    other = split*z
-    most = other - (other - z)
-    least = z - most
-    return ((high*most - product) + high*least + low*most) + low*least
-"""
-
-_SELFTEST = """from pathlib import Path
-
-import numpy as np
-
-import NAME
-
-COUNT = COUNTS
-tried = missed = 0
-for line in Path("vectors.txt").read_text(encoding="ascii").splitlines():
-    name, *words = line.split()
-    numbers = [float.fromhex(word) for word in words]
-    count = COUNT[name]
-    got = np.ravel(getattr(NAME, name)(*map(np.KIND, numbers[:count])))
-    for i, value in enumerate(got):
-        expected, allowed = numbers[count + 2*i : count + 2*i + 2]
-        tried += 1
-        if not abs(value - expected) <= allowed:
-            missed += 1
-            print(f"{name}, result {i}: {value!r} instead of {expected!r}")
-print(f"{tried} values, {missed} missed")
-raise SystemExit(tried == 0 or missed > 0)
-"""
 
 TARGET = ArrayApi()

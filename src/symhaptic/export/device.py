@@ -107,6 +107,7 @@ def motion(do: Steps) -> Motion:
     off = do("off", off - ProductError(whole, q))
     off = do("off", off - q * p_low)
     q_low = do("q_low", off / whole)
+    do.share("Motion", "w = delta^2/4 - gamma and both poles, to twice the precision of a float")
     reach = do("reach", choose(value < 0, gamma / STIFF, p / NEAR))
     small = reach < 1
     return Motion(half, value, low, root, root_low, some, p, whole, p_low, q, q_low, small)

@@ -161,9 +161,8 @@ def cos_next(precision: Precision = DOUBLE) -> Routine:
         value = do("value", choose(_odd(turn), sine, cosine))
         result = choose(sp.And(turn >= 1, turn <= 2), -value, value)
         return do.routine("CosNext", "cos((k + 1) x)", (k, x), result)
-    angle, off = _next(do)
-    cosine = do("cosine", cos(angle))
-    return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine - off * sin(angle))
+    cosine, sine, off = _next(do)
+    return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine - off * sine)
 
 
 def sin_next(precision: Precision = DOUBLE) -> Routine:
@@ -173,9 +172,8 @@ def sin_next(precision: Precision = DOUBLE) -> Routine:
         turn, sine, cosine = _turned(do, precision)
         value = do("value", choose(_odd(turn), cosine, sine))
         return do.routine("SinNext", "sin((k + 1) x)", (k, x), choose(turn >= 2, -value, value))
-    angle, off = _next(do)
-    sine = do("sine", sin(angle))
-    return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine + off * cos(angle))
+    cosine, sine, off = _next(do)
+    return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine + off * cosine)
 
 
 def spread() -> Routine:
@@ -209,10 +207,15 @@ def _delayed(do: Steps) -> tuple[Expr, Expr, Expr, Expr]:
     return do("order", 2 * (k + 1)), turn, angle, some
 
 
-def _next(do: Steps) -> tuple[Expr, Expr]:
-    """(k + 1) x and what the float misses."""
+def _next(do: Steps) -> tuple[Expr, Expr, Expr]:
+    """Cosine and sine of the rounded angle, and what the rounding has taken from it."""
     angle, off, missed = _next_parts(do)
-    return angle, do("off", off + missed * x)
+    off = do("off", off + missed * x)
+    cosine, sine = do("cosine", cos(angle)), do("sine", sin(angle))
+    do.share(
+        "NextAngle", "cosine and sine of (k + 1) x as it is rounded, and the rest of the angle"
+    )
+    return cosine, sine, off
 
 
 def _next_parts(do: Steps) -> tuple[Expr, Expr, Expr]:

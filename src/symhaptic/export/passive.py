@@ -29,7 +29,7 @@ def need() -> Routine:
 def rising() -> Routine:
     """Whether that grows with the angle, at a fraction of a period."""
     do = Steps()
-    early, late = do.shared(worst.steepness(l), worst.steepness(l + 1))
+    early, late = do.common(worst.steepness(l), worst.steepness(l + 1))
     early = do("early", early)
     steep = do("steep", worst.between(early, late))
     found = worst.rising(sp.Function("Need")(*worst.ARGUMENTS), steep)
@@ -40,7 +40,7 @@ def rising() -> Routine:
 def steepness() -> Routine:
     """Whether that grows with the angle; negative beyond the angle in phase."""
     do = Steps()
-    early = do("early", do.shared(worst.steepness(l))[0])
+    early = do("early", do.common(worst.steepness(l))[0])
     rising = do("rising", sp.Function("Rising")(*worst.ARGUMENTS))
     double = 2 * psi
     delayed = atan2(epsilon * sin(double), 1 - epsilon + epsilon * cos(double))

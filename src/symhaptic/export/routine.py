@@ -7,8 +7,8 @@ all of them or only the one that counts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from itertools import count
 
 import sympy as sp
@@ -18,9 +18,14 @@ from sympy.logic.boolalg import Boolean
 
 
 class ProductError(Function):  # type: ignore[misc]
-    """a b minus the float nearest to it; 0 in exact arithmetic."""
+    """a b minus the float nearest to it; 0 in exact arithmetic, and if one is 0 or 1."""
 
     nargs = 2
+
+    @classmethod
+    def eval(cls, one: Expr, two: Expr) -> Expr | None:
+        """Nothing is missed by a product with 0 or 1."""
+        return sp.S.Zero if {abs(one), abs(two)} & {sp.S.Zero, sp.S.One} else None
 
 
 @dataclass(frozen=True)
@@ -45,6 +50,15 @@ class Repeat:
         """All of its right-hand sides, and its condition."""
         return (*self.start, *(e for _, e in self.steps), self.done)
 
+    def xreplace(self, known: Mapping[Symbol, Expr]) -> Repeat:
+        """The same with symbols replaced that are known before."""
+        return replace(
+            self,
+            start=tuple(e.xreplace(known) for e in self.start),
+            steps=tuple((s, e.xreplace(known)) for s, e in self.steps),
+            done=self.done.xreplace(known),
+        )
+
     @property
     def free_symbols(self) -> set[Symbol]:
         """What has to be known before."""
@@ -63,6 +77,15 @@ def names(step: Step) -> tuple[Symbol, ...]:
 
 
 @dataclass(frozen=True)
+class Shared:
+    """The first ``count`` steps of several routines, under a name."""
+
+    name: str
+    about: str
+    count: int
+
+
+@dataclass(frozen=True)
 class Routine:
     """A function with one result or several."""
 
@@ -72,6 +95,8 @@ class Routine:
     arguments: tuple[Symbol, ...]
     steps: tuple[Step, ...]
     results: tuple[tuple[str, Expr], ...]
+    shared: Shared | None = None
+    """Its first steps, where other routines of the same arguments begin with them too."""
 
     @property
     def assignments(self) -> tuple[tuple[Symbol, Expr], ...]:
@@ -105,6 +130,8 @@ class Steps:
         self.taken.add(free)
         return Symbol(free)
 
+    shared: Shared | None = None
+
     def __call__(self, name: str, expr: Expr) -> Symbol:
         """The step ``name = expr``."""
         symbol = self.fresh(name)
@@ -130,12 +157,16 @@ class Steps:
         self.done.append(Repeat(states, first, steps, after, most, done(states)))
         return states
 
-    def shared(self, *exprs: Expr) -> list[Expr]:
+    def common(self, *exprs: Expr) -> list[Expr]:
         """The expressions made of steps for what they have in common."""
         fresh = (self.fresh("t") for _ in count())
         steps, results = sp.cse(exprs, symbols=fresh, order="none")
         self.done += steps
         return list(results)
+
+    def share(self, name: str, about: str) -> None:
+        """What is done so far is common to several routines: a target may do it once for all."""
+        self.shared = Shared(name, about, len(self.done))
 
     def nonzero(self, value: Expr) -> Symbol:
         """The value, or 1 in its place where it is 0."""
@@ -145,7 +176,8 @@ class Steps:
         self, name: str, about: str, arguments: tuple[Symbol, ...], result: Expr
     ) -> Routine:
         """The routine of these steps."""
-        return Routine(name, about, arguments, tuple(self.done), ((name, sp.sympify(result)),))
+        results = ((name, sp.sympify(result)),)
+        return Routine(name, about, arguments, tuple(self.done), results, self.shared)
 
 
 def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
@@ -408,6 +440,7 @@ __all__ = [
     "ProductError",
     "Repeat",
     "Routine",
+    "Shared",
     "Steps",
     "choose",
     "difference",

@@ -27,7 +27,7 @@ def boundary_slope() -> Routine:
     """The sign of the slope of alpha along the boundary."""
     do = Steps()
     return do.routine("BoundarySlope", "has the sign of the slope of the boundary's alpha",
-                      stiffest.SLOPE_ARGUMENTS, *do.shared(stiffest.slope()[0]))  # fmt: skip
+                      stiffest.SLOPE_ARGUMENTS, *do.common(stiffest.slope()[0]))  # fmt: skip
 
 
 def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
@@ -61,7 +61,7 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     root = crossing(do, slope, low, high, precision.close, inner_maximum)
     end = do("end", choose(sp.Eq(d, 0), pi, sp.nan))
     theta = do("theta", choose(inner_maximum, root, end))
-    stiffness, damping = do.shared(*stable.curve(*numbers[:-1], 2 * across, theta, steps))
+    stiffness, damping = do.common(*stable.curve(*numbers[:-1], 2 * across, theta, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
     inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))

@@ -1,1 +1,2 @@
-"""The package's numeric functions in closed form: NumPy in, NumPy out, nothing symbolic."""
+# Written by `symhaptic kernels` from the stable forms; do not edit.
+"""The stable forms as functions of arrays of any library; nothing symbolic."""

@@ -658,7 +658,8 @@ STATEMENTS = {
 }
 """Formulas of the paper that the forms compute."""
 
-_FOR_ONE_DELAY = ("characteristic_polynomial", "stability_conditions")
+FOR_ONE_DELAY = ("characteristic_polynomial", "stability_conditions")
+"""Forms that are made for one whole delay."""
 
 
 def form(name: str, parts: Parts = FULL, delay: int | None = None) -> Form:
@@ -666,7 +667,7 @@ def form(name: str, parts: Parts = FULL, delay: int | None = None) -> Form:
 
     Raises :class:`NoForm` where the scene has not what it is about.
     """
-    return FORMS[name](parts, delay) if name in _FOR_ONE_DELAY else FORMS[name](parts)
+    return FORMS[name](parts, delay) if name in FOR_ONE_DELAY else FORMS[name](parts)
 
 
 def forms(parts: Parts = FULL, delay: int | None = None) -> Iterator[Form]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.kernels.passivity import (
+from symhaptic.numeric.passivity import (
     max_passive_stiffness,
     passivity_boundary,
     passivity_margin,

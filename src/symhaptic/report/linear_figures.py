@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from symhaptic.kernels.boundary import stability_boundary
-from symhaptic.kernels.linear import linear_limit
 from symhaptic.linear_points import Arc, Point, points
+from symhaptic.numeric.boundary import stability_boundary
+from symhaptic.numeric.linear import linear_limit
 from symhaptic.report.figures import COLOURS
 from symhaptic.report.stability_figures import GREY, plane
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.kernels.stability import is_stable
+from symhaptic.numeric.stability import is_stable
 from symhaptic.paper.figures import DELAYS
 from symhaptic.report.figures import COLOURS, boundary
 from symhaptic.tracer.extremes import max_stable_stiffness

@@ -16,11 +16,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.kernels import arguments, stability
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.boundary import begin, end, point, tangent
-from symhaptic.kernels.crossings import crossings, surplus, wall
-from symhaptic.kernels.plant import Device, device, stuck
+from symhaptic.numeric import arguments, stability
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.boundary import begin, end, point, tangent
+from symhaptic.numeric.crossings import crossings, surplus, wall
+from symhaptic.numeric.plant import Device, device, stuck
 
 _PER_TURN = 96
 """Samples per half turn of z^(d+1)."""

@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize.elementwise import find_root
 
-from symhaptic.kernels import arguments, stability
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.boundary import end, point, tangent
-from symhaptic.kernels.crossings import wall
-from symhaptic.kernels.extremum import Extremum
-from symhaptic.kernels.plant import Device, device, stuck
-from symhaptic.kernels.stability import SHEETS
+from symhaptic.numeric import arguments, stability
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.boundary import end, point, tangent
+from symhaptic.numeric.crossings import wall
+from symhaptic.numeric.extremum import Extremum
+from symhaptic.numeric.given import Given
+from symhaptic.numeric.plant import Device, device, stuck
+from symhaptic.numeric.stability import SHEETS
 from symhaptic.tracer.arcs import Loop
 from symhaptic.tracer.region import farthest
 
@@ -50,11 +51,9 @@ def max_stable_stiffness(
     [0.686292, 0.144469]
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    g = arguments.nonnegative("gamma", gamma)
-    dl = arguments.nonnegative("delta", delta)
-    dy = arguments.periods("delay", delay)
-    found = arguments.in_blocks(partial(_rightmost, sheet=sheet), g, dl, dy)
-    return Extremum(*found)
+    given = Given(gamma=gamma, delta=delta, delay=delay)
+    work = partial(arguments.in_blocks, partial(_rightmost, sheet=sheet))
+    return Extremum(*given.by_numpy(work, 3))
 
 
 def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:

@@ -11,9 +11,9 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.plant import discretize
+from symhaptic.numeric import arguments
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.plant import discretize
 
 _ENTRIES = 4_000_000
 """Numbers in the companion matrices that are solved at a time: 32 MB."""

@@ -6,14 +6,17 @@ phase :math:`\Phi-(l+2)\theta` says in closed form at which l the loop is lost.
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments, stability
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.crossings import Wall, crossings, surplus, wall
-from symhaptic.kernels.plant import Device, device
-from symhaptic.kernels.stability import SHEETS, is_stable
+from symhaptic.numeric import arguments, stability
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.crossings import Wall, crossings, surplus, wall
+from symhaptic.numeric.given import Given
+from symhaptic.numeric.plant import Device, device
+from symhaptic.numeric.stability import SHEETS, is_stable
 
 _FRACTIONS = 32
 """Fractions of a period at which the loss is looked for before it is bisected."""
@@ -44,14 +47,10 @@ def delay_margin(
     3.969213
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    values = (
-        arguments.finite("alpha", alpha),
-        arguments.finite("beta", beta),
-        arguments.nonnegative("gamma", gamma),
-        arguments.nonnegative("delta", delta),
-    )
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta)
     search = _principal if sheet == "principal" else _exact
-    return np.asarray(arguments.in_blocks(lambda *block: [search(*block)], *values)[0])
+    work = partial(arguments.in_blocks, lambda *block: [search(*block)])
+    return given.by_numpy(work)[0]  # type: ignore[no-any-return]
 
 
 def _exact(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from symhaptic.kernels.extremum import Extremum
+from symhaptic.numeric.extremum import Extremum
 from symhaptic.tracer.region import Region
 
 

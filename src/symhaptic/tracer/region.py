@@ -10,10 +10,10 @@ import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.extremum import Extremum
-from symhaptic.kernels.stability import SHEETS, is_stable
+from symhaptic.numeric import arguments
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.extremum import Extremum
+from symhaptic.numeric.stability import SHEETS, is_stable
 from symhaptic.tracer.arcs import Loop, flips
 from symhaptic.tracer.shape import Shape
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import shapely
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.stability import SHEETS
+from symhaptic.numeric import arguments
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.stability import SHEETS
 from symhaptic.tracer.region import Region, stable_region
 from symhaptic.tracer.shape import Shape
 

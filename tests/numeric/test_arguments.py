@@ -17,7 +17,7 @@ from symhaptic import (
     stable_region,
     unstable_roots,
 )
-from symhaptic.kernels import arguments
+from symhaptic.numeric import arguments
 
 FUNCTIONS = {
     is_stable: ("alpha", "beta", "gamma", "delta", "delay"),

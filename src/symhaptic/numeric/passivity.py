@@ -15,15 +15,18 @@ phase, and there is one maximum up to there.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.bracket import rising_root
-from symhaptic.kernels.extremum import Extremum
+from symhaptic.kernels import haptic
+from symhaptic.numeric import arguments
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.bracket import rising_root
+from symhaptic.numeric.extremum import Extremum
+from symhaptic.numeric.given import Given
 
 SHEETS = ("exact", "principal")
 
@@ -175,10 +178,15 @@ def passivity_margin(
     [0.5, -0.059017, -0.5]
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    al, be = arguments.finite("alpha", alpha), arguments.finite("beta", beta)
-    dl, dy = arguments.nonnegative("delta", delta), arguments.nonnegative("delay", delay)
-    need = arguments.in_blocks(lambda *block: [_largest_need(*block)], al, be, *split(dy, sheet))
-    return np.asarray(dl - need[0])
+    given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay)
+
+    def margin(al: Array, be: Array, dl: Array, dy: Array) -> list[Array]:
+        need = arguments.in_blocks(
+            lambda *block: [_largest_need(*block)], al, be, *split(dy, sheet)
+        )
+        return [dl - need[0]]
+
+    return given.by_numpy(margin)[0]  # type: ignore[no-any-return]
 
 
 def is_passive(
@@ -192,7 +200,7 @@ def is_passive(
     >>> is_passive([1.9, 2.1, -0.1], 0.0, 1.0, 0).tolist()
     [True, False, False]
     """
-    return np.asarray(passivity_margin(alpha, beta, delta, delay, sheet) >= 0)
+    return passivity_margin(alpha, beta, delta, delay, sheet) >= 0
 
 
 # -- the boundary --------------------------------------------------------------------------
@@ -257,11 +265,22 @@ def passivity_boundary(
     ([0.817217, 0.811125], [0.232804, 0.375311])
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    om = arguments.real("omega", omega)
-    arguments.refuse("omega", om, (om <= 0) | (om >= np.pi), "numbers 0 < omega < pi are")
-    dl, dy = arguments.nonnegative("delta", delta), arguments.nonnegative("delay", delay)
-    alpha, beta = arguments.in_blocks(_boundary, om, dl, *split(dy, sheet))
+    given = Given(omega=omega, delta=delta, delay=delay)
+    if sheet == "principal" or given.whole(given.values[2]):
+        alpha, beta = given(haptic.passivity_boundary)
+    else:
+        alpha, beta = given.by_numpy(_by_delay(_boundary), 2)
     return alpha, beta
+
+
+def _by_delay(work: Callable[..., Array]) -> Callable[..., Array]:
+    """A function of the delay from one of whole periods and the rest, on pieces."""
+
+    def found(*values: Array) -> Array:
+        *others, delay = values
+        return arguments.in_blocks(work, *others, *split(delay, "exact"))
+
+    return found
 
 
 def _stiffest(delta: Array, steps: Array, part: Array) -> Array:
@@ -304,5 +323,9 @@ def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exac
     ([2.0, 1.175869, 0.828427], [0.0, 0.323979, 0.292893])
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    dl, dy = arguments.nonnegative("delta", delta), arguments.nonnegative("delay", delay)
-    return Extremum(*arguments.in_blocks(_stiffest, dl, *split(dy, sheet)))
+    given = Given(delta=delta, delay=delay)
+    if sheet == "principal" or given.whole(given.values[1]):
+        alpha, beta, theta = given(haptic.max_passive_stiffness)
+        undelayed = (given.values[1] == 0) & given.xp.isfinite(beta)  # exactly 0, not a difference
+        return Extremum(alpha, given.xp.where(undelayed, given.xp.zeros_like(beta), beta), theta)
+    return Extremum(*given.by_numpy(_by_delay(_stiffest), 3))

@@ -12,10 +12,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.plant import Device, device
-from symhaptic.kernels.stability import SHEETS
+from symhaptic.kernels import haptic
+from symhaptic.numeric import arguments
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.given import Given
+from symhaptic.numeric.plant import Device, device
+from symhaptic.numeric.stability import SHEETS
 
 _SPLIT = 2.0**27 + 1
 """Veltkamp's factor: halves of a float64 whose products are exact."""
@@ -140,17 +142,17 @@ def stability_boundary(
     (-0.496790118283, 1.241897955708)
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    th = arguments.real("theta", theta)
-    arguments.refuse("theta", th, (th <= 0) | (th >= np.pi), "numbers 0 < theta < pi are")
-    g, dl = arguments.nonnegative("gamma", gamma), arguments.nonnegative("delta", delta)
-    dy = arguments.periods("delay", delay)
-    alpha, beta = arguments.in_blocks(partial(_pair, sheet=sheet), th, g, dl, dy)
+    given = Given(theta=theta, gamma=gamma, delta=delta, delay=delay)
+    steps = given.values[3]
+    if sheet == "exact" and not given.whole(steps):
+        alpha, beta = given.by_numpy(partial(arguments.in_blocks, _pair), 2)
+        return alpha, beta
+    found = given(haptic.stability_boundary)
+    known = given.xp.isfinite(found[0]) & (sheet == "principal" or steps == given.xp.floor(steps))
+    alpha, beta = (given.xp.where(known, x, given.xp.full_like(x, np.nan)) for x in found)
     return alpha, beta
 
 
-def _pair(
-    theta: Array, gamma: Array, delta: Array, delay: Array, sheet: str
-) -> tuple[Array, Array]:
-    steps = delay if sheet == "principal" else np.floor(delay)
-    x = device(gamma, delta, None if sheet == "principal" else delay - steps)
-    return point(x, theta, steps)
+def _pair(theta: Array, gamma: Array, delta: Array, delay: Array) -> tuple[Array, Array]:
+    steps = np.floor(delay)
+    return point(device(gamma, delta, delay - steps), theta, steps)

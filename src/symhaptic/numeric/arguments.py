@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import Any, NoReturn
 
 import numpy as np
+from array_api_compat import array_namespace
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
@@ -30,7 +32,7 @@ def real(name: str, values: ArrayLike | Fraction) -> Array:
             return np.asarray(array, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise ValueError(f"{name}: {_shown(values)} is not allowed; real numbers are")
+    refuse_all(name, values)
 
 
 def _is_real(value: object) -> bool:
@@ -53,30 +55,71 @@ def single(name: str, values: Array) -> float:
 def finite(name: str, values: ArrayLike) -> Array:
     """The argument as an array of finite numbers or NaN."""
     array = real(name, values)
-    refuse(name, array, np.isinf(array), "finite numbers are")
-    refuse(name, array, np.abs(array) > _LARGEST, f"numbers up to {_LARGEST:g} in size are")
+    _finite(name, array, np)
     return array
 
 
 def nonnegative(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as an array of finite numbers >= 0 or NaN."""
     array = real(name, values)
-    refuse(name, array, (array < 0) | np.isinf(array), f"finite numbers {name} >= 0 are")
-    refuse(name, array, array > _LARGEST, f"numbers 0 <= {name} <= {_LARGEST:g} are")
+    _nonnegative(name, array, np)
     return array
 
 
 def periods(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as an array of delays >= 0 or NaN."""
-    array = nonnegative(name, values)
-    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST:g} are")
+    array = real(name, values)
+    _periods(name, array, np)
     return array
 
 
-def refuse(name: str, values: Array, bad: NDArray[np.bool_], allowed: str) -> None:
+def check(name: str, array: Any, xp: Any) -> None:
+    """Refuse what the argument of this name may not be, in an array of any library."""
+    _CHECKS[name](name, array, xp)
+
+
+def _finite(name: str, array: Any, xp: Any) -> None:
+    refuse(name, array, xp.isinf(array), "finite numbers are")
+    if float(xp.finfo(array.dtype).max) > _LARGEST:
+        refuse(name, array, xp.abs(array) > _LARGEST, f"numbers up to {_LARGEST:g} in size are")
+
+
+def _nonnegative(name: str, array: Any, xp: Any) -> None:
+    refuse(name, array, (array < 0) | xp.isinf(array), f"finite numbers {name} >= 0 are")
+    if float(xp.finfo(array.dtype).max) > _LARGEST:
+        refuse(name, array, array > _LARGEST, f"numbers 0 <= {name} <= {_LARGEST:g} are")
+
+
+def _periods(name: str, array: Any, xp: Any) -> None:
+    _nonnegative(name, array, xp)
+    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST:g} are")
+
+
+def _angle(name: str, array: Any, xp: Any) -> None:
+    refuse(name, array, (array <= 0) | (array >= math.pi), f"numbers 0 < {name} < pi are")
+
+
+_CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
+    "alpha": _finite,
+    "beta": _finite,
+    "gamma": _nonnegative,
+    "delta": _nonnegative,
+    "delay": _periods,
+    "theta": _angle,
+    "omega": _angle,
+}
+
+
+def refuse_all(name: str, value: object) -> NoReturn:
+    """Raise :class:`ValueError` for what is no real number."""
+    raise ValueError(f"{name}: {_shown(value)} is not allowed; real numbers are")
+
+
+def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
     """Raise :class:`ValueError` with the first bad value."""
-    if np.any(bad):
-        value = float(values[bad].flat[0])
+    xp = array_namespace(bad)
+    if bool(xp.any(bad)):
+        value = float(xp.reshape(values, (-1,))[xp.reshape(bad, (-1,))][0])
         raise ValueError(f"{name}: {value!r} is not allowed; {allowed}")
 
 
@@ -88,12 +131,12 @@ def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     return value
 
 
-def together(*arrays: Array) -> tuple[int, ...]:
+def together(*arrays: Any) -> tuple[int, ...]:
     """The shape that the arguments broadcast to."""
     try:
-        return np.broadcast_shapes(*(a.shape for a in arrays))
+        return np.broadcast_shapes(*(tuple(a.shape) for a in arrays))
     except ValueError:
-        shapes = ", ".join(str(a.shape) for a in arrays)
+        shapes = ", ".join(str(tuple(a.shape)) for a in arrays)
         raise ValueError(
             f"shapes of the arguments: {shapes} are not allowed; shapes that broadcast are"
         ) from None

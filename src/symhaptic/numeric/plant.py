@@ -12,8 +12,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
+from symhaptic.kernels import haptic
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.given import Given
 
 _NEAR = 4.0
 """Up to here in w and in delta^2/4 the power series of sinh(sqrt w)/sqrt w is used."""
@@ -198,11 +199,5 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
     >>> [float(x) for x in discretize(0, 0)]
     [0.5, 0.5, 2.0, 1.0]
     """
-    g, dl = arguments.nonnegative("gamma", gamma), arguments.nonnegative("delta", delta)
-    n1, n0, a, e = arguments.in_blocks(_four, g, dl)
+    n1, n0, a, e = Given(gamma=gamma, delta=delta)(haptic.discretize)
     return n1, n0, a, e
-
-
-def _four(gamma: Array, delta: Array) -> tuple[Array, Array, Array, Array]:
-    x = device(gamma, delta)
-    return x.m2, x.m1, x.a, x.e + 0 * gamma  # NaN in gamma spoils this too

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
+from symhaptic.kernels import haptic
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.given import Given
 
 
 def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
@@ -29,6 +29,5 @@ def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
     >>> float(linear_limit(0.0, 0.02, 1.5))
     0.01
     """
-    b = arguments.finite("beta", beta)
-    dl, dy = arguments.nonnegative("delta", delta), arguments.nonnegative("delay", delay)
-    return np.asarray((b + dl) / (dy + 0.5))
+    given = Given(beta=beta, delta=delta, delay=delay)
+    return given(haptic.linear_limit)  # type: ignore[no-any-return]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symhaptic.kernels.arguments import Array
+from symhaptic.numeric.arguments import Array
 
 
 class Extremum(NamedTuple):

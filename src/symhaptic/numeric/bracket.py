@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from symhaptic.kernels.arguments import Array
+from symhaptic.numeric.arguments import Array
 
 _STEPS = 120
 """At most so many; some ten are usual, and halving alone would need sixty."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.kernels.arguments import Array
+from symhaptic.numeric.arguments import Array
 
 _STEPS = 100
 """At most so many: every piece converges from its safe end, a double root by half a step."""

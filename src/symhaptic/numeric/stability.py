@@ -11,16 +11,18 @@ number in the brackets.  Chapter s4d_roots_counted derives this.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.kernels import arguments
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.crossings import Crossing, Wall, crossings, surplus, wall
-from symhaptic.kernels.cubic import Terms
-from symhaptic.kernels.plant import Device, device, discretize, stuck
+from symhaptic.kernels import haptic
+from symhaptic.numeric import arguments
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.crossings import Crossing, Wall, crossings, surplus, wall
+from symhaptic.numeric.cubic import Terms
+from symhaptic.numeric.given import Given, to_numpy
+from symhaptic.numeric.plant import Device, device, discretize, stuck
 
 SHEETS = ("exact", "principal")
 
@@ -140,20 +142,6 @@ def _count(
     return np.asarray(arguments.in_blocks(work, alpha, beta, steps, *plant)[0])
 
 
-def _arguments(
-    alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike
-) -> tuple[Array, Array, Array, Array, Array]:
-    values = (
-        arguments.finite("alpha", alpha),
-        arguments.finite("beta", beta),
-        arguments.nonnegative("gamma", gamma),
-        arguments.nonnegative("delta", delta),
-        arguments.periods("delay", delay),
-    )
-    arguments.together(*values)
-    return values
-
-
 def unstable_roots(
     alpha: ArrayLike,
     beta: ArrayLike,
@@ -175,10 +163,32 @@ def unstable_roots(
     [0, 2]
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    values = _arguments(alpha, beta, gamma, delta, delay)
-    unknown = np.isnan(sum(values))
-    found = _count(*values, sheet)
-    return np.where(unknown, -1, np.where(unknown, 0.0, found)).astype(np.int64)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    found, _ = _outside_and_stable(given, sheet)
+    xp = given.xp
+    kind = xp.__array_namespace_info__().default_dtypes()["integral"]
+    known = xp.astype(xp.where(xp.isnan(found), xp.full_like(found, -1.0), found), kind)
+    return known  # type: ignore[no-any-return]
+
+
+def _outside_and_stable(given: Given, sheet: str) -> Any:
+    """The count of roots outside, and 1 where the loop is stable and 0 where not; or NaN."""
+    xp, delay = given.xp, given.values[4]
+    if given.whole(delay):
+        found = given(haptic.is_stable)
+        whole = delay == xp.floor(delay)
+        return tuple(xp.where(whole, x, xp.full_like(x, xp.nan)) for x in found)
+
+    def work(al: Array, be: Array, g: Array, dl: Array, dy: Array) -> tuple[Array, Array]:
+        unknown = np.isnan(al + be + g + dl + dy)
+        outside = np.where(
+            unknown, np.nan, np.where(unknown, 0.0, _count(al, be, g, dl, dy, sheet))
+        )
+        swings = (al == 0) & (be == 0) & (dl == 0)
+        good = (outside == 0) & (al > -g) & ~swings & ~stuck(g, dl)
+        return outside, np.where(unknown, np.nan, good)
+
+    return given.by_numpy(work, 2)
 
 
 def is_stable(
@@ -198,10 +208,9 @@ def is_stable(
     >>> is_stable([0.03, 0.003], 0.05, 0.001, 0.02, 5).tolist()
     [False, True]
     """
-    al, be, g, dl, _ = _arguments(alpha, beta, gamma, delta, delay)
-    swings = (al == 0) & (be == 0) & (dl == 0)
-    count = unstable_roots(al, be, g, dl, delay, sheet)
-    return np.asarray((count == 0) & (al > -g) & ~swings & ~stuck(g, dl))
+    arguments.one_of("sheet", sheet, SHEETS)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    return _outside_and_stable(given, sheet)[1] == 1  # type: ignore[no-any-return]
 
 
 def characteristic_polynomial(
@@ -218,7 +227,8 @@ def characteristic_polynomial(
     [1.0, -1.25, 1.25, -0.5]
     """
     names = ("alpha", "beta", "gamma", "delta", "delay")
-    arrays = _arguments(alpha, beta, gamma, delta, delay)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    arrays = map(to_numpy, given.values)
     values = [arguments.single(*pair) for pair in zip(names, arrays, strict=True)]
     if values[4] != np.floor(values[4]):
         raise ValueError(f"delay: {delay!r} is not allowed; whole numbers delay >= 0 are")
@@ -226,4 +236,4 @@ def characteristic_polynomial(
     coefficients = np.zeros(int(values[4]) + 4)
     coefficients[:3] = 1.0, -a, e
     coefficients[-3:] += np.convolve([n1, n0], [values[0] + values[1], -values[1]])
-    return coefficients
+    return given.own(coefficients)  # type: ignore[no-any-return]

@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.kernels import cubic
-from symhaptic.kernels.arguments import Array
-from symhaptic.kernels.cubic import Terms
-from symhaptic.kernels.plant import Device
+from symhaptic.numeric import cubic
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.cubic import Terms
+from symhaptic.numeric.plant import Device
 
 
 class Wall(NamedTuple):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from symhaptic.kernels.cubic import roots
+from symhaptic.numeric.cubic import roots
 
 CENTER = 1.3
 

@@ -1,0 +1,100 @@
+"""The generated kernels on NumPy arrays beside the exported C, and public functions beside kernels.
+
+`.venv/bin/pytest benchmarks/test_kernels.py --benchmark-only -s`; ratios within one run count,
+since the machine is shared.
+"""
+
+import ctypes
+import shutil
+import statistics
+import subprocess
+import time
+
+import numpy as np
+import pytest
+
+import symhaptic
+from symhaptic.export import kernels, request
+from symhaptic.export.targets import TARGETS
+from symhaptic.kernels import haptic
+
+COUNT = 10**5
+GOAL = {"discretize": 3, "stability_boundary": 3, "passivity_margin": 3, "is_stable": 3}
+RNG = np.random.default_rng(0)
+COLUMNS = {
+    "theta": RNG.uniform(0.01, 1.04, COUNT),  # below pi/(d + 1), where all of them mean something
+    "alpha": RNG.normal(size=COUNT),
+    "beta": RNG.normal(size=COUNT),
+    "gamma": RNG.uniform(0, 10, COUNT),
+    "delta": RNG.uniform(0, 2, COUNT),
+    "d": np.full(COUNT, 2.0),
+}
+FORMS = {form.name: form for form in kernels.forms()}
+
+
+def seconds(work, rounds=9):
+    """Median time of a call, that of others on this processor not counted."""
+    times = []
+    for _ in range(rounds):
+        begin = time.process_time()
+        work()
+        times.append(time.process_time() - begin)
+    return statistics.median(times)
+
+
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory):
+    """The exported C with a loop over each function, by gcc -O2."""
+    if shutil.which("gcc") is None:
+        pytest.skip("no gcc here: nothing to compare with")
+    folder = tmp_path_factory.mktemp("c")
+    made, files = request.built(TARGETS["c"], list(FORMS.values()), vectors=False)
+    loops = ['#include "haptic.h"']
+    for routine in made.public:
+        names = [s.name for s in routine.arguments]
+        given = ", ".join(f"{n}[i]" for n in names)
+        outs = [f"out + {k}*count + i" for k in range(len(routine.results))]
+        call = f"haptic_{routine.name}({given}"
+        call = f"{call}, {', '.join(outs)});" if len(outs) > 1 else f"out[i] = {call});"
+        pointers = ", ".join(f"const double *{n}" for n in names)
+        head = f"void loop_{routine.name}(long count, {pointers}, double *out)"
+        loops.append(f"{head} {{ for (long i = 0; i < count; ++i) {call} }}")
+    for name, text in (files | {"loops.c": "\n".join(loops)}).items():
+        (folder / name).write_text(text, encoding="utf-8")
+    subprocess.run(
+        ["gcc", "-O2", "-shared", "-fPIC", "-o", "all.so", "haptic.c", "loops.c", "-lm"],
+        cwd=folder,
+        check=True,
+    )
+    return ctypes.CDLL(str(folder / "all.so"))
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_numpy_beside_c(benchmark, compiled, name):
+    form = FORMS[name]
+    columns = [COLUMNS[s.name] for s in form.arguments]
+    out = np.empty((len(form.results), COUNT))
+    pointers = [ctypes.c_void_p(c.ctypes.data) for c in (*columns, out)]
+    loop = getattr(compiled, f"loop_{name}")
+    quick = seconds(lambda: loop(ctypes.c_long(COUNT), *pointers))
+    found = benchmark.pedantic(getattr(haptic, name), columns, rounds=1)
+    slow = seconds(lambda: getattr(haptic, name)(*columns))
+    assert np.array_equal(np.stack(np.atleast_2d(found)), out, equal_nan=True)
+    benchmark.extra_info["times slower than C"] = round(slow / quick, 2)
+    goal = f", goal {GOAL[name]}" if name in GOAL else ""
+    print(
+        f"\n    {name}: C {1e9 * quick / COUNT:.0f} ns, NumPy {1e9 * slow / COUNT:.0f} ns, "
+        f"ratio {slow / quick:.2f}{goal}",
+        end="",
+    )
+
+
+@pytest.mark.parametrize("name", ["discretize", "stability_boundary", "is_stable", "linear_limit"])
+def test_public_functions_beside_kernels(benchmark, name):
+    """What checking the arguments costs."""
+    columns = [COLUMNS[s.name] for s in FORMS[name].arguments]
+    bare = seconds(lambda: getattr(haptic, name)(*columns))
+    benchmark.pedantic(getattr(symhaptic, name), columns, rounds=1)
+    ratio = seconds(lambda: getattr(symhaptic, name)(*columns)) / bare
+    benchmark.extra_info["times the kernel"] = round(ratio, 2)
+    print(f"\n    {name}: {ratio:.2f} times the kernel", end="")

@@ -1,0 +1,217 @@
+"""What every Python export begins with: how functions of numbers become functions of arrays."""
+
+PRELUDE = '''import math
+import sys
+
+import numpy
+from array_api_compat import (
+    array_namespace,
+    device,
+    is_array_api_obj,
+    is_jax_array,
+    is_lazy_array,
+    is_numpy_array,
+    is_torch_array,
+)
+
+BLOCK = 8192
+"""Elements of NumPy arrays worked on at a time: so many fit the caches."""
+
+
+def arrays(*values):
+    """The namespace of the arrays, and all values as arrays of one floating type in it."""
+    given = [v for v in values if is_array_api_obj(v) and not isinstance(v, numpy.generic)]
+    if not given:
+        values = [v if isinstance(v, (int, float)) else numpy.asarray(v) for v in values]
+        given = [v for v in values if is_array_api_obj(v)] or [numpy.asarray(0.0)]
+    xp = array_namespace(*given)
+    kinds = [v.dtype for v in given if xp.isdtype(v.dtype, "real floating")]
+    kind = xp.result_type(xp.float32, *kinds) if kinds else _default(xp)
+    where = {} if is_lazy_array(given[0]) else {"device": device(given[0])}
+    return xp, *(
+        xp.astype(v, kind, copy=False)
+        if is_array_api_obj(v) and not isinstance(v, numpy.generic)
+        else xp.asarray(v, dtype=kind, **where)
+        for v in values
+    )
+
+
+def _default(xp):
+    return xp.__array_namespace_info__().default_dtypes()["real floating"]
+
+
+def deferred(x):
+    """Whether the numbers in an array cannot be looked at now: JAX, or torch while it compiles."""
+    if is_torch_array(x):
+        return sys.modules["torch"].compiler.is_compiling()
+    return is_lazy_array(x)
+
+
+def elementwise(xp, work, *values):
+    """What ``work`` makes of arrays that are broadcast; NaN gives NaN.
+
+    It gets flat ones, of one element where there is but one, unless numbers cannot be looked at.
+    """
+    shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))
+    if deferred(values[0]):
+        results = _without_nan(xp, work, values)
+        results = [xp.broadcast_to(r, shape) for r in results]
+        return results[0] if len(results) == 1 else tuple(results)
+    size = math.prod(shape)
+    flat = [xp.reshape(_stretched(xp, v, shape), (-1,)) for v in values]
+    if size <= BLOCK or not is_numpy_array(values[0]):
+        found = [xp.broadcast_to(r, (size,)) for r in _without_nan(xp, work, flat)]
+    else:
+        found = None
+        for begin in range(0, size, BLOCK):
+            part = slice(begin, begin + BLOCK)
+            rows = _without_nan(xp, work, [v if v.shape[0] == 1 else v[part] for v in flat])
+            if found is None:
+                found = [numpy.empty(size, r.dtype) for r in rows]
+            for whole, row in zip(found, rows, strict=True):
+                whole[part] = row
+    results = [xp.reshape(r, shape) for r in found]
+    return results[0] if len(results) == 1 else tuple(results)
+
+
+def _stretched(xp, values, shape):
+    return values if math.prod(values.shape) == 1 else xp.broadcast_to(values, shape)
+
+
+def _without_nan(xp, work, values):
+    """All results of ``work``, NaN where a value is NaN."""
+    unknown = xp.isnan(sum(values[1:], values[0]))
+    results = work(*values)
+    results = results if isinstance(results, tuple) else (results,)
+    if not deferred(unknown) and not bool(xp.any(unknown)):
+        return [r if is_array_api_obj(r) else xp.full_like(values[0], r) for r in results]
+    nan = xp.full_like(values[0], math.nan)
+    return [xp.where(unknown, nan, r) for r in results]
+
+
+def select(xp, condition, yes, yes_values, no, no_values):
+    """``yes`` of its values where the condition holds, else ``no``; each only where it counts.
+
+    Where numbers cannot be looked at, both are computed everywhere, of 1 where they do not count.
+    """
+    like = (*yes_values, *no_values)[0]
+    if deferred(condition):
+        one = _rows(xp, like, yes(*(xp.where(condition, v, 1.0) for v in yes_values)))
+        two = _rows(xp, like, no(*(xp.where(condition, 1.0, v) for v in no_values)))
+        return _all([xp.where(condition, a, b) for a, b in zip(one, two, strict=True)])
+    size = condition.shape[0]
+    count = int(xp.count_nonzero(condition))
+    if count == size:
+        return _all(_rows(xp, like, yes(*yes_values)))
+    if count == 0:
+        return _all(_rows(xp, like, no(*no_values)))
+    found = None
+    for where, work, values in ((condition, yes, yes_values), (~condition, no, no_values)):
+        (at,) = xp.nonzero(where)
+        rows = work(*(v if v.shape[0] == 1 else xp.take(v, at) for v in values))
+        rows = rows if isinstance(rows, tuple) else (rows,)
+        if found is None:
+            found = [xp.empty_like(condition, dtype=like.dtype) for _ in rows]
+        for whole, row in zip(found, rows, strict=True):
+            whole[where] = row
+    return _all(found)
+
+
+def _rows(xp, like, results):
+    results = results if isinstance(results, tuple) else (results,)
+    return [r if is_array_api_obj(r) else xp.full_like(like, r) for r in results]
+
+
+def _all(rows):
+    return rows[0] if len(rows) == 1 else tuple(rows)
+
+
+def repeat(xp, most, over, step, start, given):
+    """``step`` of the states and of what is given, until it is ``over``, at most so many times.
+
+    Elements that are done keep their states while others go on.
+    """
+    sizes = [tuple(v.shape) for v in (*start, *given) if is_array_api_obj(v)]
+    shape = numpy.broadcast_shapes(*sizes)
+    like = next(v for v in (*given, *start) if is_array_api_obj(v))
+    states = [
+        xp.broadcast_to(v, shape) if is_array_api_obj(v)
+        else xp.full(shape, v, dtype=like.dtype, device=device(like))
+        for v in start
+    ]
+
+    def kept(states):
+        done = over(*states, *given)
+        return [xp.where(done, a, b) for a, b in zip(states, step(*states, *given), strict=True)]
+
+    if is_jax_array(like):
+        loop = sys.modules["jax"].lax.while_loop
+        busy = lambda now: (now[0] < most) & ~xp.all(over(*now[1], *given))
+        return tuple(loop(busy, lambda now: (now[0] + 1, kept(now[1])), (0, states))[1])
+    if deferred(like):
+        for _ in range(most):
+            states = kept(states)
+        return tuple(states)
+    states = [xp.asarray(v, copy=True) for v in states]
+    busy = xp.ones(shape, dtype=xp.bool)
+    for _ in range(most):
+        now, own = _some(xp, busy, states), _some(xp, busy, given)
+        done = over(*now, *own)
+        if bool(xp.any(done)):
+            busy[xp.asarray(busy, copy=True)] = ~done
+            if not bool(xp.any(busy)):
+                break
+            now, own = _some(xp, busy, states), _some(xp, busy, given)
+        for whole, row in zip(states, step(*now, *own), strict=True):
+            whole[busy] = row
+    return tuple(states)
+
+
+def _some(xp, where, values):
+    (at,) = xp.nonzero(where)
+    return [v if v.shape[0] == 1 else xp.take(v, at) for v in values]
+
+
+def square_root(xp, x):
+    """The root; of 0 with the slope 0, where slopes may be asked for."""
+    if not deferred(x):
+        return xp.sqrt(x)
+    positive = x > 0
+    return xp.where(positive, xp.sqrt(xp.where(positive, x, 1.0)), 0.0)
+'''
+
+HALVES = '''def halves(xp, y):
+    """A number as two of half its digits, whose products are exact."""
+    big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
+    high = big - (big - y)
+    return high, y - high
+'''
+
+PRODUCT_ERROR = '''def product_error(product, one, two):
+    """What a product misses, by Dekker, from the halves of its factors."""
+    (high, low), (most, least) = one, two
+    return ((high*most - product) + high*least + low*most) + low*least
+'''
+
+SELFTEST = """from pathlib import Path
+
+import numpy as np
+
+import NAME
+
+COUNT = COUNTS
+tried = missed = 0
+for line in Path("vectors.txt").read_text(encoding="ascii").splitlines():
+    name, *words = line.split()
+    numbers = [float.fromhex(word) for word in words]
+    count = COUNT[name]
+    got = np.ravel(getattr(NAME, name)(*map(np.KIND, numbers[:count])))
+    for i, value in enumerate(got):
+        expected, allowed = numbers[count + 2*i : count + 2*i + 2]
+        tried += 1
+        if not abs(value - expected) <= allowed:
+            missed += 1
+            print(f"{name}, result {i}: {value!r} instead of {expected!r}")
+print(f"{tried} values, {missed} missed")
+raise SystemExit(tried == 0 or missed > 0)
+"""

@@ -1,0 +1,348 @@
+"""Bodies of Python functions of arrays: statements, names, and what they need before them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import sympy as sp
+from sympy import Expr, Piecewise, Symbol
+from sympy.printing.pycode import PythonCodePrinter
+
+from symhaptic.export.routine import (
+    Assign,
+    Block,
+    Choice,
+    Join,
+    ProductError,
+    Repeat,
+    Return,
+    Routine,
+    Set,
+)
+from symhaptic.export.stages import Begun
+from symhaptic.export.target import Printing, Target, calls
+
+
+class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]
+    """SymPy's, with the shared operations; each routine sees the namespace of its arrays."""
+
+    scope: Scope
+
+    def _as_ordered_terms(self, expr: Expr, order: str | None = None) -> list[Expr]:
+        """SymPy's order, but first a term without a minus, which would be a step of its own."""
+        terms = super()._as_ordered_terms(expr, order)
+        first = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
+        return [first, *(t for t in terms if t is not first)]
+
+    def _print_Symbol(self, expr: Symbol) -> str:
+        return self.scope.name(expr)
+
+    def _print_Function(self, expr: Expr) -> str:
+        return self.scope.call(expr)
+
+    def _print_ProductError(self, expr: Expr) -> str:
+        return self.scope.product_error(*expr.args)
+
+    def _print_Piecewise(self, expr: Expr) -> str:
+        *choices, (last, always) = expr.args
+        if always != sp.true:
+            raise ValueError(f"{expr}: has no value where no condition holds")
+        text, number = str(self._print(last)), last.is_number
+        for value, condition in reversed(choices):
+            shown = str(self._print(value))
+            if value.is_number and number:
+                shown = f"xp.full_like({self.scope.like(condition)}, {shown})"
+            text = f"xp.where({self.scope.condition(condition)}, {shown}, {text})"
+            number = False
+        return text
+
+
+class Scope:
+    """The body of one function."""
+
+    def __init__(self, target: Target, block: Block, starts: Mapping[str, Begun]) -> None:
+        self.target, self.block, self.starts = target, block, starts
+        self.printer = target.printing()
+        self.printer.scope = self
+        self.names: dict[Symbol, str] = {}
+        """Names that are those of another variable, which is done with."""
+        self.split: dict[Expr, str] = {}
+        """Factors whose halves are there, and the name of these."""
+        self.begun: dict[tuple[str, tuple[Expr, ...]], str] = {}
+        """What is shared and done: the suffix of its names."""
+        self.products: dict[object, Symbol] = {
+            frozenset(s.expr.args) if s.expr.is_Mul else s.expr: s.name
+            for s in block
+            if isinstance(s, Assign) and (s.expr.is_Mul or s.expr.is_Pow)
+        }
+        self.cases: dict[Expr, str] = {}
+        """Conditions that have a name."""
+
+    def name(self, symbol: Symbol) -> str:
+        """A variable as it is written."""
+        return self.names.get(symbol) or self.target.rename(symbol.name)
+
+    def named(self, symbols: Iterable[Symbol]) -> list[str]:
+        """Variables as they are written."""
+        return [self.name(s) for s in symbols]
+
+    # -- lines -----------------------------------------------------------------------------
+
+    def written(self, depth: int) -> list[str]:
+        """The statements."""
+        pad, lines = "    " * depth, []
+        often, last = self._often(), self._last_uses()
+        idle: dict[str, list[str]] = {}
+        for i, statement in enumerate(self.block):
+            shown = _expressions(statement)
+            for expr in shown:
+                lines += [pad + line for line in self._before(expr, often)]
+            if isinstance(statement, Assign):
+                value = self.printer.doprint(statement.expr)
+                for symbol in last.get(i, ()):
+                    idle.setdefault(_base(symbol), []).append(self.name(symbol))
+                if free := idle.get(_base(statement.name)):
+                    self.names[statement.name] = free.pop()
+                lines.append(f"{pad}{self.name(statement.name)} = {value}")
+            elif isinstance(statement, Repeat):
+                lines += self._repeat(statement, depth)
+            elif isinstance(statement, Join):
+                lines += self._join(statement, depth)
+            elif isinstance(statement, Choice):
+                lines += self._choice(statement, depth)
+            else:
+                lines.append(f"{pad}return {', '.join(self.printer.doprint(r) for r in shown)}")
+        return lines
+
+    def _choice(self, choice: Choice, depth: int) -> list[str]:
+        pad = "    " * depth
+        yes, no = _plain(choice.yes), _plain(choice.no)
+        if yes is not None and no is not None:
+            whole = Piecewise((yes, choice.condition), (no, True))
+            return [f"{pad}return {self.printer.doprint(whole)}"]
+        return self._selected(choice, depth, f"{pad}return")
+
+    def _join(self, join: Join, depth: int) -> list[str]:
+        """The names with their values, each side computed where it counts."""
+        names = ", ".join(self.named(join.names))
+        return [*self._selected(join, depth, f"{'    ' * depth}{names} ="), ""]
+
+    def _selected(self, choice: Choice | Join, depth: int, start: str) -> list[str]:
+        lines, given = [], []
+        condition = self.condition(choice.condition)
+        for name, block in (("yes", choice.yes), ("no", choice.no)):
+            wanted = _free(block) or _first(choice.condition)
+            inside = Scope(self.target, block, self.starts)
+            lines += ["", *self._function(name, inside, wanted, depth)]
+            given.append(_listed(self.named(wanted)))
+        end = f"{start} select(xp, {condition}, yes, {given[0]}, no, {given[1]})"
+        return [*lines, "", end]
+
+    def _function(self, name: str, inside: Scope, given: list[Symbol], depth: int) -> list[str]:
+        head = f"{'    ' * depth}def {name}({', '.join(inside.named(given))}):"
+        return [head, *inside.written(depth + 1)]
+
+    def _repeat(self, loop: Repeat, depth: int) -> list[str]:
+        """Its condition and its steps as two functions, which a helper calls."""
+        pad, lines = "    " * depth, []
+        start = [self.printer.doprint(first) for first in loop.start]
+        bodies: dict[str, Block] = {
+            "over": (Return((loop.done,)),),
+            "step": (*(Assign(*s) for s in loop.steps), Return(loop.next)),
+        }
+        outer = sorted({s for b in bodies.values() for s in _free(b)} - set(loop.states), key=str)
+        for name, block in bodies.items():
+            inside = Scope(self.target, block, self.starts)
+            lines += ["", *self._function(name, inside, [*loop.states, *outer], depth)]
+        states = ", ".join(self.named(loop.states))
+        call = (
+            f"repeat(xp, {loop.most}, over, step, {_listed(start)}, {_listed(self.named(outer))})"
+        )
+        return [*lines, "", f"{pad}{states} = {call}"]
+
+    def _last_uses(self) -> dict[int, list[Symbol]]:
+        """For each statement, the variables of this body that are used there for the last time.
+
+        Their names are free for the next ones of the same kind, and so is their memory.
+        """
+        own = {s.name for s in self.block if isinstance(s, Assign)}
+        last: dict[Symbol, int] = {}
+        for i, statement in enumerate(self.block):
+            used = set(_free((statement,)))
+            for expr in _expressions(statement):
+                for error in expr.atoms(ProductError):
+                    if product := self._product(*error.args):
+                        used.add(product)
+            last |= dict.fromkeys(sorted(used & own, key=str), i)
+        found: dict[int, list[Symbol]] = {}
+        for symbol, i in last.items():
+            found.setdefault(i, []).append(symbol)
+        return found
+
+    # -- what has to be there before an expression --------------------------------------------
+
+    def _often(self) -> set[Expr]:
+        """Conditions that occur more than once."""
+        count: dict[Expr, int] = {}
+        for statement in self.block:
+            for expr in _expressions(statement):
+                for part in sp.preorder_traversal(expr):
+                    if isinstance(part, Piecewise):
+                        for _, condition in part.args[:-1]:
+                            count[condition] = count.get(condition, 0) + 1
+        return {condition for condition, times in count.items() if times > 1}
+
+    def _before(self, expr: Expr, often: set[Expr]) -> list[str]:
+        lines = []
+        for part in sp.postorder_traversal(expr):
+            if isinstance(part, ProductError):
+                for factor, other in (part.args, part.args[::-1]):
+                    if factor not in self.split:
+                        whole = name = self.printer.doprint(factor)
+                        if factor.is_number:
+                            name = f"number{len(self.split)}"
+                            whole = f"xp.full_like({self.name(other)}, {whole})"
+                        self.split[factor] = f"{name}_halves"
+                        lines.append(f"{name}_halves = halves(xp, {whole})")
+            elif isinstance(part, Piecewise):
+                for _, condition in part.args[:-1]:
+                    if condition in often and condition not in self.cases:
+                        name = f"case{len(self.cases) + 1}"
+                        lines.append(f"{name} = {self.printer.doprint(condition)}")
+                        self.cases[condition] = name
+            elif type(part).__name__ in self.starts:
+                lines += self._begin(self.starts[type(part).__name__], part.args)
+        return lines
+
+    def _begin(self, start: Begun, args: tuple[Expr, ...]) -> list[str]:
+        if (start.routine.name, args) in self.begun:
+            return []
+        suffix = f"_{len(self.begun) + 1}" if self.begun else ""
+        self.begun[start.routine.name, args] = suffix
+        names = [f"{self.target.rename(s.name)}{suffix}" for s in start.kept]
+        given = ", ".join(["xp", *(self.printer.doprint(a) for a in args)])
+        return [f"{', '.join(names)} = {self.target.call(start.routine.name)}({given})"]
+
+    # -- expressions -----------------------------------------------------------------------
+
+    def call(self, expr: Expr) -> str:
+        """A call of a routine, with what is shared and done already."""
+        name = expr.func.__name__
+        like = min(self._symbols(expr), key=str, default=None)
+        args = [
+            f"xp.full_like({like}, {self.printer.doprint(a)})"
+            if a.is_number
+            else self.printer.doprint(a)
+            for a in expr.args
+        ]
+        if name in self.starts:
+            start = self.starts[name]
+            suffix = self.begun[start.routine.name, expr.args]
+            args += [f"{self.target.rename(s.name)}{suffix}" for s in start.used[name]]
+        return f"{self.target.call(name)}({', '.join(['xp', *args])})"
+
+    def product_error(self, one: Expr, two: Expr) -> str:
+        """What a product misses; the product itself may have a name."""
+        product = self._product(one, two)
+        factors = (self.printer.doprint(factor) for factor in (one, two))
+        shown = self.name(product) if product else "*".join(factors)
+        return f"product_error({shown}, {self.split[one]}, {self.split[two]})"
+
+    def _product(self, one: Expr, two: Expr) -> Symbol | None:
+        return self.products.get(one**2 if one == two else frozenset((one, two)))
+
+    def condition(self, condition: Expr) -> str:
+        """A condition, by its name if it has one."""
+        return self.cases.get(condition) or str(self.printer.doprint(condition))
+
+    def like(self, condition: Expr) -> str:
+        """An array of the kind that a condition looks at."""
+        return min(self._symbols(condition))
+
+    def _symbols(self, expr: Expr) -> list[str]:
+        return self.named(expr.free_symbols)
+
+
+Statement = Assign | Repeat | Choice | Join | Set | Return
+
+
+def _expressions(statement: Statement) -> tuple[Expr, ...]:
+    """What a statement computes itself, the conditions of a choice included."""
+    if isinstance(statement, (Assign, Set)):
+        return (statement.expr,)
+    if isinstance(statement, Repeat):
+        return statement.start
+    return statement.results if isinstance(statement, Return) else (statement.condition,)
+
+
+def functional(block: Block) -> Block:
+    """The same with sides that return the values of the names that are set in them."""
+    found: list[Statement] = []
+    for statement in block:
+        if isinstance(statement, Set):
+            found.append(Assign(statement.name, statement.expr))
+        elif isinstance(statement, Join):
+            names = statement.names or _set_in(statement.yes)
+            yes, no = ((*functional(side), Return(names)) for side in (statement.yes, statement.no))
+            found.append(Join(names, statement.condition, yes, no))
+        elif isinstance(statement, Choice):
+            sides = functional(statement.yes), functional(statement.no)
+            found.append(Choice(statement.condition, *sides))
+        else:
+            found.append(statement)
+    return tuple(found)
+
+
+def _set_in(block: Block) -> tuple[Symbol, ...]:
+    names: list[Symbol] = []
+    for statement in block:
+        if isinstance(statement, Set):
+            names.append(statement.name)
+        elif isinstance(statement, Join) and not statement.names:
+            names += _set_in(statement.yes)
+    return tuple(names)
+
+
+def _first(condition: Expr) -> list[Symbol]:
+    return sorted(condition.free_symbols, key=str)[:1]
+
+
+def _listed(names: list[str]) -> str:
+    return f"({', '.join(names)}{',' * (len(names) == 1)})"
+
+
+def _plain(block: Block) -> Expr | None:
+    """The one expression of a block that is nothing else and calls nothing."""
+    first = block[0]
+    if not isinstance(first, Return) or len(first.results) > 1:
+        return None
+    (only,) = first.results
+    return None if calls(Routine("", "", (), (), (("", only),))) else only
+
+
+def _free(block: Block) -> list[Symbol]:
+    """What a block needs to be given, by name."""
+    needed: set[Symbol] = set()
+    done: set[Symbol] = set()
+    for statement in block:
+        for expr in _expressions(statement):
+            needed |= expr.free_symbols - done
+        if isinstance(statement, (Choice, Join)):
+            needed |= {s for b in (statement.yes, statement.no) for s in _free(b)} - done
+        elif isinstance(statement, Repeat):
+            needed |= statement.free_symbols - done
+        done |= set(_made(statement))
+    return sorted(needed, key=str)
+
+
+def _made(statement: Statement) -> tuple[Symbol, ...]:
+    """The names that a statement makes known."""
+    if isinstance(statement, Repeat):
+        return statement.states
+    if isinstance(statement, Join):
+        return statement.names
+    return (statement.name,) if isinstance(statement, (Assign, Set)) else ()
+
+
+def _base(symbol: Symbol) -> str:
+    return str(symbol.name).rstrip("0123456789")

@@ -1,0 +1,1 @@
+"""The package's numeric functions: arguments checked, generated kernels called."""

@@ -1,0 +1,280 @@
+"""The generated kernels on arrays of every library, beside the vectors that exports ship with.
+
+Expected values are mpmath's, of the definitions in `symhaptic.model`, to 60 digits.
+"""
+
+import math
+import warnings
+from functools import cache
+
+import array_api_strict
+import mpmath
+import numpy as np
+import pytest
+from mpmath import mpf
+
+import symhaptic
+from symhaptic import lambdify
+from symhaptic.export import kernels
+from symhaptic.export.vectors import allowed, points, sized, vectors
+from symhaptic.kernels import haptic
+
+FORMS = {form.name: form for form in kernels.forms()}
+CONTINUOUS = [name for name in FORMS if name != "is_stable"]
+EPS32 = 2.0**-23
+PLANTS = [(1e-8, 1e-3), (1.0, 0.5), (0.3, 1.9), (6.0, 0.3), (9.0, 8.0), (20.0, 0.01), (2, 30)]
+GUARDED = [(0.0, 0.0), (0.0, 3.0), (1.0, 2.0), (25.0, 10.0), (3.0, 0.0)]
+
+
+@cache
+def known(name):
+    """Columns of arguments, and rows of expected results and of how far off these may be."""
+    rows = np.array(list(vectors(FORMS[name])))
+    count = len(FORMS[name].arguments)
+    return rows[:, :count].T, rows[:, count::2].T, rows[:, count + 1 :: 2].T
+
+
+@cache
+def known_single(name):
+    """The same for arguments that are float32, allowed twice as many of its last places.
+
+    A turn of a million radians is not one that single precision knows.
+    """
+    form, rows = FORMS[name], []
+    for point in points(form):
+        given = [float(np.float32(v)) for v in point]
+        named = dict(zip((s.name for s in form.arguments), given, strict=True))
+        if named.get("theta", 0) >= math.pi or named.get("d", 0) > 100:
+            continue
+        if any(0 < abs(v) < 1e-30 for v in given):
+            continue
+        with mpmath.workdps(60):
+            at = {s: mpf(v) for s, v in zip(form.arguments, given, strict=True)}
+            try:
+                found = [sized(expr, at) for expr in form.expressions]
+            except ArithmeticError:
+                continue
+        if any(size > 1e30 or 0 < abs(v) < 1e-30 for v, size in found):
+            continue
+        row = list(given)
+        for v, size in found:
+            row += [float(v), 2 * allowed(form) * EPS32 * max(float(size), 1e-30)]
+        rows.append(row)
+    rows, count = np.array(rows), len(form.arguments)
+    return rows[:, :count].T, rows[:, count::2].T, rows[:, count + 1 :: 2].T
+
+
+def host(values):
+    """Results as rows of NumPy arrays."""
+    values = values if isinstance(values, tuple) else (values,)
+    return np.stack([np.asarray(v.cpu() if hasattr(v, "cpu") else v) for v in values])
+
+
+def hold(found, expected, tolerance, times=1):
+    off = np.abs(host(found) - expected) / (times * tolerance + (tolerance == 0))
+    at = np.unravel_index(np.nanargmax(off), off.shape)
+    assert np.isfinite(off).all()
+    assert off.max() <= 1, f"result {at[0]}, vector {at[1]}: {off.max() * times:.2f} times"
+
+
+def jax_numpy():
+    jax = pytest.importorskip("jax", reason="no jax here: its arrays are not tried")
+    jax.config.update("jax_enable_x64", True)
+    return pytest.importorskip("jax.numpy")
+
+
+def torch_():
+    return pytest.importorskip("torch", reason="no torch here: its arrays are not tried")
+
+
+def cuda():
+    torch = torch_()
+    if not torch.cuda.is_available():
+        pytest.skip("no CUDA device here: torch's arrays on one are not tried")
+    return torch
+
+
+def cupy():
+    return pytest.importorskip("cupy", reason="no CuPy here: its arrays are not tried")
+
+
+MAKE = {
+    "numpy": lambda v: np.asarray(v),
+    "array-api-strict": lambda v: array_api_strict.asarray(v),
+    "jax": lambda v: jax_numpy().asarray(v),
+    "torch": lambda v: torch_().asarray(v),
+    "torch on CUDA": lambda v: cuda().asarray(v, device="cuda"),
+    "cupy": lambda v: cupy().asarray(v),
+}
+
+
+@pytest.mark.parametrize("name", FORMS)
+@pytest.mark.parametrize("library", MAKE)
+def test_vectors_in_double_precision(library, name):
+    columns, expected, tolerance = known(name)
+    given = [MAKE[library](c) for c in columns]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = getattr(haptic, name)(*given)
+    first = found[0] if isinstance(found, tuple) else found
+    assert type(first) is type(given[0])
+    assert "float64" in str(first.dtype)
+    hold(found, expected, tolerance)
+
+
+@pytest.mark.parametrize("name", CONTINUOUS)
+@pytest.mark.parametrize("library", MAKE)
+def test_vectors_in_single_precision(library, name):
+    columns, expected, tolerance = known_single(name)
+    given = [MAKE[library](c.astype(np.float32)) for c in columns]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = getattr(haptic, name)(*given)
+    first = found[0] if isinstance(found, tuple) else found
+    assert "float32" in str(first.dtype)
+    hold(found, expected, tolerance)
+
+
+def test_vectors_of_jax_compiled():
+    make, jax = jax_numpy().asarray, pytest.importorskip("jax")
+    for name in ("discretize", "is_stable"):
+        columns, expected, tolerance = known(name)
+        found = jax.jit(getattr(haptic, name))(*(make(c) for c in columns))
+        hold(found, expected, tolerance)
+
+
+def test_jax_without_x64_stays_single():
+    jax_numpy()
+    jax = pytest.importorskip("jax")
+    with jax.enable_x64(False), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = jax.jit(haptic.discretize)(jax.numpy.asarray([0.0, 1.0]), 0.5)
+        assert all(v.dtype == np.float32 for v in found)
+        counted = symhaptic.unstable_roots(jax.numpy.asarray([0.1, 9.0]), 0.1, 0.0, 0.1, 1)
+    assert counted.tolist() == [0, 2]  # numpy.roots of the polynomial, below
+
+
+def test_slopes_by_jax():
+    """Beside mpmath's numerical derivatives of the definition; no NaN where a guard steps in."""
+    jnp = jax_numpy()
+    jax = pytest.importorskip("jax")
+    slopes = jax.jit(jax.vmap(jax.jacrev(lambda p: jnp.stack(haptic.discretize(p[0], p[1])))))(
+        jnp.asarray(PLANTS + GUARDED)
+    )
+    assert np.isfinite(np.asarray(slopes)).all()
+    exact = lambdify("discretize", modules="mpmath")
+    for (gamma, delta), found in zip(PLANTS, np.asarray(slopes), strict=False):
+        for i in range(4):
+            for k in (0, 1):
+                with mpmath.workdps(40):
+                    at = mpf(gamma), mpf(delta)
+                    want = mpmath.diff(lambda *x, i=i: exact(*x)[i], at, (1 - k, k), h=1e-15)
+                assert found[i, k] == pytest.approx(float(want), rel=1e-9, abs=1e-12)
+
+
+def test_torch_slopes_and_compiled():
+    """Gradients through the gathering; a whole graph where torch compiles, without a break.
+
+    Inductor takes minutes over a kernel here, so that what runs is its own ahead-of-time graph.
+    """
+    torch = torch_()
+    gamma = torch.tensor([1.0, 6.0, 9.0], dtype=torch.float64, requires_grad=True)
+    n1, *_ = haptic.discretize(gamma, torch.tensor([0.5, 0.3, 8.0], dtype=torch.float64))
+    n1.sum().backward()
+    exact = lambdify("discretize", modules="mpmath")
+    for slope, (g, d) in zip(gamma.grad.tolist(), [(1, 0.5), (6, 0.3), (9, 8)], strict=True):
+        with mpmath.workdps(40):
+            want = mpmath.diff(lambda x, d=d: exact(x, mpf(d))[0], mpf(g))
+        assert slope == pytest.approx(float(want), rel=1e-9)
+    columns, expected, tolerance = known("linear_limit")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # torch's own, of what it traces through
+        compiled = torch.compile(haptic.linear_limit, backend="aot_eager", fullgraph=True)
+        found = compiled(*(torch.asarray(c) for c in columns))
+    hold(found, expected, tolerance)
+
+
+@pytest.mark.parametrize("module", ["jax", "torch"])
+def test_formulas_as_functions(module):
+    """`lambdify` on arrays of the library that it names."""
+    make = MAKE[module]
+    columns, expected, tolerance = known("max_passive_stiffness")
+    found = lambdify("eq11", modules=module)(*(make(c) for c in columns))
+    hold(found, expected, tolerance)
+    assert type(found[0]).__module__.split(".")[0] in (module, "jaxlib")
+
+
+def roots_outside(alpha, beta, gamma, delta, delay):
+    """By numpy.roots of the polynomial, whose device is a matrix exponential."""
+    from scipy.linalg import expm
+
+    m = expm(np.array([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]]))
+    a, e = m[0, 0] + m[1, 1], m[0, 0] * m[1, 1] - m[0, 1] * m[1, 0]
+    n1 = m[0, 2]
+    n0 = m[0, 1] * m[1, 2] - m[1, 1] * m[0, 2]
+    p = np.concatenate([[1, -a, e], np.zeros(delay + 1)])
+    p[-3:] += np.convolve([n1, n0], [alpha + beta, -beta])
+    return int((np.abs(np.roots(p)) > 1).sum())
+
+
+@pytest.mark.parametrize("library", ["numpy", "array-api-strict", "jax", "torch"])
+def test_public_functions_answer_in_the_library_of_their_arguments(library):
+    rng = np.random.default_rng(91)
+    alpha, beta = rng.uniform(-0.5, 1, (2, 40))
+    gamma, delta = rng.uniform(0, 2, (2, 40))
+    make = MAKE[library]
+    given = [make(v) for v in (alpha, beta, gamma, delta)]
+    counted = symhaptic.unstable_roots(*given, 2)
+    stable = symhaptic.is_stable(*given, 2)
+    want = [roots_outside(*wall, 2) for wall in zip(alpha, beta, gamma, delta, strict=True)]
+    assert type(counted) is type(given[0])
+    assert np.asarray(counted).tolist() == want
+    assert np.asarray(stable).tolist() == [
+        n == 0 and a > -g for n, a, g in zip(want, alpha, gamma, strict=True)
+    ]
+    others = [
+        symhaptic.passivity_margin(*given[:2], given[3], 0.5),
+        symhaptic.delay_margin(*given),
+        *symhaptic.max_stable_stiffness(*given[2:], 0),
+        *symhaptic.stability_boundary(1.0, *given[2:], 0.5),
+        *symhaptic.stability_boundary(1.0, *given[2:], 1),
+        *symhaptic.passivity_boundary(0.5, given[3], 1),
+        *symhaptic.max_passive_stiffness(given[3], 1),
+        *symhaptic.discretize(*given[2:]),
+        symhaptic.linear_limit(given[1], given[3], 1),
+    ]
+    for one in others:
+        assert type(one) is type(given[0])
+        assert one.shape == given[0].shape
+
+
+@pytest.mark.parametrize("library", ["array-api-strict", "jax", "torch"])
+def test_bad_values_are_named_in_every_library(library):
+    bad = MAKE[library](np.array([0.1, -0.25]))
+    with pytest.raises(ValueError, match=r"^gamma: -0.25 is not allowed; finite numbers gamma"):
+        symhaptic.discretize(bad, 0.0)
+    with pytest.raises(ValueError, match=r"^delta: .* is not allowed; real numbers are"):
+        symhaptic.discretize(0.0, MAKE[library](np.array([1j])))
+
+
+def test_traced_values_are_not_looked_at():
+    """NaN out of range, for a delay with a fraction, and for NaN; never an error."""
+    make, jax = jax_numpy().asarray, pytest.importorskip("jax")
+    delay = make([1.0, 0.5, math.nan])
+    alpha, _ = jax.jit(symhaptic.stability_boundary)(1.0, 0.1, 0.2, delay)
+    assert np.isnan(np.asarray(alpha)).tolist() == [False, True, True]
+    counted = jax.jit(symhaptic.unstable_roots)(0.1, 0.1, 0.1, 0.2, delay)
+    assert np.asarray(counted).tolist() == [roots_outside(0.1, 0.1, 0.1, 0.2, 1), -1, -1]
+    jax.jit(symhaptic.discretize)(make(-1.0), make(-1.0))
+    margin = jax.jit(symhaptic.passivity_margin)(make([1.0, -1.0]), 0.0, 1.0, 0.0)
+    assert np.asarray(margin).tolist() == [0.5, -math.inf]  # (6): b - K T/2 without delay
+
+
+def test_what_stays_single_and_what_does_not():
+    one = np.float32([0.1, 0.2])
+    assert symhaptic.discretize(one, 0.3)[0].dtype == np.float32
+    assert symhaptic.discretize(one, [0.3, 0.4])[0].dtype == np.float32
+    assert symhaptic.discretize(one, np.array([0.3, 0.4]))[0].dtype == np.float64
+    assert symhaptic.discretize([1, 2], 0)[0].dtype == np.float64
+    assert symhaptic.passivity_margin(one, 0.0, 1.0, 0.5).dtype == np.float32
+    assert symhaptic.is_stable(one, 0.1, 0.1, 0.1, 1).dtype == np.bool_

@@ -1,0 +1,84 @@
+"""The committed kernels are what the exporter writes, and a stale one is told."""
+
+import numpy as np
+import pytest
+
+from symhaptic import cli
+from symhaptic.export import kernels
+from symhaptic.kernels import haptic
+from symhaptic.numeric.boundary import point
+from symhaptic.numeric.passivity import Delay, _envelope
+from symhaptic.numeric.plant import device
+
+
+def run(monkeypatch, *words):
+    monkeypatch.setattr("sys.argv", ["symhaptic", *words])
+    try:
+        cli.main()
+    except SystemExit as left:
+        return left.code
+    return 0
+
+
+def test_the_committed_kernels_are_not_stale():
+    assert kernels.differences() == ""
+
+
+def test_a_stale_kernel_is_told_and_written_anew(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(kernels, "FOLDER", tmp_path / "kernels")
+    kernels.write(kernels.FOLDER)
+    monkeypatch.setattr(kernels.differences, "__defaults__", (kernels.FOLDER,))
+    assert run(monkeypatch, "kernels", "--check") == 0
+    path = kernels.FOLDER / "haptic.py"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("0.25*", "0.26*", 1), encoding="utf-8")
+    (kernels.FOLDER / "left_over.py").write_text("x = 1\n", encoding="utf-8")
+    assert run(monkeypatch, "kernels", "--check") == 1
+    shown = capsys.readouterr()
+    assert "-" + next(ln for ln in path.read_text().splitlines() if "0.26*" in ln) in shown.out
+    assert "-x = 1" in shown.out
+    assert "`symhaptic kernels` writes them" in shown.err
+    kernels.write(kernels.FOLDER)
+    assert path.read_text(encoding="utf-8") == text
+    assert not (kernels.FOLDER / "left_over.py").exists()
+
+
+@pytest.mark.parametrize("plants", [1, 400])
+def test_another_implementation(plants):
+    """The hand-written forms that serve fractional delays; both are right to their last digits."""
+    rng = np.random.default_rng(4)
+    gamma, delta = rng.uniform(0, 6, (2, plants))
+    theta = rng.uniform(0.05, 3, 400)
+    x, two = device(gamma, delta), np.array(2.0)
+    whole = point(x, theta, two)
+    pairs = [
+        (haptic.discretize(gamma, delta), (x.m2, x.m1, x.a, x.e)),
+        (haptic.stability_boundary(theta, gamma, delta, 2.0), whole),
+    ]
+    u, w = _envelope(theta / 6, Delay(two, 0 * two))
+    pairs.append((haptic.passivity_boundary(theta / 3, 1.0, 2.0), (2 * u, w - u)))
+    for ours, theirs in pairs:
+        for one, other in zip(ours, theirs, strict=True):
+            assert one == pytest.approx(other, rel=1e-11, abs=1e-12)
+
+
+@pytest.mark.parametrize("size", [0, 1, haptic.BLOCK - 1, haptic.BLOCK, 2 * haptic.BLOCK + 1])
+def test_pieces_are_put_together(size):
+    """An array is what its elements are, one by one, whatever branch they take."""
+    rng = np.random.default_rng(5)
+    gamma, delta = 12 * rng.random(size), 6 * rng.random(size)
+    many = np.stack(haptic.discretize(gamma, delta))
+    assert many.shape == (4, size)
+    for k in range(0, size, max(size // 20, 1)):
+        assert np.array_equal(many[:, k], np.stack(haptic.discretize(gamma[k], delta[k])))
+    grid = np.stack(haptic.discretize(gamma[:100, None], delta[:7]))
+    assert grid.shape == (4, min(size, 100), min(size, 7))
+    if size > 7:
+        assert np.array_equal(grid[:, 5, 6], np.stack(haptic.discretize(gamma[5], delta[6])))
+
+
+def test_nan_gives_nan():
+    some, none = np.array([0.1, np.nan]), np.array([0.2, 0.3])
+    for given in ((some, none), (none, some)):
+        assert np.isnan(np.stack(haptic.discretize(*given))).tolist() == [[False, True]] * 4
+    assert np.isnan(np.stack(haptic.is_stable(np.nan, 0.1, 0.1, 0.1, 1.0))).all()
