@@ -118,7 +118,9 @@ _SELFTEST = """#include <cmath>
 static std::vector<REAL> read_all(std::istream &file, int count) {
     std::vector<REAL> found;
     std::string word;
-    while (count-- > 0 && file >> word) found.push_back(static_cast<REAL>(std::strtod(word.c_str(), nullptr)));
+    while (count-- > 0 && file >> word) {
+        found.push_back(static_cast<REAL>(std::strtod(word.c_str(), nullptr)));
+    }
     return found;
 }
 

@@ -8,6 +8,7 @@ import sympy as sp
 
 from symhaptic.export.accuracy import MEASURED
 from symhaptic.export.library import Library
+from symhaptic.export.precision import Precision
 from symhaptic.export.target import Target
 from symhaptic.export.vectors import allowed
 from symhaptic.model.stable import Form
@@ -25,9 +26,9 @@ def readme(library: Library, target: Target, count: int) -> str:
         "",
         MARK,
         "",
-        f"{target.title}, {target.precision.name} precision. All quantities are dimensionless, in units of the",
-        "moving mass m and the sampling period T: alpha = K T^2/m, beta = B T/m, gamma = k T^2/m,",
-        "delta = b T/m, d = t_d/T, theta = omega T.",
+        f"{target.title}, {target.precision.name} precision. All quantities are dimensionless, in",
+        "units of the moving mass m and the sampling period T: alpha = K T^2/m, beta = B T/m,",
+        "gamma = k T^2/m, delta = b T/m, d = t_d/T, theta = omega T.",
         "",
         "```",
         target.usage(library),
@@ -42,7 +43,7 @@ def readme(library: Library, target: Target, count: int) -> str:
         "",
     ]
     for form in library.forms:
-        lines += _function(form)
+        lines += _function(form, target.precision)
     meanings = _meanings(library)
     if meanings:
         lines += ["## The functions in these formulas", ""]
@@ -65,7 +66,7 @@ def _meanings(library: Library) -> dict[str, str]:
     return found
 
 
-def _function(form: Form) -> list[str]:
+def _function(form: Form, precision: Precision) -> list[str]:
     lines = [f"## {form.name}", "", f"{form.title[0].upper()}{form.title[1:]}.", ""]
     if form.arguments:
         lines += ["| argument | unit | range | meaning |", "|---|---|---|---|"]
@@ -78,11 +79,11 @@ def _function(form: Form) -> list[str]:
     for name, expr in form.results:
         lines += [f"    {name} = {expr}", ""]
     lines += [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in form.results]
-    measured = MEASURED.get(form.name)
+    measured = MEASURED[precision].get(form.name)
     if measured is not None:
         lines += [
             "",
-            f"Largest error measured: {measured:g} units in the last place of the largest",
+            f"Largest error measured: {measured.error:g} units in the last place of the largest",
         ]
         lines += ["term, in C, for the loop with all its parts (gcc, glibc, x86-64)."]
     most = allowed(form)
