@@ -77,7 +77,9 @@ def columns(
         "d": delay,
         "theta": np.minimum(theta, 3.14159265),
     }
-    arrays = [np.ascontiguousarray(values[s.name], dtype=precision.kind) for s in form.arguments]
+    arrays: list[Array] = [
+        np.ascontiguousarray(values[s.name], dtype=precision.kind) for s in form.arguments
+    ]
     if precision is SINGLE and "theta" in {s.name for s in form.arguments}:
         np.minimum(arrays[0], precision.below_pi, out=arrays[0])
     return arrays

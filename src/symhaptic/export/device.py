@@ -168,7 +168,8 @@ def rise() -> Routine:
     given = choose(m.soft, m.half, 0), choose(m.soft, m.w, 0)
     near = number_and(do, exp(-m.half), HALF, "RiseSeries", *given)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
-                      (gamma, delta), _cases(m, m.soft, near, swing + more, creep + missed))  # fmt: skip
+                      (gamma, delta),
+                      _cases(m, m.soft, near, swing + more, creep + missed))  # fmt: skip
 
 
 def fall() -> Routine:
