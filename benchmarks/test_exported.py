@@ -1,7 +1,7 @@
 """Exported C beside the same algorithms written by hand for speed, both with gcc -O2.
 
-`.venv/bin/pytest benchmarks/test_exported.py --benchmark-only -s`; the ratio of the best of many turns
-counts, since the machine is shared.
+`.venv/bin/pytest benchmarks/test_exported.py --benchmark-only -s`; the ratio of the best of many
+turns counts, since the machine is shared.
 """
 
 import ctypes

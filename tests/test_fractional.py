@@ -12,7 +12,6 @@ import sympy as sp
 from scipy.linalg import expm
 
 from symhaptic.chapter import Page
-from symhaptic.numeric.passivity import passivity_margin
 from symhaptic.library import BadChapter, folder, run
 from symhaptic.model import fractional, plant
 from symhaptic.numeric.passivity import passivity_margin

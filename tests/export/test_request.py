@@ -35,6 +35,12 @@ HOSTILE = {
     "formula without form": (["eq1", "--target", "c"], "eq1"),
     "not in the scene": (["passivity_margin", "--scene", "no-damping", "--target", "c"], "damping"),
     "delay without delay": (["eq18", "--scene", "no-delay", "--delay", "3", "--target", "c"], "3"),
+    "single without it": (
+        ["--target", "javascript", "--precision", "single"],
+        "--precision single: JavaScript",
+    ),
+    "single in Octave": (["--target", "octave", "--precision", "single"], "--precision single"),
+    "unknown precision": (["--target", "c", "--precision", "half"], "--precision half"),
     "endless delay": (["eq18", "--delay", "1000", "--target", "c"], "--delay 1000"),
     "no folder above": (["--target", "c", "-o", "missing/out"], "-o missing/out"),
 }

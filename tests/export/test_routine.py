@@ -11,6 +11,7 @@ from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export import device
 from symhaptic.export.library import known
+from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.routine import (
     Assign,
     Choice,
@@ -133,11 +134,42 @@ def test_every_branch_reaches_the_last_digit_of_a_float(name):
             assert abs(found - exact) < 1e-19 * (abs(exact) or mpf(10) ** -20), point
 
 
-def test_the_series_have_enough_terms():
+@pytest.mark.parametrize("precision", PRECISIONS.values(), ids=PRECISIONS)
+@pytest.mark.parametrize("name", ["RiseSeries", "FallSeries"])
+def test_the_series_have_enough_terms(name, precision):
     """The next term of the divided difference of exp at three nodes of the largest size."""
-    size = float(device.NEAR)
     assert device.STIFF <= device.NEAR**2
-    assert size**device.TERMS * (device.TERMS + 1) / float(sp.factorial(device.TERMS + 2)) < 1e-24
+    result = known(precision)[name].results[0][1]
+    steps = dict(known(precision)[name].steps)
+    sizes = []
+    for (value, _), size in zip(result.args, (device.TINY, device.NEAR), strict=True):
+        used, left = set(), set(value.free_symbols)
+        while left:
+            symbol = left.pop()
+            if symbol in steps and symbol not in used:
+                used.add(symbol)
+                left |= steps[symbol].free_symbols
+        smallest = min(abs(a) for s in used for a in steps[s].atoms(sp.Rational) if a)
+        terms = next(n for n in range(60) if sp.factorial(n + 1) == 1 / smallest)
+        sizes.append(terms)
+        missed = size**terms * (terms + 1) / sp.factorial(terms + 2)
+        assert missed < precision.last / 1000
+    assert sizes[0] < sizes[1]
+
+
+@pytest.mark.parametrize("name", ["CosNext", "SinNext"])
+def test_a_long_angle_in_single_precision_is_turned_back(name):
+    """Beside the library's sine, in many digits: three floats of pi reach 1e-20 of an angle."""
+    single = known(PRECISIONS["single"])[name]
+    functions = {"ProductError": lambda *_: 0}
+    for steps, angle in [(0, "0.3"), (1, "1.4"), (7, "0.9"), (1000, "2.2"), (10**6, "3.1")]:
+        with mpmath.workdps(60):
+            at = dict(zip(single.arguments, (mpf(steps), mpf(angle)), strict=True))
+            for symbol, expr in single.steps:
+                at[symbol] = sp.lambdify(list(at), expr, [functions, "mpmath"])(*at.values())
+            found = sp.lambdify(list(at), single.results[0][1], [functions, "mpmath"])(*at.values())
+            wave = mpmath.cos if name == "CosNext" else mpmath.sin
+            assert abs(found - wave((steps + 1) * mpf(angle))) < 1e-14
 
 
 def test_names_in_code_are_unique():

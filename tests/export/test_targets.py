@@ -4,9 +4,12 @@ import shutil
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
+from symhaptic.bench.points import hard
 from symhaptic.export import request
+from symhaptic.export.precision import SINGLE
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import hexadecimal
 from symhaptic.scene import Parts
@@ -34,6 +37,36 @@ def run_all(target, name, folder):
         assert run.returncode == 0, run.stdout + run.stderr
         said = run.stdout
     return said
+
+
+@pytest.mark.parametrize("language", [name for name, t in TARGETS.items() if t.single is not None])
+def test_the_self_test_passes_in_single_precision(language, tmp_path):
+    """The vectors' arguments are single floats, their values those of exact arithmetic."""
+    target = TARGETS[language].at(SINGLE)
+    _, files = request.built(target, request.chosen([], delay=2))
+    words = [w for line in files["vectors.txt"].splitlines() for w in line.split()[1:]]
+    assert all(float(np.float32(x)) == x for x in map(float.fromhex, words))
+    request.write(files, tmp_path / "out")
+    tried, _, missed, *_ = run_all(target, "haptic", tmp_path / "out").replace(",", " ").split()
+    assert int(tried) > 500
+    assert missed == "0"
+
+
+def test_single_arrays_stay_single_without_a_warning():
+    """All results of the array module, at every pair of hard cases."""
+    forms = [f for f in request.chosen([]) if {"gamma", "delta"} & {s.name for s in f.arguments}]
+    _, files = request.built(TARGETS["numpy"], forms, vectors=False)
+    space = {}
+    exec(compile(files["haptic.py"], "haptic.py", "exec"), space)
+    gamma, delta = np.array(hard(SINGLE), dtype=np.float32).T
+    given = {"gamma": gamma, "delta": delta, "alpha": 0.2, "beta": 0.1, "d": 3.0, "theta": 0.5}
+    for form in forms:
+        with np.errstate(divide="raise", over="raise", invalid="raise"):
+            found = space[form.name](*(given[s.name] for s in form.arguments))
+        for value in found if isinstance(found, tuple) else (found,):
+            if np.shape(value):
+                assert value.dtype == np.float32, form.name
+                assert np.isfinite(value).all(), form.name
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=str)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.model.stable import Form
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
 
 HARD = {
     DOUBLE: [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0],
@@ -69,16 +70,22 @@ def columns(
     )
     theta = most * np.where(some, rng.uniform(0, 1, count), 10 ** rng.uniform(-6, 0, count))
     theta = np.where(rng.random(count) < 0.1, most * (1 - 10 ** rng.uniform(-12, -1, count)), theta)
+    damping = both[:, 1]
+    if form.name == "passivity_boundary":  # delta over the cube of the delay is a normal float
+        least = 2 * float(np.finfo(precision.kind).tiny) * (2 * (delay + 1)) ** 3
+        damping = np.where(damping > 0, np.maximum(damping, least), 0)
     values = {
         "gamma": both[:, 0],
-        "delta": both[:, 1],
+        "delta": damping,
         "alpha": signs * 10 ** rng.uniform(-6, 2, count),
         "beta": rng.choice([-1.0, 1.0], count) * 10 ** rng.uniform(-6, 2, count),
         "d": delay,
         "epsilon": np.where(some, rng.uniform(0, 1, count), delay % 1),
         "theta": np.minimum(theta, 3.14159265),
     }
-    arrays = [np.ascontiguousarray(values[s.name], dtype=precision.kind) for s in form.arguments]
+    arrays: list[Array] = [
+        np.ascontiguousarray(values[s.name], dtype=precision.kind) for s in form.arguments
+    ]
     if precision is SINGLE and "theta" in {s.name for s in form.arguments}:
         np.minimum(arrays[0], precision.below_pi, out=arrays[0])
     return arrays

@@ -83,7 +83,8 @@ def _root(do: Steps, parts: tuple[_Quadratic, ...]) -> tuple[Expr, Expr]:
     first = And(sizes[1] <= sizes[0], sizes[1] <= sizes[2])
     third = And(sizes[2] < sizes[0], sizes[2] < sizes[1])
     disc = do("disc", choose(first, discs[1], choose(third, discs[2], discs[0])))
-    return do("root", sqrt(choose(disc >= 0, disc, 0))), disc
+    positive = do("positive", choose(disc >= 0, disc, 0))
+    return do("root", sqrt(positive)), disc
 
 
 def _solved(do: Steps, k: _Quadratic, root: Expr) -> tuple[Expr, Expr]:

@@ -39,6 +39,9 @@ from symhaptic.notation import delta, gamma
 NEAR = sp.Rational(9, 4)
 """Up to this size of the larger real pole power series are used."""
 
+SOFT = sp.Rational(9, 16)
+"""The part of both up to which n1 and n0 use them."""
+
 TINY = sp.Rational(1, 8)
 """Up to this size fewer terms do: a haptic device has slow poles."""
 
@@ -75,13 +78,15 @@ class Motion:
     p_low: Expr
     q: Expr
     q_low: Expr
-    small: Expr
+    small: Boolean
     """Whether the power series serve."""
+    soft: Boolean
+    """Whether those of n1 and n0 do, whose closed forms lose nothing earlier."""
 
 
-def _cases(m: Motion, near: Expr, swing: Expr, creep: Expr) -> Expr:
+def _cases(m: Motion, small: Boolean, near: Expr, swing: Expr, creep: Expr) -> Expr:
     """One of three: by the power series, for a swinging device, for a creeping one."""
-    return choose(m.w < 0, choose(m.small, near, swing), choose(m.small, near, creep))
+    return choose(m.w < 0, choose(small, near, swing), choose(small, near, creep))
 
 
 def motion(do: Steps) -> Motion:
@@ -109,8 +114,8 @@ def motion(do: Steps) -> Motion:
     q_low = do("q_low", off / whole)
     do.share("Motion", "w = delta^2/4 - gamma and both poles, to twice the precision of a float")
     reach = do("reach", choose(value < 0, gamma / STIFF, p / NEAR))
-    small = reach < 1
-    return Motion(half, value, low, root, root_low, some, p, whole, p_low, q, q_low, small)
+    small, soft = reach < 1, reach < SOFT
+    return Motion(half, value, low, root, root_low, some, p, whole, p_low, q, q_low, small, soft)
 
 
 @dataclass(frozen=True)
@@ -140,7 +145,7 @@ class Swinging:
 
 
 def _swinging(do: Steps, m: Motion) -> Swinging:
-    swings = choose(m.small, 1, choose(m.w < 0, gamma, 1))
+    swings = choose(m.soft, 1, choose(m.w < 0, gamma, 1))
     v = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root, m.root_low)
     odd, odd_low = product(do, m.half, v.odd, v.odd_low)
     envelope = do("envelope", exp(-m.half))
@@ -161,10 +166,11 @@ def rise() -> Routine:
     left, left_low = product(do, v.envelope, both, lost + (v.even_low + v.odd_low))
     top, lost = fast_sum(do, sp.S.One, -left)
     swing, more = quotient(do, top, v.stiff, lost - left_low)
-    given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
+    given = choose(m.soft, m.half, 0), choose(m.soft, m.w, 0)
     near = number_and(do, exp(-m.half), HALF, "RiseSeries", *given)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
-                      (gamma, delta), _cases(m, near, swing + more, creep + missed))  # fmt: skip
+                      (gamma, delta),
+                      _cases(m, m.soft, near, swing + more, creep + missed))  # fmt: skip
 
 
 def fall() -> Routine:
@@ -183,10 +189,10 @@ def fall() -> Routine:
     top, lost = difference(do, top, -v.envelope)
     top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
     swing, missed = quotient(do, top, v.stiff, top_low)
-    given = choose(m.small, gamma, 0), choose(m.small, delta, 0)
+    given = choose(m.soft, gamma, 0), choose(m.soft, delta, 0)
     near = number_and(do, exp(-delta), HALF, "FallSeries", *given)
     return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
-                      (gamma, delta), _cases(m, near, swing + missed, creep))  # fmt: skip
+                      (gamma, delta), _cases(m, m.soft, near, swing + missed, creep))  # fmt: skip
 
 
 def _sizes(precision: Precision, ahead: Callable[[Expr, int], Expr]) -> tuple[int, int]:
@@ -267,7 +273,7 @@ def together() -> Routine:
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
     near = 2 * number_and(do, exp(-m.half), HALF, "TogetherSeries", *given)
     swing = choose(sp.Eq(delta, 0), still**2, swing)
-    return do.routine("Together", "n1 + n0", (gamma, delta), _cases(m, near, swing, creep))
+    return do.routine("Together", "n1 + n0", (gamma, delta), _cases(m, m.small, near, swing, creep))
 
 
 def together_series(precision: Precision = DOUBLE) -> Routine:
@@ -349,7 +355,9 @@ def apart(precision: Precision = DOUBLE) -> Routine:
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
     sixth = precision.parts(sp.Rational(1, 6))
     near = number_and(do, exp(-m.half), sixth, "ApartSeries", *given)
-    return do.routine("Apart", "(n1 - n0)/delta", (gamma, delta), _cases(m, near, swing, creep))
+    return do.routine(
+        "Apart", "(n1 - n0)/delta", (gamma, delta), _cases(m, m.small, near, swing, creep)
+    )
 
 
 def apart_series(precision: Precision = DOUBLE) -> Routine:

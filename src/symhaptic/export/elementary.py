@@ -14,7 +14,6 @@ from symhaptic.export.routine import (
     choose,
     difference,
     expm1,
-    fast_sum,
     product,
 )
 from symhaptic.model.entire import CosNext, Decay, Gap, Sinc, SinNext
@@ -60,7 +59,7 @@ def number_and(
     """fall (number + series), the sum in brackets not rounded."""
     large, small = number
     rest = do("rest", sp.Function(series)(*arguments) + small)
-    total, lost = fast_sum(do, large, rest)
+    total, lost = difference(do, rest, -large)
     found, missed = product(do, do("envelope", fall), total, lost)
     return found + missed
 

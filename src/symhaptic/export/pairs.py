@@ -19,8 +19,8 @@ from symhaptic.export.routine import Routine, Steps, choose, fast_sum, product, 
 BRIEF = sp.Rational(3, 4)
 """Up to this rate 1 - exp(-rate) is found from its series, beyond it from exp(-rate)."""
 
-SLOW = sp.S.One
-"""The same for the squared angle of a wave."""
+SLOW = sp.Rational(3, 2)
+"""The same for the squared angle of a wave: cos is still above 1/4."""
 
 x, w = sp.symbols("x w")
 
@@ -111,7 +111,7 @@ def decay_series(precision: Precision = DOUBLE) -> Routine:
 def cos_series(precision: Precision = DOUBLE) -> Routine:
     """From its third term on."""
     do = Steps()
-    count = precision.terms(lambda k: 1 / factorial(2 * k + 4))
+    count = precision.terms(lambda k: SLOW**k / factorial(2 * k + 4))
     total = polynomial(do, w, [1 / factorial(2 * k + 4) for k in range(count)])
     return do.routine("CosSeries", "(cosh(sqrt(w)) - 1 - w/2)/w^2", (w,), total)
 
@@ -119,7 +119,7 @@ def cos_series(precision: Precision = DOUBLE) -> Routine:
 def sin_series(precision: Precision = DOUBLE) -> Routine:
     """From its second term on."""
     do = Steps()
-    count = precision.terms(lambda k: 1 / factorial(2 * k + 3))
+    count = precision.terms(lambda k: SLOW**k / factorial(2 * k + 3))
     total = polynomial(do, w, [1 / factorial(2 * k + 3) for k in range(count)])
     return do.routine("SinSeries", "(sinh(sqrt(w))/sqrt(w) - 1)/w", (w,), total)
 

@@ -11,6 +11,7 @@ from sympy import Expr
 
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.library import Library
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.target import Target
 from symhaptic.export.vectors import allowed
 from symhaptic.model.stable import Form
@@ -45,7 +46,7 @@ def readme(library: Library, target: Target, count: int) -> str:
         "",
     ]
     for form in library.forms:
-        lines += _function(form)
+        lines += _function(form, target.precision)
     meanings = _meanings(library)
     if meanings:
         lines += ["## The functions in these formulas", ""]
@@ -86,7 +87,14 @@ def _derivatives(form: Form, results: tuple[tuple[str, Expr], ...]) -> list[str]
     return lines
 
 
-def _function(form: Form) -> list[str]:
+def _measured(form: Form, precision: Precision) -> float | None:
+    if form.plain is not None:
+        return DERIVATIVES.get(form.name) if precision is DOUBLE else None
+    worst = MEASURED[precision].get(form.name)
+    return None if worst is None else worst.error
+
+
+def _function(form: Form, precision: Precision) -> list[str]:
     lines = [f"## {form.name}", "", f"{form.title[0].upper()}{form.title[1:]}.", ""]
     if form.arguments:
         lines += ["| argument | unit | range | meaning |", "|---|---|---|---|"]
@@ -102,12 +110,9 @@ def _function(form: Form) -> list[str]:
     lines += [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in plain.results]
     if form.plain is not None:
         lines += _derivatives(form, form.results[len(plain.results) :])
-    measured = (MEASURED | DERIVATIVES).get(form.name)
-    if measured is not None:
-        lines += [
-            "",
-            f"Largest error measured: {measured:g} units in the last place of the largest",
-        ]
+    error = _measured(form, precision)
+    if error is not None:
+        lines += ["", f"Largest error measured: {error:g} units in the last place of the largest"]
         lines += ["term, in C, for the loop with all its parts (gcc, glibc, x86-64)."]
     most = allowed(form)
     lines += ["", f"The self-test allows {most} units in the last place of the largest term.", ""]
