@@ -33,27 +33,34 @@ def table_tex(table: Table) -> str:
     A long one goes on over pages, but not in the midst of a group.
     """
     columns = "l" * table.words + "r" * (len(table.head) - table.words)
-    if len(table.rows) > _SHORT:
-        begin, end = "\\begin{longtable}", "\\end{longtable}"
-        head, foot = "\\endhead \\bottomrule\\endfoot", ""
-    else:
-        begin, end = "\\makebox[\\textwidth][l]{\\begin{tabular}", "\\end{tabular}}"
-        head, foot = "", "\\bottomrule"
+    says = f"\\emph{{{table.title}.}}\\enspace {prose(table.says)}"
+    head = f"\\toprule {_line(table.head)} \\\\ \\midrule"
     lines = [
         "{\\footnotesize\\setlength{\\LTleft}{0pt}\\setlength{\\LTright}{-37mm}"
-        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpre}{3pt}\\setlength{\\LTpost}{0pt}",
-        "\\needspace{8\\baselineskip}",
-        f"\\emph{{{table.title}.}}\\enspace {prose(table.says)}\\par\\nopagebreak",
-        f"{begin}{{@{{}}{columns}@{{}}}}",
-        "\\toprule",
-        f"{_line(table.head)} \\\\ \\midrule{head}",
+        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpre}{9pt}\\setlength{\\LTpost}{0pt}",
     ]
+    if len(table.rows) > _SHORT:
+        over = f"\\multicolumn{{{len(table.head)}}}{{@{{}}l@{{}}}}"
+        says = f"\\rlap{{\\parbox[b]{{\\textwidth}}{{{says}\\strut}}}}"
+        end = "\\end{longtable}"
+        lines += [
+            f"\\begin{{longtable}}{{@{{}}{columns}@{{}}}}",
+            f"{over}{{{says}}} \\\\[4pt] {head}\\endfirsthead",
+            f"{head}\\endhead \\bottomrule\\endfoot",
+        ]
+    else:
+        end = "\\bottomrule\n\\end{tabular}}"
+        lines += [
+            "\\needspace{16\\baselineskip}",
+            f"{says}\\par\\nopagebreak",
+            f"\\makebox[\\textwidth][l]{{\\begin{{tabular}}{{@{{}}{columns}@{{}}}}",
+            head,
+        ]
     for at, row in enumerate(table.rows):
         closes = at + 1 == len(table.rows) or bool(table.rows[at + 1][0])
         apart = "[3pt]" if closes and table.words > 1 else ""
         lines.append(f"{_line(row)} \\\\{'' if closes else '*'}{apart}")
-    lines += [foot, f"{end}\\par}}", "\\medskip", ""]
-    return "\n".join(line for line in lines if line) + "\n"
+    return "\n".join([*lines, f"{end}\\par}}", "\\medskip", ""])
 
 
 def _line(cells: tuple[str, ...]) -> str:
