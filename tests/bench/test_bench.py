@@ -106,6 +106,15 @@ def test_the_truth_of_a_verdict_agrees_with_eigenvalues_away_from_the_boundary()
             assert (verdicts.by_jury(rows) == truth).all()
 
 
+def test_the_print_refuses_a_plant_without_stiffness(tmp_path):
+    """(14) is 0/0 for gamma = 0; the other methods judge: this free mass is stable."""
+    one = np.array([0.5]), np.array([1.0]), np.array([0.0]), np.array([0.0])
+    with np.errstate(all="ignore"):
+        said = {name: way(one, 0)[0] for name, way in verdicts.methods(tmp_path).items()}
+    assert np.isnan(said.pop("(14) as printed"))
+    assert all(said.values())
+
+
 def test_the_limit_at_a_virtual_damping_is_on_the_boundary():
     gamma, delta, beta = np.array([5e-4]), np.array([0.01]), np.array([0.02])
     alpha = models.limit(beta, gamma, delta, 1)
@@ -190,5 +199,5 @@ def test_plots_and_tables_are_written(tiny, tmp_path):
     for format in FORMATS:
         assert f"bench_functions.{format}" in names
     shown = measurement(tmp_path / "bench.json")
-    assert r"\begin{longtable}" in shown["tables"]["floats"]
+    assert r"\begin{tabular}" in shown["tables"]["floats"]
     assert measurement(tmp_path / "none.json") == {}

@@ -279,5 +279,5 @@ def about(record: dict[str, Any]) -> str:
     tools = ", ".join(f"{k} {v or 'not installed'}" for k, v in record["versions"].items())
     return (
         f"Measured on {machine['processor']}, {machine['cores']} cores, {machine['system']}, with "
-        f"{tools}, one thread, in {record['seconds']} s."
+        f"{tools}, one thread."
     )

@@ -30,6 +30,6 @@ def seconds(work: Callable[[], object], rounds: int = ROUNDS) -> float:
             calls = max(2 * calls, int(calls * LEAST / max(spent, 1e-9)))
             continue
         best, done = min(best, spent / calls), done + 1
-        if spent > 50 * LEAST:  # one long call is as sure as several
+        if spent > 10 * LEAST:  # one long call is as sure as several
             break
     return best

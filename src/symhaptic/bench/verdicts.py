@@ -113,7 +113,7 @@ def coefficients(walls: Walls, delay: int, plant: Plant = discretize) -> Array:
 
 def by_roots(rows: Array) -> Array:
     """``numpy.roots`` of one polynomial after the other; NaN, refused, where one is not known."""
-    known = np.isfinite(rows).all(axis=1)
+    known = np.isfinite(rows.sum(axis=1))
     return np.array(
         [np.abs(np.roots(r)).max() < 1 if k else np.nan for r, k in zip(rows, known, strict=True)]
     )

@@ -32,25 +32,35 @@ def table_tex(table: Table) -> str:
 
     A long one goes on over pages, but not in the midst of a group.
     """
-    long = len(table.rows) > _SHORT
     columns = "l" * table.words + "r" * (len(table.head) - table.words)
-    kind = "longtable" if long else "tabular"
+    says = f"\\emph{{{table.title}.}}\\enspace {prose(table.says)}"
+    head = f"\\toprule {_line(table.head)} \\\\ \\midrule"
     lines = [
         "{\\footnotesize\\setlength{\\LTleft}{0pt}\\setlength{\\LTright}{-37mm}"
-        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpre}{3pt}\\setlength{\\LTpost}{0pt}",
-        "\\needspace{8\\baselineskip}",
-        f"\\emph{{{table.title}.}}\\enspace {prose(table.says)}\\par\\nopagebreak",
-        f"\\begin{{{kind}}}{{@{{}}{columns}@{{}}}}",
-        "\\toprule",
-        f"{_line(table.head)} \\\\ \\midrule" + ("\\endhead" if long else ""),
-        *(["\\bottomrule\\endfoot"] if long else []),
+        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpre}{9pt}\\setlength{\\LTpost}{0pt}",
     ]
+    if len(table.rows) > _SHORT:
+        over = f"\\multicolumn{{{len(table.head)}}}{{@{{}}l@{{}}}}"
+        says = f"\\rlap{{\\parbox[b]{{\\textwidth}}{{{says}\\strut}}}}"
+        end = "\\end{longtable}"
+        lines += [
+            f"\\begin{{longtable}}{{@{{}}{columns}@{{}}}}",
+            f"{over}{{{says}}} \\\\[4pt] {head}\\endfirsthead",
+            f"{head}\\endhead \\bottomrule\\endfoot",
+        ]
+    else:
+        end = "\\bottomrule\n\\end{tabular}}"
+        lines += [
+            "\\needspace{16\\baselineskip}",
+            f"{says}\\par\\nopagebreak",
+            f"\\makebox[\\textwidth][l]{{\\begin{{tabular}}{{@{{}}{columns}@{{}}}}",
+            head,
+        ]
     for at, row in enumerate(table.rows):
-        ends = at + 1 == len(table.rows) or bool(table.rows[at + 1][0])
-        end = "\\\\" if ends else "\\\\*"
-        lines.append(f"{_line(row)} {end}{'[3pt]' if ends and table.words > 1 else ''}")
-    lines += [*([] if long else ["\\bottomrule"]), f"\\end{{{kind}}}\\par}}", "\\medskip", ""]
-    return "\n".join(lines)
+        closes = at + 1 == len(table.rows) or bool(table.rows[at + 1][0])
+        apart = "[3pt]" if closes and table.words > 1 else ""
+        lines.append(f"{_line(row)} \\\\{'' if closes else '*'}{apart}")
+    return "\n".join([*lines, f"{end}\\par}}", "\\medskip", ""])
 
 
 def _line(cells: tuple[str, ...]) -> str:

@@ -55,7 +55,7 @@ def drawings(record: dict[str, Any]) -> dict[str, tuple[Any, tuple[int, int], fl
     known = {row["function"] for row in record["functions"]}
     some = [n for n in _CHOSEN if n in known] or sorted(known)[:2]
     return {
-        "bench_functions": (partial(_functions, record, some), (len(some), 2), 0.5 * len(some)),
+        "bench_functions": (partial(_functions, record, some), (len(some), 2), 0.53 * len(some)),
         "bench_boundary": (partial(_boundary, record), (1, 2), 0.48),
         "bench_stability": (partial(_stability, record), (1, 2), 0.5),
         "bench_models": (partial(_models, record), (1, 1), 0.5),
@@ -165,7 +165,9 @@ def _models(record: dict[str, Any], axes: Axes) -> None:
     rows = record["models"]
     last = max(r["damping"] for r in rows if r["damping"] <= 0.25)
     axes.set(xscale="log", yscale="log")
-    some = [r for r in rows if r["damping"] == last and r["model"] != "full"]
+    ends = {min(r["delay"] for r in rows), max(r["delay"] for r in rows)}
+    some = [r for r in rows if r["damping"] == last and r["delay"] in ends]
+    some = [r for r in some if r["model"] != "full"]
     times = [r["seconds"] for r in some]
     axes.set_xlim(min(times) / 3, max(times) * 30)
     axes.set_ylim(1e-4, 1)
