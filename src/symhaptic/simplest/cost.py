@@ -30,6 +30,9 @@ from symhaptic.simplest.plants import (
 _PIECES = 1000
 """So many pieces of the range are tried."""
 
+_ENOUGH = 300
+"""So many for bounds that are close, where it is decided on which side of the limit they lie."""
+
 _PATIENCE = 100
 """So many, where some have no bound and a point shows that the error is too large."""
 
@@ -116,7 +119,8 @@ def cost(error: Limit, box: Box, rtol: float) -> Cost:
             most = max(worst.most, least)
             even = most <= least + _SMALL
             decided = most < rtol or rtol <= least or even
-            if decided and (even or most <= _CLOSE * least):
+            close = even or most <= _CLOSE * least
+            if decided and most < math.inf and (close or tried > _ENOUGH):
                 return Cost(least, most)
             if most == math.inf and rtol <= least and tried > _PATIENCE:
                 return Cost(least, most)
