@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
 DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]
 
+LATE = [0.5, 0.01, 0.25, 0.9, 1.5, 7.3, 33.4, 9999.7]
+
 
 def plants(rng: np.random.Generator, count: int) -> Array:
     """gamma and delta: hard cases first, then ordinary, wide, critical and stiff ones."""
@@ -47,6 +49,8 @@ def columns(form: Form, rng: np.random.Generator, count: int) -> list[Array]:
     some = rng.random(count) < 0.5
     delay = np.where(some, delay, np.floor(10 ** rng.uniform(0, 6, count)))
     delay = np.where(rng.random(count) < 0.3, 10 ** rng.uniform(-1, 4, count), delay)
+    if form.name == "max_passive_stiffness":  # each of them takes seconds
+        delay = np.where(delay % 1, rng.choice(LATE, count), delay)
     most = np.pi / (delay + 1) if form.name == "passivity_boundary" else np.full(count, np.pi)
     theta = most * np.where(some, rng.uniform(0, 1, count), 10 ** rng.uniform(-6, 0, count))
     theta = np.where(rng.random(count) < 0.1, most * (1 - 10 ** rng.uniform(-12, -1, count)), theta)

@@ -75,8 +75,8 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
 
 
 def of_size_one() -> dict[Symbol, Expr]:
-    """The wall with alpha/2 = cos(phi) and beta + alpha/2 = sin(phi)."""
-    return {alpha: 2 * cos(phi), beta: sin(phi) - cos(phi)}
+    """The wall with (l + 1) alpha = cos(phi) and beta + alpha/2 = sin(phi)."""
+    return {alpha: cos(phi) / (l + 1), beta: sin(phi) - cos(phi) / (2 * (l + 1))}
 
 
 ARGUMENTS: tuple[Symbol, ...] = (alpha, beta, l, epsilon, psi)
