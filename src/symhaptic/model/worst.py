@@ -9,6 +9,8 @@ delays n is the mean of both and all motions need :math:`b` with
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 from sympy import Expr, Symbol, cos, sin
 
@@ -59,6 +61,7 @@ def favours(need: Expr) -> Expr:
     return epsilon * (1 - epsilon) * (alpha + 2 * beta) * sin(psi) ** 2 - need * along
 
 
+@cache
 def derived() -> tuple[tuple[Expr, Expr], ...]:
     """Pairs that are equal: these, and the same from the energy that a motion extracts."""
     units = {K: alpha, B: beta, T: sp.S.One, b: delta, theta: 2 * psi}
