@@ -76,12 +76,14 @@ def same_number(one, other):
 
 @pytest.mark.parametrize("parts", [FULL, Parts(stiffness=False), Parts(damping=False)])
 def test_mutants_are_not_equal(parts):
-    tried = 0
+    tried, seen = 0, set()
     for form in all_forms(parts):
         for ours, derived in form.equal:
-            if not ours.atoms(Entire):
+            if not ours.atoms(Entire) or ours in seen:
                 continue
-            for wrong in itertools.islice(mutants(ours), 4):
+            seen.add(ours)
+            some = 4 if sp.count_ops(ours) < 150 else 1
+            for wrong in itertools.islice(mutants(ours), some):
                 if same_number(wrong, ours):  # such as the sign of what is squared
                     continue
                 assert not compare(written_out(wrong), derived).equal, (form.name, wrong)
