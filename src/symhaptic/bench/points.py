@@ -19,6 +19,8 @@ HARD = {
 }
 DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]
 
+LATE = [0.5, 0.01, 0.25, 0.9, 1.5, 7.3, 33.4, 9999.7]
+
 
 def hard(precision: Precision = DOUBLE) -> list[tuple[float, float]]:
     """All pairs of hard cases, critical damping and its neighbours, pi^2 and beyond."""
@@ -63,6 +65,8 @@ def columns(
     some = rng.random(count) < 0.5
     delay = np.where(some, delay, np.floor(10 ** rng.uniform(0, 6, count)))
     delay = np.where(rng.random(count) < 0.3, 10 ** rng.uniform(-1, 4, count), delay)
+    if form.name == "max_passive_stiffness":  # each of them takes seconds
+        delay = np.where(delay % 1, rng.choice(LATE, count), delay)
     most = (
         np.pi / (delay + 1)
         if (form.plain or form).name == "passivity_boundary"

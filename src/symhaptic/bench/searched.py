@@ -140,7 +140,8 @@ def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, 
     """The wall that is just passive for a damping of 1 and whose need has no slope at theta."""
 
     def wall(x: Any) -> tuple[Any, Any]:
-        return 2 * x.cos(), x.sin() - x.cos()
+        alpha = x.cos() / (whole + 1)
+        return alpha, x.sin() - alpha / 2
 
     def slope(x: Any) -> Any:
         return arb(series(needed(*wall(x), whole, part, _Balls), theta, 2)[1].mid())
@@ -204,12 +205,14 @@ def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[A
         return real - up * half.sin() / half.cos()
 
     turn = arb.pi() / (arb(d) + 1)
-    grid = [arb((turn * (i + _Balls.half) / _MANY).mid()) for i in range(_MANY)]
-    slopes = [arb(series(alpha, t, 2)[1].mid()) for t in grid]
-    for i in range(_MANY - 1):
-        if slopes[i] > 0 and not slopes[i + 1] > 0:
+    before = None
+    for i in range(_MANY):
+        angle = arb((turn * (i + _Balls.half) / _MANY).mid())
+        rises = series(alpha, angle, 2)[1] > 0
+        if before is not None and not rises:
             break
+        before = angle if rises else None
     else:
         return (arb("nan"),) * 3
-    theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), grid[i], grid[i + 1])
+    theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), before, angle)
     return alpha(theta), parts(theta)[1] / theta.sin(), theta

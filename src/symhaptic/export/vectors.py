@@ -162,9 +162,10 @@ def rounded(arg: Expr) -> bool:
     return len(arg.free_symbols) > 1
 
 
-def _spoiled(expr: Any, exact: mpf, at: Sizes) -> mpf:
+def _spoiled(expr: Expr, exact: mpf, at: Sizes) -> mpf:
     """How much a rounded product as an argument changes the value, by its last place."""
-    change, cls = mpf(0), type(expr)
+    change = mpf(0)
+    cls: Any = type(expr)
     for i, arg in enumerate(expr.args):
         if rounded(arg):
             args = [sized(a, at)[0] for a in expr.args]

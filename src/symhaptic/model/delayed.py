@@ -7,6 +7,8 @@ With :math:`M=m_2z^2+m_1z+m_0`, where :math:`m_2=(1-\varepsilon)^2n_1` of a peri
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 from sympy import Expr, Rational, exp
 
@@ -53,6 +55,7 @@ def _shortened(parts: Parts, time: Expr) -> Sampled:
     return plant.sampled(Plant(sp.S.One, damping, stiffness), split=apart)
 
 
+@cache
 def derived(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
     """m_2 and m_0 of the two shortened periods, and all three, beside those of the late force."""
     split = c if parts.stiffness else None

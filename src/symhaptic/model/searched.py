@@ -147,12 +147,16 @@ class LargestNeed(Searched):
         return largest(need(alpha, beta, d), mpmath.pi / (whole + 1), end)[0]
 
 
+def _wall(x: mpf, d: mpf) -> tuple[mpf, mpf]:
+    alpha = mpmath.cos(x) / (mpmath.floor(d) + 1)
+    return alpha, mpmath.sin(x) - alpha / 2
+
+
 def _worst_at(theta: mpf, d: mpf) -> mpf:
-    """The wall (2 cos x, sin x - cos x) whose need has no slope at theta, as its angle x."""
+    """The wall whose need has no slope at theta, as its angle x."""
 
     def slope(x: mpf) -> mpf:
-        at = need(2 * mpmath.cos(x), mpmath.sin(x) - mpmath.cos(x), d)
-        return mpmath.diff(at, theta)
+        return mpmath.diff(need(*_wall(x, d), d), theta)
 
     low, high = mpf(0), mpmath.pi / 2
     if slope(low) >= 0 or slope(high) <= 0:
@@ -165,8 +169,8 @@ class Touching(Searched):
 
     nargs = 3
     meaning = (
-        "the angle x of the wall (2 cos(x), sin(x) - cos(x)) that needs most damping at theta, "
-        "behind a delay of l + epsilon periods; NaN if there is none"
+        "the angle x of the wall with (l + 1) alpha = cos(x), beta + alpha/2 = sin(x) that needs "
+        "most damping at theta, behind a delay of l + epsilon periods; NaN if there is none"
     )
 
     @staticmethod
@@ -187,8 +191,7 @@ class PassiveAngle(Searched):
         d = whole + part
 
         def stiffness(theta: mpf) -> mpf:
-            x = _worst_at(theta, d)
-            alpha, beta = 2 * mpmath.cos(x), mpmath.sin(x) - mpmath.cos(x)
+            alpha, beta = _wall(_worst_at(theta, d), d)
             return alpha / need(alpha, beta, d)(theta)
 
         turn = mpmath.pi / (d + 1)

@@ -7,6 +7,8 @@ With :math:`t=\tan(\theta/2)`, A/z and M/z as in the form of the boundary, and
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 from sympy import Expr, Rational, cos, tan
 
@@ -39,6 +41,7 @@ def slope() -> tuple[Expr, Expr]:
     return found, turned * weight * cos(angle / 2)
 
 
+@cache
 def derived() -> tuple[tuple[Expr, Expr], ...]:
     """The slope beside the derivative of the derived boundary."""
     rise, factor = slope()

@@ -9,6 +9,8 @@ delays n is the mean of both and all motions need :math:`b` with
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 from sympy import Expr, Symbol, cos, sin
 
@@ -59,6 +61,7 @@ def favours(need: Expr) -> Expr:
     return epsilon * (1 - epsilon) * (alpha + 2 * beta) * sin(psi) ** 2 - need * along
 
 
+@cache
 def derived() -> tuple[tuple[Expr, Expr], ...]:
     """Pairs that are equal: these, and the same from the energy that a motion extracts."""
     units = {K: alpha, B: beta, T: sp.S.One, b: delta, theta: 2 * psi}
@@ -75,8 +78,8 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
 
 
 def of_size_one() -> dict[Symbol, Expr]:
-    """The wall with alpha/2 = cos(phi) and beta + alpha/2 = sin(phi)."""
-    return {alpha: 2 * cos(phi), beta: sin(phi) - cos(phi)}
+    """The wall with (l + 1) alpha = cos(phi) and beta + alpha/2 = sin(phi)."""
+    return {alpha: cos(phi) / (l + 1), beta: sin(phi) - cos(phi) / (2 * (l + 1))}
 
 
 ARGUMENTS: tuple[Symbol, ...] = (alpha, beta, l, epsilon, psi)
