@@ -327,7 +327,7 @@ void hand_stability_boundary(double theta, double gamma, double delta, double d,
     *beta = imaginary*(1.0 + t2)/(2*t);
 }
 
-double hand_passivity_margin(double theta, double alpha, double beta, double delta, double d) {
+double hand_passivity_margin_at(double theta, double alpha, double beta, double delta, double d) {
     const double half = 0.5*theta;
     const pair up = angle_of(2*d, half), turn = angle_of(d, theta);
     const double sine = sin(up.hi) + up.lo*cos(up.hi);

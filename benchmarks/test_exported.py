@@ -18,7 +18,7 @@ from symhaptic.export.targets import TARGETS
 COUNT = 1024
 ROUNDS = 200
 RNG = np.random.default_rng(0)
-FORMS = ("discretize", "stability_boundary", "passivity_margin", "is_stable")
+FORMS = ("discretize", "stability_boundary", "passivity_margin_at", "is_stable")
 
 PLANTS = {
     "slow": (RNG.uniform(0, 1e-3, COUNT), RNG.uniform(0, 0.02, COUNT)),

@@ -19,7 +19,7 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.kernels import haptic
 
 COUNT = 10**5
-GOAL = {"discretize": 3, "stability_boundary": 3, "passivity_margin": 3, "is_stable": 3}
+GOAL = {"discretize": 3, "stability_boundary": 3, "passivity_margin_at": 3, "is_stable": 3}
 RNG = np.random.default_rng(0)
 COLUMNS = {
     "theta": RNG.uniform(0.01, 1.04, COUNT),  # below pi/(d + 1), where all of them mean something

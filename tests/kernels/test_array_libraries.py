@@ -16,51 +16,21 @@ from mpmath import mpf
 import symhaptic
 from symhaptic import lambdify
 from symhaptic.export import kernels
-from symhaptic.export.vectors import allowed, points, sized, vectors
+from symhaptic.export.precision import DOUBLE, SINGLE
+from symhaptic.export.vectors import vectors
 from symhaptic.kernels import haptic
 
 FORMS = {form.name: form for form in kernels.forms()}
 CONTINUOUS = [name for name in FORMS if name != "is_stable"]
-EPS32 = 2.0**-23
 PLANTS = [(1e-8, 1e-3), (1.0, 0.5), (0.3, 1.9), (6.0, 0.3), (9.0, 8.0), (20.0, 0.01), (2, 30)]
 GUARDED = [(0.0, 0.0), (0.0, 3.0), (1.0, 2.0), (25.0, 10.0), (3.0, 0.0)]
 
 
 @cache
-def known(name):
+def known(name, precision=DOUBLE):
     """Columns of arguments, and rows of expected results and of how far off these may be."""
-    rows = np.array(list(vectors(FORMS[name])))
+    rows = np.array(list(vectors(FORMS[name], precision)))
     count = len(FORMS[name].arguments)
-    return rows[:, :count].T, rows[:, count::2].T, rows[:, count + 1 :: 2].T
-
-
-@cache
-def known_single(name):
-    """The same for arguments that are float32, allowed twice as many of its last places.
-
-    A turn of a million radians is not one that single precision knows.
-    """
-    form, rows = FORMS[name], []
-    for point in points(form):
-        given = [float(np.float32(v)) for v in point]
-        named = dict(zip((s.name for s in form.arguments), given, strict=True))
-        if named.get("theta", 0) >= math.pi or named.get("d", 0) > 100:
-            continue
-        if any(0 < abs(v) < 1e-30 for v in given):
-            continue
-        with mpmath.workdps(60):
-            at = {s: mpf(v) for s, v in zip(form.arguments, given, strict=True)}
-            try:
-                found = [sized(expr, at) for expr in form.expressions]
-            except ArithmeticError:
-                continue
-        if any(size > 1e30 or 0 < abs(v) < 1e-30 for v, size in found):
-            continue
-        row = list(given)
-        for v, size in found:
-            row += [float(v), 2 * allowed(form) * EPS32 * max(float(size), 1e-30)]
-        rows.append(row)
-    rows, count = np.array(rows), len(form.arguments)
     return rows[:, :count].T, rows[:, count::2].T, rows[:, count + 1 :: 2].T
 
 
@@ -125,7 +95,7 @@ def test_vectors_in_double_precision(library, name):
 @pytest.mark.parametrize("name", CONTINUOUS)
 @pytest.mark.parametrize("library", MAKE)
 def test_vectors_in_single_precision(library, name):
-    columns, expected, tolerance = known_single(name)
+    columns, expected, tolerance = known(name, SINGLE)
     given = [MAKE[library](c.astype(np.float32)) for c in columns]
     with warnings.catch_warnings():
         warnings.simplefilter("error")

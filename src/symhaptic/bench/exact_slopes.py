@@ -100,7 +100,7 @@ SERIES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
     "characteristic_polynomial": polynomial,
     "stability_boundary": boundary,
-    "passivity_margin": margin,
+    "passivity_margin_at": margin,
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,

@@ -9,6 +9,7 @@ from array_api_compat import (
     array_namespace,
     device,
     is_array_api_obj,
+    is_jax_array,
     is_lazy_array,
     is_numpy_array,
     is_torch_array,
@@ -94,20 +95,82 @@ def select(xp, condition, yes, yes_values, no, no_values):
 
     Where numbers cannot be looked at, both are computed everywhere, of 1 where they do not count.
     """
+    like = (*yes_values, *no_values)[0]
     if deferred(condition):
-        one = yes(*(xp.where(condition, v, 1.0) for v in yes_values))
-        return xp.where(condition, one, no(*(xp.where(condition, 1.0, v) for v in no_values)))
+        one = _rows(xp, like, yes(*(xp.where(condition, v, 1.0) for v in yes_values)))
+        two = _rows(xp, like, no(*(xp.where(condition, 1.0, v) for v in no_values)))
+        return _all([xp.where(condition, a, b) for a, b in zip(one, two, strict=True)])
     size = condition.shape[0]
     count = int(xp.count_nonzero(condition))
     if count == size:
-        return yes(*yes_values)
+        return _all(_rows(xp, like, yes(*yes_values)))
     if count == 0:
-        return no(*no_values)
-    found = xp.empty_like(condition, dtype=(*yes_values, *no_values)[0].dtype)
+        return _all(_rows(xp, like, no(*no_values)))
+    found = None
     for where, work, values in ((condition, yes, yes_values), (~condition, no, no_values)):
         (at,) = xp.nonzero(where)
-        found[where] = work(*(v if v.shape[0] == 1 else xp.take(v, at) for v in values))
-    return found
+        rows = work(*(v if v.shape[0] == 1 else xp.take(v, at) for v in values))
+        rows = rows if isinstance(rows, tuple) else (rows,)
+        if found is None:
+            found = [xp.empty_like(condition, dtype=like.dtype) for _ in rows]
+        for whole, row in zip(found, rows, strict=True):
+            whole[where] = row
+    return _all(found)
+
+
+def _rows(xp, like, results):
+    results = results if isinstance(results, tuple) else (results,)
+    return [r if is_array_api_obj(r) else xp.full_like(like, r) for r in results]
+
+
+def _all(rows):
+    return rows[0] if len(rows) == 1 else tuple(rows)
+
+
+def repeat(xp, most, over, step, start, given):
+    """``step`` of the states and of what is given, until it is ``over``, at most so many times.
+
+    Elements that are done keep their states while others go on.
+    """
+    sizes = [tuple(v.shape) for v in (*start, *given) if is_array_api_obj(v)]
+    shape = numpy.broadcast_shapes(*sizes)
+    like = next(v for v in (*given, *start) if is_array_api_obj(v))
+    states = [
+        xp.broadcast_to(v, shape) if is_array_api_obj(v)
+        else xp.full(shape, v, dtype=like.dtype, device=device(like))
+        for v in start
+    ]
+
+    def kept(states):
+        done = over(*states, *given)
+        return [xp.where(done, a, b) for a, b in zip(states, step(*states, *given), strict=True)]
+
+    if is_jax_array(like):
+        loop = sys.modules["jax"].lax.while_loop
+        busy = lambda now: (now[0] < most) & ~xp.all(over(*now[1], *given))
+        return tuple(loop(busy, lambda now: (now[0] + 1, kept(now[1])), (0, states))[1])
+    if deferred(like):
+        for _ in range(most):
+            states = kept(states)
+        return tuple(states)
+    states = [xp.asarray(v, copy=True) for v in states]
+    busy = xp.ones(shape, dtype=xp.bool)
+    for _ in range(most):
+        now, own = _some(xp, busy, states), _some(xp, busy, given)
+        done = over(*now, *own)
+        if bool(xp.any(done)):
+            busy[xp.asarray(busy, copy=True)] = ~done
+            if not bool(xp.any(busy)):
+                break
+            now, own = _some(xp, busy, states), _some(xp, busy, given)
+        for whole, row in zip(states, step(*now, *own), strict=True):
+            whole[busy] = row
+    return tuple(states)
+
+
+def _some(xp, where, values):
+    (at,) = xp.nonzero(where)
+    return [v if v.shape[0] == 1 else xp.take(v, at) for v in values]
 
 
 def square_root(xp, x):
@@ -116,6 +179,69 @@ def square_root(xp, x):
         return xp.sqrt(x)
     positive = x > 0
     return xp.where(positive, xp.sqrt(xp.where(positive, x, 1.0)), 0.0)
+
+
+def cos_series_single(xp, w):
+    """The same in single precision."""
+    square = (w*w)
+    b3 = 1.1470745597729725e-11*square + 2.755731922398589e-07
+    b2 = 2.08767569878681e-09*square + 2.48015873015873e-05
+    b3 = b3*square + 0.001388888888888889
+    b2 = b2*square + 0.041666666666666664
+    return b2 + b3*w
+
+
+def cos_series(xp, w):
+    """(cosh(sqrt(w)) - 1 - w/2)/w^2"""
+    if w.dtype == xp.float32:
+        return cos_series_single(xp, w)
+    square = (w*w)
+    b7 = 8.896791392450574e-22*square + 1.5619206968586225e-16
+    b6 = 4.110317623312165e-19*square + 4.779477332387385e-14
+    b7 = b7*square + 1.1470745597729725e-11
+    b6 = b6*square + 2.08767569878681e-09
+    b7 = b7*square + 2.755731922398589e-07
+    b6 = b6*square + 2.48015873015873e-05
+    b7 = b7*square + 0.001388888888888889
+    b6 = b6*square + 0.041666666666666664
+    return b6 + b7*w
+
+
+def decay_series_single(xp, x):
+    """The same in single precision."""
+    square = (x*x)
+    b7 = 2.08767569878681e-09*square + 2.755731922398589e-07
+    b6 = 2.505210838544172e-08*square + 2.7557319223985893e-06
+    b7 = b7*square + 2.48015873015873e-05
+    b6 = b6*square + 0.0001984126984126984
+    b7 = b7*square + 0.001388888888888889
+    b6 = b6*square + 0.008333333333333333
+    b7 = b7*square + 0.041666666666666664
+    b6 = b6*square + 0.16666666666666666
+    return b6 - b7*x
+
+
+def decay_series(xp, x):
+    """((1 - exp(-x))/x - 1 + x/2)/x^2"""
+    if x.dtype == xp.float32:
+        return decay_series_single(xp, x)
+    square = (x*x)
+    b14 = 8.22063524662433e-18*square + 2.8114572543455206e-15
+    b13 = 1.5619206968586225e-16*square + 4.779477332387385e-14
+    b14 = b14*square + 7.647163731819816e-13
+    b13 = b13*square + 1.1470745597729725e-11
+    b14 = b14*square + 1.6059043836821613e-10
+    b13 = b13*square + 2.08767569878681e-09
+    b14 = b14*square + 2.505210838544172e-08
+    b13 = b13*square + 2.755731922398589e-07
+    b14 = b14*square + 2.7557319223985893e-06
+    b13 = b13*square + 2.48015873015873e-05
+    b14 = b14*square + 0.0001984126984126984
+    b13 = b13*square + 0.001388888888888889
+    b14 = b14*square + 0.008333333333333333
+    b13 = b13*square + 0.041666666666666664
+    b14 = b14*square + 0.16666666666666666
+    return b14 - b13*x
 
 
 def halves(xp, y):
@@ -131,113 +257,402 @@ def product_error(product, one, two):
     return ((high*most - product) + high*least + low*most) + low*least
 
 
+def fall_series_single(xp, gamma, delta):
+    """The same in single precision."""
+
+    def yes(delta, gamma):
+        b6 = 2.7557319223985893e-06*delta + 2.48015873015873e-05
+        b5 = b6*delta - 2.7557319223985893e-06*gamma + 0.0001984126984126984
+        b6 = b5*delta - b6*gamma + 0.001388888888888889
+        total = b6*delta
+        delta_halves = halves(xp, delta)
+        b6_halves = halves(xp, b6)
+        lost = product_error(total, delta_halves, b6_halves)
+        total2 = b5*gamma
+        gamma_halves = halves(xp, gamma)
+        b5_halves = halves(xp, b5)
+        lost2 = product_error(total2, gamma_halves, b5_halves)
+        total3 = total - total2
+        back = total3 - total
+        rest = total3 - back
+        one = total - rest
+        two = -back - total2
+        lost3 = one + two
+        total2 = total3 + 0.008333333333333333
+        back = total2 - total3
+        rest = total2 - back
+        one = total3 - rest
+        two = 0.008333333333333333 - back
+        lost4 = one + two
+        low = lost - lost2 + lost3 + lost4
+        total3 = delta*total2
+        total2_halves = halves(xp, total2)
+        lost4 = delta*low + product_error(total3, delta_halves, total2_halves)
+        total = b6*gamma
+        lost3 = product_error(total, gamma_halves, b6_halves)
+        total7 = total3 - total
+        back = total7 - total3
+        rest = total7 - back
+        one = total3 - rest
+        two = -back - total
+        lost2 = one + two
+        total = total7 + 0.041666666666666664
+        back = total - total7
+        rest = total - back
+        one = total7 - rest
+        two = 0.041666666666666664 - back
+        lost = one + two
+        low2 = lost4 - lost3 + lost2 + lost
+        total7 = delta*total
+        total_halves = halves(xp, total)
+        lost = delta*low2 + product_error(total7, delta_halves, total_halves)
+        total3 = gamma*total2
+        lost2 = gamma*low + product_error(total3, gamma_halves, total2_halves)
+        total2 = total7 - total3
+        back = total2 - total7
+        rest = total2 - back
+        one = total7 - rest
+        two = -back - total3
+        lost3 = one + two
+        total3 = total2 + 0.16666666666666666
+        back = total3 - total2
+        rest = total3 - back
+        one = total2 - rest
+        two = 0.16666666666666666 - back
+        lost4 = one + two
+        low = lost3 - lost2 + lost4 + lost
+        total2 = delta*total3
+        total3_halves = halves(xp, total3)
+        lost = delta*low + product_error(total2, delta_halves, total3_halves)
+        total3 = gamma*total
+        lost4 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
+        total = total2 - total3
+        back = total - total2
+        rest = total - back
+        one = total2 - rest
+        two = -back - total3
+        lost3 = one + two
+        total3 = total
+        back = total3 - total
+        rest = total3 - back
+        one = total - rest
+        two = -back
+        lost2 = one + two
+        low2 = lost - lost4 + lost3 + lost2
+        return low2 + total3
+
+    def no(delta, gamma):
+        b17 = 4.110317623312165e-19*delta + 8.22063524662433e-18
+        b16 = b17*delta - 4.110317623312165e-19*gamma + 1.5619206968586225e-16
+        b17 = b16*delta - b17*gamma + 2.8114572543455206e-15
+        b16 = b17*delta - b16*gamma + 4.779477332387385e-14
+        b17 = b16*delta - b17*gamma + 7.647163731819816e-13
+        b16 = b17*delta - b16*gamma + 1.1470745597729725e-11
+        b17 = b16*delta - b17*gamma + 1.6059043836821613e-10
+        b16 = b17*delta - b16*gamma + 2.08767569878681e-09
+        b17 = b16*delta - b17*gamma + 2.505210838544172e-08
+        b16 = b17*delta - b16*gamma + 2.755731922398589e-07
+        b17 = b16*delta - b17*gamma + 2.7557319223985893e-06
+        b16 = b17*delta - b16*gamma + 2.48015873015873e-05
+        b17 = b16*delta - b17*gamma + 0.0001984126984126984
+        b16 = b17*delta - b16*gamma + 0.001388888888888889
+        total17 = b16*delta
+        delta_halves = halves(xp, delta)
+        b16_halves = halves(xp, b16)
+        lost17 = product_error(total17, delta_halves, b16_halves)
+        total18 = b17*gamma
+        gamma_halves = halves(xp, gamma)
+        b17_halves = halves(xp, b17)
+        lost18 = product_error(total18, gamma_halves, b17_halves)
+        total19 = total17 - total18
+        back9 = total19 - total17
+        rest9 = total19 - back9
+        one9 = total17 - rest9
+        two9 = -back9 - total18
+        lost19 = one9 + two9
+        total18 = total19 + 0.008333333333333333
+        back9 = total18 - total19
+        rest9 = total18 - back9
+        one9 = total19 - rest9
+        two9 = 0.008333333333333333 - back9
+        lost20 = one9 + two9
+        low5 = lost17 - lost18 + lost19 + lost20
+        total19 = delta*total18
+        total18_halves = halves(xp, total18)
+        lost20 = delta*low5 + product_error(total19, delta_halves, total18_halves)
+        total17 = b16*gamma
+        lost19 = product_error(total17, gamma_halves, b16_halves)
+        total23 = total19 - total17
+        back9 = total23 - total19
+        rest9 = total23 - back9
+        one9 = total19 - rest9
+        two9 = -back9 - total17
+        lost18 = one9 + two9
+        total17 = total23 + 0.041666666666666664
+        back9 = total17 - total23
+        rest9 = total17 - back9
+        one9 = total23 - rest9
+        two9 = 0.041666666666666664 - back9
+        lost17 = one9 + two9
+        low6 = lost20 - lost19 + lost18 + lost17
+        total23 = delta*total17
+        total17_halves = halves(xp, total17)
+        lost17 = delta*low6 + product_error(total23, delta_halves, total17_halves)
+        total19 = gamma*total18
+        lost18 = gamma*low5 + product_error(total19, gamma_halves, total18_halves)
+        total18 = total23 - total19
+        back9 = total18 - total23
+        rest9 = total18 - back9
+        one9 = total23 - rest9
+        two9 = -back9 - total19
+        lost19 = one9 + two9
+        total19 = total18 + 0.16666666666666666
+        back9 = total19 - total18
+        rest9 = total19 - back9
+        one9 = total18 - rest9
+        two9 = 0.16666666666666666 - back9
+        lost20 = one9 + two9
+        low5 = lost17 - lost18 + lost19 + lost20
+        total18 = delta*total19
+        total19_halves = halves(xp, total19)
+        lost20 = delta*low5 + product_error(total18, delta_halves, total19_halves)
+        total19 = gamma*total17
+        lost19 = gamma*low6 + product_error(total19, gamma_halves, total17_halves)
+        total17 = total18 - total19
+        back9 = total17 - total18
+        rest9 = total17 - back9
+        one9 = total18 - rest9
+        two9 = -back9 - total19
+        lost18 = one9 + two9
+        total19 = total17
+        back9 = total19 - total17
+        rest9 = total19 - back9
+        one9 = total17 - rest9
+        two9 = -back9
+        lost17 = one9 + two9
+        low6 = lost20 - lost19 + lost18 + lost17
+        return low6 + total19
+
+    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no, (delta, gamma))
+
+
 def fall_series(xp, gamma, delta):
     """divided difference of exp at 0, p and q, less 1/2"""
-    b32 = 9.67759295863189e-41*delta + 3.387157535521162e-39
-    b31 = b32*delta - 9.67759295863189e-41*gamma + 1.151633562077195e-37
-    b32 = b31*delta - b32*gamma + 3.8003907548547434e-36
-    b31 = b32*delta - b31*gamma + 1.216125041553518e-34
-    b32 = b31*delta - b32*gamma + 3.7699876288159054e-33
-    b31 = b32*delta - b31*gamma + 1.1309962886447716e-31
-    b32 = b31*delta - b32*gamma + 3.279889237069838e-30
-    b31 = b32*delta - b31*gamma + 9.183689863795546e-29
-    b32 = b31*delta - b32*gamma + 2.4795962632247976e-27
-    b31 = b32*delta - b31*gamma + 6.446950284384474e-26
-    b32 = b31*delta - b32*gamma + 1.6117375710961184e-24
-    b31 = b32*delta - b31*gamma + 3.868170170630684e-23
-    b32 = b31*delta - b32*gamma + 8.896791392450574e-22
-    b31 = b32*delta - b31*gamma + 1.9572941063391263e-20
-    b32 = b31*delta - b32*gamma + 4.110317623312165e-19
-    b31 = b32*delta - b31*gamma + 8.22063524662433e-18
-    b32 = b31*delta - b32*gamma + 1.5619206968586225e-16
-    b31 = b32*delta - b31*gamma + 2.8114572543455206e-15
-    b32 = b31*delta - b32*gamma + 4.779477332387385e-14
-    b31 = b32*delta - b31*gamma + 7.647163731819816e-13
-    b32 = b31*delta - b32*gamma + 1.1470745597729725e-11
-    b31 = b32*delta - b31*gamma + 1.6059043836821613e-10
-    b32 = b31*delta - b32*gamma + 2.08767569878681e-09
-    b31 = b32*delta - b31*gamma + 2.505210838544172e-08
-    b32 = b31*delta - b32*gamma + 2.755731922398589e-07
-    b31 = b32*delta - b31*gamma + 2.7557319223985893e-06
-    b32 = b31*delta - b32*gamma + 2.48015873015873e-05
-    b31 = b32*delta - b31*gamma + 0.0001984126984126984
-    b32 = b31*delta - b32*gamma + 0.001388888888888889
-    total = b32*delta
-    delta_halves = halves(xp, delta)
-    b32_halves = halves(xp, b32)
-    lost = product_error(total, delta_halves, b32_halves)
-    total2 = b31*gamma
-    gamma_halves = halves(xp, gamma)
-    b31_halves = halves(xp, b31)
-    lost2 = product_error(total2, gamma_halves, b31_halves)
-    total3 = total - total2
-    back = total3 - total
-    rest = total3 - back
-    one = total - rest
-    two = -back - total2
-    lost3 = one + two
-    total2 = total3 + 0.008333333333333333
-    back = total2 - total3
-    rest = total2 - back
-    one = total3 - rest
-    two = 0.008333333333333333 - back
-    lost4 = one + two
-    low = lost - lost2 + lost3 + lost4
-    total3 = delta*total2
-    total2_halves = halves(xp, total2)
-    lost4 = delta*low + product_error(total3, delta_halves, total2_halves)
-    total = b32*gamma
-    lost3 = product_error(total, gamma_halves, b32_halves)
-    total7 = total3 - total
-    back = total7 - total3
-    rest = total7 - back
-    one = total3 - rest
-    two = -back - total
-    lost2 = one + two
-    total = total7 + 0.041666666666666664
-    back = total - total7
-    rest = total - back
-    one = total7 - rest
-    two = 0.041666666666666664 - back
-    lost = one + two
-    low2 = lost4 - lost3 + lost2 + lost
-    total7 = delta*total
-    total_halves = halves(xp, total)
-    lost = delta*low2 + product_error(total7, delta_halves, total_halves)
-    total3 = gamma*total2
-    lost2 = gamma*low + product_error(total3, gamma_halves, total2_halves)
-    total2 = total7 - total3
-    back = total2 - total7
-    rest = total2 - back
-    one = total7 - rest
-    two = -back - total3
-    lost3 = one + two
-    total3 = total2 + 0.16666666666666666
-    back = total3 - total2
-    rest = total3 - back
-    one = total2 - rest
-    two = 0.16666666666666666 - back
-    lost4 = one + two
-    low = lost3 - lost2 + lost4 + lost
-    total2 = delta*total3
-    total3_halves = halves(xp, total3)
-    lost = delta*low + product_error(total2, delta_halves, total3_halves)
-    total3 = gamma*total
-    lost4 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
-    total = total2 - total3
-    back = total - total2
-    rest = total - back
-    one = total2 - rest
-    two = -back - total3
-    lost3 = one + two
-    total3 = total
-    back = total3 - total
-    rest = total3 - back
-    one = total - rest
-    two = -back
-    lost2 = one + two
-    low2 = lost - lost4 + lost3 + lost2
-    return low2 + total3
+    if gamma.dtype == xp.float32:
+        return fall_series_single(xp, gamma, delta)
+
+    def yes(delta, gamma):
+        b10 = 1.6059043836821613e-10*delta + 2.08767569878681e-09
+        b9 = b10*delta - 1.6059043836821613e-10*gamma + 2.505210838544172e-08
+        b10 = b9*delta - b10*gamma + 2.755731922398589e-07
+        b9 = b10*delta - b9*gamma + 2.7557319223985893e-06
+        b10 = b9*delta - b10*gamma + 2.48015873015873e-05
+        b9 = b10*delta - b9*gamma + 0.0001984126984126984
+        b10 = b9*delta - b10*gamma + 0.001388888888888889
+        total = b10*delta
+        delta_halves = halves(xp, delta)
+        b10_halves = halves(xp, b10)
+        lost = product_error(total, delta_halves, b10_halves)
+        total2 = b9*gamma
+        gamma_halves = halves(xp, gamma)
+        b9_halves = halves(xp, b9)
+        lost2 = product_error(total2, gamma_halves, b9_halves)
+        total3 = total - total2
+        back = total3 - total
+        rest = total3 - back
+        one = total - rest
+        two = -back - total2
+        lost3 = one + two
+        total2 = total3 + 0.008333333333333333
+        back = total2 - total3
+        rest = total2 - back
+        one = total3 - rest
+        two = 0.008333333333333333 - back
+        lost4 = one + two
+        low = lost - lost2 + lost3 + lost4
+        total3 = delta*total2
+        total2_halves = halves(xp, total2)
+        lost4 = delta*low + product_error(total3, delta_halves, total2_halves)
+        total = b10*gamma
+        lost3 = product_error(total, gamma_halves, b10_halves)
+        total7 = total3 - total
+        back = total7 - total3
+        rest = total7 - back
+        one = total3 - rest
+        two = -back - total
+        lost2 = one + two
+        total = total7 + 0.041666666666666664
+        back = total - total7
+        rest = total - back
+        one = total7 - rest
+        two = 0.041666666666666664 - back
+        lost = one + two
+        low2 = lost4 - lost3 + lost2 + lost
+        total7 = delta*total
+        total_halves = halves(xp, total)
+        lost = delta*low2 + product_error(total7, delta_halves, total_halves)
+        total3 = gamma*total2
+        lost2 = gamma*low + product_error(total3, gamma_halves, total2_halves)
+        total2 = total7 - total3
+        back = total2 - total7
+        rest = total2 - back
+        one = total7 - rest
+        two = -back - total3
+        lost3 = one + two
+        total3 = total2 + 0.16666666666666666
+        back = total3 - total2
+        rest = total3 - back
+        one = total2 - rest
+        two = 0.16666666666666666 - back
+        lost4 = one + two
+        low = lost3 - lost2 + lost4 + lost
+        total2 = delta*total3
+        total3_halves = halves(xp, total3)
+        lost = delta*low + product_error(total2, delta_halves, total3_halves)
+        total3 = gamma*total
+        lost4 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
+        total = total2 - total3
+        back = total - total2
+        rest = total - back
+        one = total2 - rest
+        two = -back - total3
+        lost3 = one + two
+        total3 = total
+        back = total3 - total
+        rest = total3 - back
+        one = total - rest
+        two = -back
+        lost2 = one + two
+        low2 = lost - lost4 + lost3 + lost2
+        return low2 + total3
+
+    def no(delta, gamma):
+        b25 = 3.279889237069838e-30*delta + 9.183689863795546e-29
+        b24 = b25*delta - 3.279889237069838e-30*gamma + 2.4795962632247976e-27
+        b25 = b24*delta - b25*gamma + 6.446950284384474e-26
+        b24 = b25*delta - b24*gamma + 1.6117375710961184e-24
+        b25 = b24*delta - b25*gamma + 3.868170170630684e-23
+        b24 = b25*delta - b24*gamma + 8.896791392450574e-22
+        b25 = b24*delta - b25*gamma + 1.9572941063391263e-20
+        b24 = b25*delta - b24*gamma + 4.110317623312165e-19
+        b25 = b24*delta - b25*gamma + 8.22063524662433e-18
+        b24 = b25*delta - b24*gamma + 1.5619206968586225e-16
+        b25 = b24*delta - b25*gamma + 2.8114572543455206e-15
+        b24 = b25*delta - b24*gamma + 4.779477332387385e-14
+        b25 = b24*delta - b25*gamma + 7.647163731819816e-13
+        b24 = b25*delta - b24*gamma + 1.1470745597729725e-11
+        b25 = b24*delta - b25*gamma + 1.6059043836821613e-10
+        b24 = b25*delta - b24*gamma + 2.08767569878681e-09
+        b25 = b24*delta - b25*gamma + 2.505210838544172e-08
+        b24 = b25*delta - b24*gamma + 2.755731922398589e-07
+        b25 = b24*delta - b25*gamma + 2.7557319223985893e-06
+        b24 = b25*delta - b24*gamma + 2.48015873015873e-05
+        b25 = b24*delta - b25*gamma + 0.0001984126984126984
+        b24 = b25*delta - b24*gamma + 0.001388888888888889
+        total17 = b24*delta
+        delta_halves = halves(xp, delta)
+        b24_halves = halves(xp, b24)
+        lost17 = product_error(total17, delta_halves, b24_halves)
+        total18 = b25*gamma
+        gamma_halves = halves(xp, gamma)
+        b25_halves = halves(xp, b25)
+        lost18 = product_error(total18, gamma_halves, b25_halves)
+        total19 = total17 - total18
+        back9 = total19 - total17
+        rest9 = total19 - back9
+        one9 = total17 - rest9
+        two9 = -back9 - total18
+        lost19 = one9 + two9
+        total18 = total19 + 0.008333333333333333
+        back9 = total18 - total19
+        rest9 = total18 - back9
+        one9 = total19 - rest9
+        two9 = 0.008333333333333333 - back9
+        lost20 = one9 + two9
+        low5 = lost17 - lost18 + lost19 + lost20
+        total19 = delta*total18
+        total18_halves = halves(xp, total18)
+        lost20 = delta*low5 + product_error(total19, delta_halves, total18_halves)
+        total17 = b24*gamma
+        lost19 = product_error(total17, gamma_halves, b24_halves)
+        total23 = total19 - total17
+        back9 = total23 - total19
+        rest9 = total23 - back9
+        one9 = total19 - rest9
+        two9 = -back9 - total17
+        lost18 = one9 + two9
+        total17 = total23 + 0.041666666666666664
+        back9 = total17 - total23
+        rest9 = total17 - back9
+        one9 = total23 - rest9
+        two9 = 0.041666666666666664 - back9
+        lost17 = one9 + two9
+        low6 = lost20 - lost19 + lost18 + lost17
+        total23 = delta*total17
+        total17_halves = halves(xp, total17)
+        lost17 = delta*low6 + product_error(total23, delta_halves, total17_halves)
+        total19 = gamma*total18
+        lost18 = gamma*low5 + product_error(total19, gamma_halves, total18_halves)
+        total18 = total23 - total19
+        back9 = total18 - total23
+        rest9 = total18 - back9
+        one9 = total23 - rest9
+        two9 = -back9 - total19
+        lost19 = one9 + two9
+        total19 = total18 + 0.16666666666666666
+        back9 = total19 - total18
+        rest9 = total19 - back9
+        one9 = total18 - rest9
+        two9 = 0.16666666666666666 - back9
+        lost20 = one9 + two9
+        low5 = lost17 - lost18 + lost19 + lost20
+        total18 = delta*total19
+        total19_halves = halves(xp, total19)
+        lost20 = delta*low5 + product_error(total18, delta_halves, total19_halves)
+        total19 = gamma*total17
+        lost19 = gamma*low6 + product_error(total19, gamma_halves, total17_halves)
+        total17 = total18 - total19
+        back9 = total17 - total18
+        rest9 = total17 - back9
+        one9 = total18 - rest9
+        two9 = -back9 - total19
+        lost18 = one9 + two9
+        total19 = total17
+        back9 = total19 - total17
+        rest9 = total19 - back9
+        one9 = total17 - rest9
+        two9 = -back9
+        lost17 = one9 + two9
+        low6 = lost20 - lost19 + lost18 + lost17
+        return low6 + total19
+
+    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no, (delta, gamma))
+
+
+def sin_series_single(xp, w):
+    """The same in single precision."""
+    square = (w*w)
+    b3 = 1.6059043836821613e-10*square + 2.7557319223985893e-06
+    b2 = 2.505210838544172e-08*square + 0.0001984126984126984
+    b3 = b3*square + 0.008333333333333333
+    b2 = b2*square + 0.16666666666666666
+    return b2 + b3*w
+
+
+def sin_series(xp, w):
+    """(sinh(sqrt(w))/sqrt(w) - 1)/w"""
+    if w.dtype == xp.float32:
+        return sin_series_single(xp, w)
+    square = (w*w)
+    b7 = 1.9572941063391263e-20*square + 2.8114572543455206e-15
+    b6 = 8.22063524662433e-18*square + 7.647163731819816e-13
+    b7 = b7*square + 1.6059043836821613e-10
+    b6 = b6*square + 2.505210838544172e-08
+    b7 = b7*square + 2.7557319223985893e-06
+    b6 = b6*square + 0.0001984126984126984
+    b7 = b7*square + 0.008333333333333333
+    b6 = b6*square + 0.16666666666666666
+    return b6 + b7*w
 
 
 def motion(xp, gamma, delta):
@@ -266,472 +681,745 @@ def motion(xp, gamma, delta):
     root_low = 0.5*left/whole
     total = half + root
     back = total - half
-    lost = root - back
-    p_low = lost + root_low
-    whole2 = xp.where(total == 0.0, 1.0, total)
-    q = gamma/whole2
-    off = gamma - q*whole2
-    whole2_halves = halves(xp, whole2)
+    lost3 = root - back
+    p_low = lost3 + root_low
+    whole = xp.where(total == 0.0, 1.0, total)
+    q = gamma/whole
+    off = gamma - q*whole
+    whole_halves = halves(xp, whole)
     q_halves = halves(xp, q)
-    off = off - product_error(whole2*q, whole2_halves, q_halves)
+    off = off - product_error(whole*q, whole_halves, q_halves)
     off = off - p_low*q
-    q_low = off/whole2
-    return half, total2, root, whole, root_low, total, p_low, whole2, q, q_low
+    q_low = off/whole
+    return half, total2, lost, root, root_low, total, p_low, whole, q, q_low
 
 
-def fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low):
+def fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low):
     """n0, the same device with its time reversed, times exp(-delta)"""
-    reach = xp.where(total2 < 0.0, 0.25*gamma, 0.4444444444444444*total3)
 
-    def yes(delta, gamma, reach):
-        case1 = reach >= 1.0
-        rest6 = fall_series(xp, xp.where(case1, 0.0, gamma), xp.where(case1, 0.0, delta))
-        total16 = rest6 + 0.5
-        back7 = total16 - 0.5
-        lost16 = rest6 - back7
-        envelope2 = xp.exp(-delta)
-        total17 = envelope2*total16
-        envelope2_halves = halves(xp, envelope2)
-        total16_halves = halves(xp, total16)
-        lost16 = envelope2*lost16 + product_error(total17, envelope2_halves, total16_halves)
-        return lost16 + total17
+    def yes(delta, gamma, half, lost2, root, root_low, total2):
+        reach = 0.25*gamma
 
-    def no(gamma, half, p_low, q, q_low, root, root_low, total2, whole, whole2):
+        def yes(delta, gamma):
+            rest6 = fall_series(xp, gamma, delta)
+            total29 = rest6 + 0.5
+            back18 = total29 - rest6
+            rest7 = total29 - back18
+            one5 = rest6 - rest7
+            two5 = 0.5 - back18
+            lost29 = one5 + two5
+            envelope2 = xp.exp(-delta)
+            total30 = envelope2*total29
+            envelope2_halves = halves(xp, envelope2)
+            total29_halves = halves(xp, total29)
+            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
+            return lost29 + total30
 
-        def yes(gamma, half, root, root_low, whole):
-            sine = xp.sin(root)
-            cosine = xp.cos(root)
-            low = -root_low*sine
-            total10 = half*sine
-            half_halves = halves(xp, half)
-            sine_halves = halves(xp, sine)
-            lost10 = cosine*half*root_low + product_error(total10, half_halves, sine_halves)
-            total11 = total10/whole
-            left13 = total10 - total11*whole
-            total11_halves = halves(xp, total11)
-            whole_halves = halves(xp, whole)
-            left13 = left13 - product_error(total11*whole, total11_halves, whole_halves)
-            left13 = left13 + lost10 - root_low*total11
-            lost10 = left13/whole
+        def no(gamma, half, lost2, root, root_low, total2):
             envelope = xp.exp(-half)
-            total10 = total11 - cosine
-            back5 = total10 - total11
-            rest4 = total10 - back5
-            one3 = total11 - rest4
-            two3 = -back5 - cosine
-            lost12 = one3 + two3
-            total11 = envelope + total10
-            back5 = total11 - total10
-            rest4 = total11 - back5
-            one3 = total10 - rest4
-            two3 = envelope - back5
-            lost13 = one3 + two3
-            total10 = envelope*total11
+            stiff = gamma
+
+            def yes(lost2, total2):
+                given3 = total2
+                total20 = 0.5*given3 + 1.0
+                back13 = total20 - 1.0
+                lost20 = 0.5*given3 - back13
+                curved3 = (given3*given3)*cos_series(xp, given3)
+                total21 = curved3 + total20
+                back13 = total21 - total20
+                lost21 = curved3 - back13
+                even_low = 0.5*lost2 + lost20 + lost21
+                bent = given3*sin_series(xp, given3)
+                total20 = bent + 1.0
+                back13 = total20 - 1.0
+                lost21 = bent - back13
+                odd_low = 0.16666666666666666*lost2 + lost21
+                even = total21
+                even_low = even_low
+                odd = total20
+                odd_low = odd_low
+                return even, even_low, odd, odd_low
+
+            def no(root, root_low):
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total23 = sine/some
+                left13 = sine - some*total23
+                total23_halves = halves(xp, total23)
+                some_halves = halves(xp, some)
+                left13 = left13 - product_error(total23*some, total23_halves, some_halves)
+                left13 = cosine*root_low + left13 - root_low*total23
+                lost23 = left13/some
+                even = cosine
+                even_low2 = -root_low*sine
+                odd = total23
+                odd_low2 = lost23
+                return even, even_low2, odd, odd_low2
+
+            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+            total24 = half*odd
+            half_halves = halves(xp, half)
+            odd_halves = halves(xp, odd)
+            lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+            total25 = total24 - even
+            back16 = total25 - total24
+            rest4 = total25 - back16
+            one3 = total24 - rest4
+            two3 = -back16 - even
+            lost25 = one3 + two3
+            total24 = envelope + total25
+            back16 = total24 - total25
+            rest4 = total24 - back16
+            one3 = total25 - rest4
+            two3 = envelope - back16
+            lost26 = one3 + two3
+            total25 = envelope*total24
             envelope_halves = halves(xp, envelope)
-            total11_halves = halves(xp, total11)
-            lost13 = envelope*(lost10 + lost12 + lost13 - low) + product_error(total10, envelope_halves, total11_halves)
-            stiff = xp.where(4.0 > gamma, 4.0, gamma)
-            total11 = total10/stiff
-            left13 = total10 - stiff*total11
-            total11_halves = halves(xp, total11)
+            total24_halves = halves(xp, total24)
+            lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total24_halves)
+            total24 = total25/stiff
+            left16 = total25 - stiff*total24
+            total24_halves = halves(xp, total24)
             stiff_halves = halves(xp, stiff)
-            left13 = left13 - product_error(total11*stiff, total11_halves, stiff_halves)
-            left13 = left13 + lost13
-            lost13 = left13/stiff
-            return lost13 + total11
+            left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+            left16 = left16 + lost26
+            lost26 = left16/stiff
+            return lost26 + total24
+
+        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (gamma, half, lost2, root, root_low, total2))
+
+    def no(delta, gamma, p_low, q, q_low, root, root_low, total3, whole2):
+        reach = 0.4444444444444444*total3
+
+        def yes(delta, gamma):
+            rest6 = fall_series(xp, gamma, delta)
+            total29 = rest6 + 0.5
+            back18 = total29 - rest6
+            rest7 = total29 - back18
+            one5 = rest6 - rest7
+            two5 = 0.5 - back18
+            lost29 = one5 + two5
+            envelope2 = xp.exp(-delta)
+            total30 = envelope2*total29
+            envelope2_halves = halves(xp, envelope2)
+            total29_halves = halves(xp, total29)
+            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
+            return lost29 + total30
 
         def no(p_low, q, q_low, root, root_low, whole2):
-            fall_ = xp.exp(-q)
-            fall_ = fall_ - fall_*q_low
-            ratio = xp.exp(-2.0*root)
-            ratio = ratio - 2.0*ratio*root_low
-            whole3 = xp.where(q == 0.0, 1.0, q)
-            none = whole3 - q
-            top = none - xp.expm1(-q)
-            total4 = top/whole3
-            left4 = top - total4*whole3
-            total4_halves = halves(xp, total4)
-            whole3_halves = halves(xp, whole3)
-            left4 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
-            left4 = fall_*q_low + left4 - q_low*total4
-            lost4 = left4/whole3
-            whole3 = xp.where(root == 0.0, 1.0, 2.0*root)
-            none = whole3 - 2.0*root
-            top = none - xp.expm1(-2.0*root)
-            total5 = top/whole3
-            left4 = top - total5*whole3
-            total5_halves = halves(xp, total5)
-            whole3_halves = halves(xp, whole3)
-            left4 = left4 - product_error(total5*whole3, total5_halves, whole3_halves)
-            left4 = left4 + 2.0*ratio*root_low - 2.0*root_low*total5
-            lost5 = left4/whole3
-            total6 = ratio*total4
-            ratio_halves = halves(xp, ratio)
-            lost4 = lost4*ratio + product_error(total6, ratio_halves, total4_halves)
-            total4 = total5 - total6
-            back4 = total4 - total5
-            rest3 = total4 - back4
-            one2 = total5 - rest3
-            two2 = -back4 - total6
-            lost7 = one2 + two2
-            total6 = total4/whole2
-            left4 = total4 - total6*whole2
-            total6_halves = halves(xp, total6)
+            rate = q
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                curved = (given*given)*decay_series(xp, given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                fall_low = fall_low
+                mean = total5
+                mean_low = mean_low
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                fall_low3 = fall_low3
+                mean2 = total11
+                mean_low3 = mean_low3
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            mean_halves = halves(xp, mean)
+            lost16 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost16
+            total17 = mean2 - total16
+            back12 = total17 - mean2
+            rest3 = total17 - back12
+            one2 = mean2 - rest3
+            two2 = -back12 - total16
+            lost16 = one2 + two2
+            total16 = total17/whole2
+            left10 = total17 - total16*whole2
+            total16_halves = halves(xp, total16)
             whole2_halves = halves(xp, whole2)
-            left4 = left4 - product_error(total6*whole2, total6_halves, whole2_halves)
-            left4 = left4 + lost5 - lost4 + lost7 - p_low*total6
-            lost7 = left4/whole2
-            total4 = fall_*total6
+            left10 = left10 - product_error(total16*whole2, total16_halves, whole2_halves)
+            left10 = left10 + lost16 + mean_low4 - p_low*total16 - pulled_low
+            lost16 = left10/whole2
+            total17 = fall_*total16
             fall__halves = halves(xp, fall_)
-            lost7 = fall_*lost7 + product_error(total4, fall__halves, total6_halves)
-            creep_ = lost7 + total4
+            lost16 = fall_*lost16 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost16 + total17
             return creep_
 
-        return select(xp, total2 < 0.0, yes, (gamma, half, root, root_low, whole), no, (p_low, q, q_low, root, root_low, whole2))
+        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (p_low, q, q_low, root, root_low, whole2))
 
-    return select(xp, reach < 1.0, yes, (delta, gamma, reach), no, (gamma, half, p_low, q, q_low, root, root_low, total2, whole, whole2))
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, lost2, root, root_low, total2), no, (delta, gamma, p_low, q, q_low, root, root_low, total3, whole2))
+
+
+def rise_series_single(xp, h, w):
+    """The same in single precision."""
+
+    def yes(h, w):
+        b6 = 2.7557319223985893e-06*h + 2.48015873015873e-05
+        e5 = 2.7557319223985893e-06*w + 0.0001984126984126984
+        b6 = b6*h + e5
+        e4 = 2.48015873015873e-05*w + 0.001388888888888889
+        b6 = b6*h + e4
+        e5 = e5*w + 0.008333333333333333
+        b6 = b6*h + e5
+        e4 = e4*w + 0.041666666666666664
+        b6 = b6*h + e4
+        e5 = e5*w + 0.16666666666666666
+        b6 = b6*h + e5
+        e4 = e4*w
+        b6 = b6*h + e4
+        return b6
+
+    def no(h, w):
+        b17 = 4.110317623312165e-19*h + 8.22063524662433e-18
+        e16 = 4.110317623312165e-19*w + 1.5619206968586225e-16
+        b17 = b17*h + e16
+        e15 = 8.22063524662433e-18*w + 2.8114572543455206e-15
+        b17 = b17*h + e15
+        e16 = e16*w + 4.779477332387385e-14
+        b17 = b17*h + e16
+        e15 = e15*w + 7.647163731819816e-13
+        b17 = b17*h + e15
+        e16 = e16*w + 1.1470745597729725e-11
+        b17 = b17*h + e16
+        e15 = e15*w + 1.6059043836821613e-10
+        b17 = b17*h + e15
+        e16 = e16*w + 2.08767569878681e-09
+        b17 = b17*h + e16
+        e15 = e15*w + 2.505210838544172e-08
+        b17 = b17*h + e15
+        e16 = e16*w + 2.755731922398589e-07
+        b17 = b17*h + e16
+        e15 = e15*w + 2.7557319223985893e-06
+        b17 = b17*h + e15
+        e16 = e16*w + 2.48015873015873e-05
+        b17 = b17*h + e16
+        e15 = e15*w + 0.0001984126984126984
+        b17 = b17*h + e15
+        e16 = e16*w + 0.001388888888888889
+        b17 = b17*h + e16
+        e15 = e15*w + 0.008333333333333333
+        b17 = b17*h + e15
+        e16 = e16*w + 0.041666666666666664
+        b17 = b17*h + e16
+        e15 = e15*w + 0.16666666666666666
+        b17 = b17*h + e15
+        e16 = e16*w
+        b17 = b17*h + e16
+        return b17
+
+    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
 def rise_series(xp, h, w):
     """divided difference of exp at h, sqrt(w), -sqrt(w), less 1/2"""
-    b32 = 9.67759295863189e-41*h + 3.387157535521162e-39
-    e31 = 9.67759295863189e-41*w + 1.151633562077195e-37
-    b32 = b32*h + e31
-    e30 = 3.387157535521162e-39*w + 3.8003907548547434e-36
-    b32 = b32*h + e30
-    e31 = e31*w + 1.216125041553518e-34
-    b32 = b32*h + e31
-    e30 = e30*w + 3.7699876288159054e-33
-    b32 = b32*h + e30
-    e31 = e31*w + 1.1309962886447716e-31
-    b32 = b32*h + e31
-    e30 = e30*w + 3.279889237069838e-30
-    b32 = b32*h + e30
-    e31 = e31*w + 9.183689863795546e-29
-    b32 = b32*h + e31
-    e30 = e30*w + 2.4795962632247976e-27
-    b32 = b32*h + e30
-    e31 = e31*w + 6.446950284384474e-26
-    b32 = b32*h + e31
-    e30 = e30*w + 1.6117375710961184e-24
-    b32 = b32*h + e30
-    e31 = e31*w + 3.868170170630684e-23
-    b32 = b32*h + e31
-    e30 = e30*w + 8.896791392450574e-22
-    b32 = b32*h + e30
-    e31 = e31*w + 1.9572941063391263e-20
-    b32 = b32*h + e31
-    e30 = e30*w + 4.110317623312165e-19
-    b32 = b32*h + e30
-    e31 = e31*w + 8.22063524662433e-18
-    b32 = b32*h + e31
-    e30 = e30*w + 1.5619206968586225e-16
-    b32 = b32*h + e30
-    e31 = e31*w + 2.8114572543455206e-15
-    b32 = b32*h + e31
-    e30 = e30*w + 4.779477332387385e-14
-    b32 = b32*h + e30
-    e31 = e31*w + 7.647163731819816e-13
-    b32 = b32*h + e31
-    e30 = e30*w + 1.1470745597729725e-11
-    b32 = b32*h + e30
-    e31 = e31*w + 1.6059043836821613e-10
-    b32 = b32*h + e31
-    e30 = e30*w + 2.08767569878681e-09
-    b32 = b32*h + e30
-    e31 = e31*w + 2.505210838544172e-08
-    b32 = b32*h + e31
-    e30 = e30*w + 2.755731922398589e-07
-    b32 = b32*h + e30
-    e31 = e31*w + 2.7557319223985893e-06
-    b32 = b32*h + e31
-    e30 = e30*w + 2.48015873015873e-05
-    b32 = b32*h + e30
-    e31 = e31*w + 0.0001984126984126984
-    b32 = b32*h + e31
-    e30 = e30*w + 0.001388888888888889
-    b32 = b32*h + e30
-    e31 = e31*w + 0.008333333333333333
-    b32 = b32*h + e31
-    e30 = e30*w + 0.041666666666666664
-    b32 = b32*h + e30
-    e31 = e31*w + 0.16666666666666666
-    b32 = b32*h + e31
-    e30 = e30*w
-    b32 = b32*h + e30
-    return b32
+    if h.dtype == xp.float32:
+        return rise_series_single(xp, h, w)
+
+    def yes(h, w):
+        b10 = 1.6059043836821613e-10*h + 2.08767569878681e-09
+        e9 = 1.6059043836821613e-10*w + 2.505210838544172e-08
+        b10 = b10*h + e9
+        e8 = 2.08767569878681e-09*w + 2.755731922398589e-07
+        b10 = b10*h + e8
+        e9 = e9*w + 2.7557319223985893e-06
+        b10 = b10*h + e9
+        e8 = e8*w + 2.48015873015873e-05
+        b10 = b10*h + e8
+        e9 = e9*w + 0.0001984126984126984
+        b10 = b10*h + e9
+        e8 = e8*w + 0.001388888888888889
+        b10 = b10*h + e8
+        e9 = e9*w + 0.008333333333333333
+        b10 = b10*h + e9
+        e8 = e8*w + 0.041666666666666664
+        b10 = b10*h + e8
+        e9 = e9*w + 0.16666666666666666
+        b10 = b10*h + e9
+        e8 = e8*w
+        b10 = b10*h + e8
+        return b10
+
+    def no(h, w):
+        b25 = 3.279889237069838e-30*h + 9.183689863795546e-29
+        e24 = 3.279889237069838e-30*w + 2.4795962632247976e-27
+        b25 = b25*h + e24
+        e23 = 9.183689863795546e-29*w + 6.446950284384474e-26
+        b25 = b25*h + e23
+        e24 = e24*w + 1.6117375710961184e-24
+        b25 = b25*h + e24
+        e23 = e23*w + 3.868170170630684e-23
+        b25 = b25*h + e23
+        e24 = e24*w + 8.896791392450574e-22
+        b25 = b25*h + e24
+        e23 = e23*w + 1.9572941063391263e-20
+        b25 = b25*h + e23
+        e24 = e24*w + 4.110317623312165e-19
+        b25 = b25*h + e24
+        e23 = e23*w + 8.22063524662433e-18
+        b25 = b25*h + e23
+        e24 = e24*w + 1.5619206968586225e-16
+        b25 = b25*h + e24
+        e23 = e23*w + 2.8114572543455206e-15
+        b25 = b25*h + e23
+        e24 = e24*w + 4.779477332387385e-14
+        b25 = b25*h + e24
+        e23 = e23*w + 7.647163731819816e-13
+        b25 = b25*h + e23
+        e24 = e24*w + 1.1470745597729725e-11
+        b25 = b25*h + e24
+        e23 = e23*w + 1.6059043836821613e-10
+        b25 = b25*h + e23
+        e24 = e24*w + 2.08767569878681e-09
+        b25 = b25*h + e24
+        e23 = e23*w + 2.505210838544172e-08
+        b25 = b25*h + e23
+        e24 = e24*w + 2.755731922398589e-07
+        b25 = b25*h + e24
+        e23 = e23*w + 2.7557319223985893e-06
+        b25 = b25*h + e23
+        e24 = e24*w + 2.48015873015873e-05
+        b25 = b25*h + e24
+        e23 = e23*w + 0.0001984126984126984
+        b25 = b25*h + e23
+        e24 = e24*w + 0.001388888888888889
+        b25 = b25*h + e24
+        e23 = e23*w + 0.008333333333333333
+        b25 = b25*h + e23
+        e24 = e24*w + 0.041666666666666664
+        b25 = b25*h + e24
+        e23 = e23*w + 0.16666666666666666
+        b25 = b25*h + e23
+        e24 = e24*w
+        b25 = b25*h + e24
+        return b25
+
+    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
-def rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low):
+def rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low):
     """n1, how far a unit force moves the device in a period"""
-    reach = xp.where(total2 < 0.0, 0.25*gamma, 0.375*total3)
 
-    def yes(half, reach, total2):
-        case1 = reach >= 1.0
-        rest4 = rise_series(xp, xp.where(case1, 0.0, half), xp.where(case1, 0.0, total2))
-        total11 = rest4 + 0.5
-        back5 = total11 - 0.5
-        lost11 = rest4 - back5
-        envelope2 = xp.exp(-half)
-        total12 = envelope2*total11
-        envelope2_halves = halves(xp, envelope2)
-        total11_halves = halves(xp, total11)
-        lost11 = envelope2*lost11 + product_error(total12, envelope2_halves, total11_halves)
-        return lost11 + total12
+    def yes(gamma, half, lost2, root, root_low, total2):
+        reach = 0.25*gamma
 
-    def no(gamma, half, p_low, q, q_low, root, root_low, total2, whole, whole2):
+        def yes(half, total2):
+            rest5 = rise_series(xp, half, total2)
+            total28 = rest5 + 0.5
+            back18 = total28 - rest5
+            rest6 = total28 - back18
+            one4 = rest5 - rest6
+            two4 = 0.5 - back18
+            lost28 = one4 + two4
+            envelope2 = xp.exp(-half)
+            total29 = envelope2*total28
+            envelope2_halves = halves(xp, envelope2)
+            total28_halves = halves(xp, total28)
+            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
+            return lost28 + total29
 
-        def yes(gamma, half, root, root_low, whole):
-            sine = xp.sin(root)
-            cosine = xp.cos(root)
-            low = -root_low*sine
-            total9 = half*sine
-            total9 = total9/whole
+        def no(gamma, half, lost2, root, root_low, total2):
             envelope = xp.exp(-half)
-            return (1.0 - envelope*(cosine + low + total9))/xp.where(4.0 > gamma, 4.0, gamma)
+            stiff = gamma
 
-        def no(gamma, p_low, q, q_low, root, root_low, whole2):
+            def yes(lost2, total2):
+                given3 = total2
+                total19 = 0.5*given3 + 1.0
+                back13 = total19 - 1.0
+                lost19 = 0.5*given3 - back13
+                curved3 = (given3*given3)*cos_series(xp, given3)
+                total20 = curved3 + total19
+                back13 = total20 - total19
+                lost20 = curved3 - back13
+                even_low = lost19 + 0.5*lost2 + lost20
+                bent = given3*sin_series(xp, given3)
+                total19 = bent + 1.0
+                back13 = total19 - 1.0
+                lost20 = bent - back13
+                odd_low = 0.16666666666666666*lost2 + lost20
+                even = total20
+                even_low = even_low
+                odd = total19
+                odd_low = odd_low
+                return even, even_low, odd, odd_low
 
-            def yes(p_low, q, q_low, root, root_low, whole2):
-                fall_ = xp.exp(-q)
-                fall_ = fall_ - fall_*q_low
-                ratio = xp.exp(-2.0*root)
-                ratio = ratio - 2.0*ratio*root_low
-                whole3 = xp.where(q == 0.0, 1.0, q)
-                none = whole3 - q
-                top = none - xp.expm1(-q)
-                total4 = top/whole3
-                left4 = top - total4*whole3
-                total4_halves = halves(xp, total4)
-                whole3_halves = halves(xp, whole3)
-                left4 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
-                left4 = fall_*q_low + left4 - q_low*total4
-                lost4 = left4/whole3
-                whole3 = xp.where(root == 0.0, 1.0, 2.0*root)
-                none = whole3 - 2.0*root
-                top = none - xp.expm1(-2.0*root)
-                total5 = top/whole3
-                left4 = top - total5*whole3
-                total5_halves = halves(xp, total5)
-                whole3_halves = halves(xp, whole3)
-                left4 = left4 - product_error(total5*whole3, total5_halves, whole3_halves)
-                left4 = left4 + 2.0*ratio*root_low - 2.0*root_low*total5
-                lost5 = left4/whole3
-                total6 = fall_*total5
-                fall__halves = halves(xp, fall_)
-                lost5 = fall_*lost5 + product_error(total6, fall__halves, total5_halves)
-                total5 = total4 - total6
+            def no(root, root_low):
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left13 = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left13 = left13 - product_error(total22*some, total22_halves, some_halves)
+                left13 = cosine*root_low + left13 - root_low*total22
+                lost22 = left13/some
+                even = cosine
+                even_low2 = -root_low*sine
+                odd = total22
+                odd_low2 = lost22
+                return even, even_low2, odd, odd_low2
+
+            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+            total23 = half*odd
+            half_halves = halves(xp, half)
+            odd_halves = halves(xp, odd)
+            lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+            total24 = even + total23
+            back16 = total24 - even
+            rest4 = total24 - back16
+            one3 = even - rest4
+            two3 = total23 - back16
+            lost24 = one3 + two3
+            total23 = envelope*total24
+            envelope_halves = halves(xp, envelope)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope*(even_low2 + lost23 + lost24) + product_error(total23, envelope_halves, total24_halves)
+            total24 = 1.0 - total23
+            back16 = total24 - 1.0
+            lost23 = -back16 - total23
+            total23 = total24/stiff
+            left16 = total24 - stiff*total23
+            total23_halves = halves(xp, total23)
+            stiff_halves = halves(xp, stiff)
+            left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+            left16 = left16 - lost24 + lost23
+            lost23 = left16/stiff
+            return lost23 + total23
+
+        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, lost2, root, root_low, total2))
+
+    def no(half, p_low, q, q_low, root, root_low, total2, total3, whole2):
+        reach = 0.4444444444444444*total3
+
+        def yes(half, total2):
+            rest5 = rise_series(xp, half, total2)
+            total28 = rest5 + 0.5
+            back18 = total28 - rest5
+            rest6 = total28 - back18
+            one4 = rest5 - rest6
+            two4 = 0.5 - back18
+            lost28 = one4 + two4
+            envelope2 = xp.exp(-half)
+            total29 = envelope2*total28
+            envelope2_halves = halves(xp, envelope2)
+            total28_halves = halves(xp, total28)
+            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
+            return lost28 + total29
+
+        def no(p_low, q, q_low, root, root_low, whole2):
+            rate = q
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                curved = (given*given)*decay_series(xp, given)
+                total5 = curved + total4
                 back4 = total5 - total4
-                rest3 = total5 - back4
-                one2 = total4 - rest3
-                two2 = -back4 - total6
-                lost7 = one2 + two2
-                total6 = total5/whole2
-                left4 = total5 - total6*whole2
-                total6_halves = halves(xp, total6)
-                whole2_halves = halves(xp, whole2)
-                left4 = left4 - product_error(total6*whole2, total6_halves, whole2_halves)
-                left4 = left4 + lost4 - lost5 + lost7 - p_low*total6
-                lost7 = left4/whole2
-                return lost7 + total6
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                fall_low = fall_low
+                mean = total5
+                mean_low = mean_low
+                return fall_, fall_low, mean, mean_low
 
-            def no(gamma, q, q_low, root):
-                fall_ = xp.exp(-q)
-                fall_ = fall_ - fall_*q_low
-                whole4 = xp.where(root == 0.0, 1.0, 2.0*root)
-                none2 = whole4 - 2.0*root
-                top2 = none2 - xp.expm1(-2.0*root)
-                total5 = top2/whole4
-                whole4 = xp.where(gamma == 0.0, 1.0, gamma)
-                return (1.0 - fall_*(q*total5 + 1.0))/whole4
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
 
-            return select(xp, q < 2.0, yes, (p_low, q, q_low, root, root_low, whole2), no, (gamma, q, q_low, root))
-
-        return select(xp, total2 < 0.0, yes, (gamma, half, root, root_low, whole), no, (gamma, p_low, q, q_low, root, root_low, whole2))
-
-    return select(xp, reach < 1.0, yes, (half, reach, total2), no, (gamma, half, p_low, q, q_low, root, root_low, total2, whole, whole2))
+            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
 
 
-def swing(xp, gamma, delta, half, total2, root, root_low, total3, q, q_low):
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean2 = total11
+                mean_low3 = mean_low3
+                return mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                mean2 = total15
+                mean_low4 = lost14
+                return mean2, mean_low4
+
+            mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total16 = fall_*mean2
+            fall__halves = halves(xp, fall_)
+            mean2_halves = halves(xp, mean2)
+            lost16 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost16
+            total17 = mean - total16
+            back12 = total17 - mean
+            rest3 = total17 - back12
+            one2 = mean - rest3
+            two2 = -back12 - total16
+            lost16 = one2 + two2
+            total16 = total17/whole2
+            left10 = total17 - total16*whole2
+            total16_halves = halves(xp, total16)
+            whole2_halves = halves(xp, whole2)
+            left10 = left10 - product_error(total16*whole2, total16_halves, whole2_halves)
+            left10 = left10 + lost16 + mean_low2 - p_low*total16 - pulled_low
+            lost16 = left10/whole2
+            return lost16 + total16
+
+        return select(xp, reach < 0.5625, yes, (half, total2), no, (p_low, q, q_low, root, root_low, whole2))
+
+    return select(xp, total2 < 0.0, yes, (gamma, half, lost2, root, root_low, total2), no, (half, p_low, q, q_low, root, root_low, total2, total3, whole2))
+
+
+def swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
     """a, the sum of the sampled device's poles"""
 
-    def yes(half, root, root_low):
-        sine = xp.sin(root)
-        cosine = xp.cos(root)
+    def yes(half, lost2, root, root_low, total2):
         envelope = xp.exp(-half)
-        total6 = cosine*envelope
+
+        def yes(lost2, total2):
+            given3 = total2
+            total16 = 0.5*given3 + 1.0
+            back12 = total16 - 1.0
+            lost16 = 0.5*given3 - back12
+            curved3 = (given3*given3)*cos_series(xp, given3)
+            total17 = curved3 + total16
+            back12 = total17 - total16
+            lost17 = curved3 - back12
+            even_low = lost16 + lost17 + 0.5*lost2
+            even = total17
+            even_low = even_low
+            return even, even_low
+
+        def no(root, root_low):
+            sine = xp.sin(root)
+            cosine = xp.cos(root)
+            even = cosine
+            even_low2 = -root_low*sine
+            return even, even_low2
+
+        even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+        total21 = envelope*even
         envelope_halves = halves(xp, envelope)
-        cosine_halves = halves(xp, cosine)
-        lost6 = product_error(total6, envelope_halves, cosine_halves) - envelope*root_low*sine
-        return 2.0*lost6 + 2.0*total6
+        even_halves = halves(xp, even)
+        lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
+        return 2.0*lost21 + 2.0*total21
 
     def no(q, q_low, root, root_low):
-        fall_ = xp.exp(-q)
-        fall_ = fall_ - fall_*q_low
-        ratio = xp.exp(-2.0*root)
-        ratio = ratio - 2.0*ratio*root_low
-        return fall_*ratio + fall_
+        rate = q
+        rate2 = 2.0*root
 
-    return select(xp, total2 < 0.0, yes, (half, root, root_low), no, (q, q_low, root, root_low))
-
-
-def apart_series(xp, h, w):
-    """divided difference of sinh(sqrt)/sqrt at h^2 and w"""
-    y = (h*h)
-    e14 = 1.151633562077195e-37*w + 1.216125041553518e-34
-    b14 = e14 + 1.151633562077195e-37*y
-    e14 = e14*w + 1.1309962886447716e-31
-    b14 = b14*y + e14
-    e14 = e14*w + 9.183689863795546e-29
-    b14 = b14*y + e14
-    e14 = e14*w + 6.446950284384474e-26
-    b14 = b14*y + e14
-    e14 = e14*w + 3.868170170630684e-23
-    b14 = b14*y + e14
-    e14 = e14*w + 1.9572941063391263e-20
-    b14 = b14*y + e14
-    e14 = e14*w + 8.22063524662433e-18
-    b14 = b14*y + e14
-    e14 = e14*w + 2.8114572543455206e-15
-    b14 = b14*y + e14
-    e14 = e14*w + 7.647163731819816e-13
-    b14 = b14*y + e14
-    e14 = e14*w + 1.6059043836821613e-10
-    b14 = b14*y + e14
-    e14 = e14*w + 2.505210838544172e-08
-    b14 = b14*y + e14
-    e14 = e14*w + 2.7557319223985893e-06
-    b14 = b14*y + e14
-    e14 = e14*w + 0.0001984126984126984
-    b14 = b14*y + e14
-    e14 = e14*w + 0.008333333333333333
-    b14 = b14*y + e14
-    e14 = e14*w + 0.16666666666666666
-    b14 = b14*y + e14
-    return b14
-
-
-def decay(xp, x):
-    """(1 - exp(-x))/x"""
-
-    def yes():
-        return 1.0
-
-    def no(x):
-        whole = xp.where(x == 0.0, 1.0, x)
-        return -xp.expm1(-x)/whole
-
-    return select(xp, x == 0.0, yes, (), no, (x,))
-
-
-def apart(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low):
-    """(n1 - n0)/delta"""
-    reach = xp.where(total2 < 0.0, 0.25*gamma, 0.4444444444444444*total3)
-
-    def yes(half, reach, total2):
-        case1 = reach >= 1.0
-        return apart_series(xp, xp.where(case1, 0.0, half), xp.where(case1, 0.0, total2))*xp.exp(-half)
-
-    def no(delta, gamma, half, q, q_low, root, root_low, total2, total3, whole):
-
-        def yes(delta, gamma, half, root, whole):
-            sine = xp.sin(root)
-            total9 = half*sine
-            total9 = total9/whole
-            envelope = xp.exp(-half)
-            whole6 = xp.where(delta == 0.0, 1.0, delta)
-            return (decay(xp, delta) - 2.0*envelope*total9/whole6)/xp.where(4.0 > gamma, 4.0, gamma)
-
-        def no(delta, q, q_low, root, root_low, total3):
-            fall_ = xp.exp(-q)
-            fall_ = fall_ - fall_*q_low
-            ratio = xp.exp(-2.0*root)
-            ratio = ratio - 2.0*ratio*root_low
-            whole3 = xp.where(q == 0.0, 1.0, q)
-            none = whole3 - q
-            top = none - xp.expm1(-q)
-            total4 = top/whole3
-            left4 = top - total4*whole3
-            total4_halves = halves(xp, total4)
-            whole3_halves = halves(xp, whole3)
-            left4 = left4 - product_error(total4*whole3, total4_halves, whole3_halves)
-            left4 = fall_*q_low + left4 - q_low*total4
-            lost4 = left4/whole3
-            whole3 = xp.where(root == 0.0, 1.0, 2.0*root)
-            none = whole3 - 2.0*root
-            top = none - xp.expm1(-2.0*root)
-            total5 = top/whole3
-            left4 = top - total5*whole3
-            total5_halves = halves(xp, total5)
-            whole3_halves = halves(xp, whole3)
-            left4 = left4 - product_error(total5*whole3, total5_halves, whole3_halves)
-            left4 = left4 + 2.0*ratio*root_low - 2.0*root_low*total5
-            lost5 = left4/whole3
-            fast = fall_*ratio
-            twice = 2.0*fall_
-            total6 = total5*twice
-            twice_halves = halves(xp, twice)
-            lost5 = lost5*twice + product_error(total6, twice_halves, total5_halves)
-            total5 = total4 - total6
+        def yes(q, q_low):
+            given = q
+            total4 = 1.0 - 0.5*given
+            back4 = total4 - 1.0
+            lost4 = -back4 - 0.5*given
+            curved = (given*given)*decay_series(xp, given)
+            total5 = curved + total4
             back4 = total5 - total4
-            rest3 = total5 - back4
-            one2 = total4 - rest3
-            two2 = -back4 - total6
-            lost7 = one2 + two2
-            total6 = fast*total4
-            fast_halves = halves(xp, fast)
-            lost8 = fast*lost4 + product_error(total6, fast_halves, total4_halves)
-            top = total5 + total6
-            low = lost4 - lost5 + lost7 + lost8
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-            return (low + top)/whole3
+            lost5 = curved - back4
+            mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+            total4 = given*total5
+            given_halves = halves(xp, given)
+            total5_halves = halves(xp, total5)
+            lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+            total7 = 1.0 - total4
+            back4 = total7 - 1.0
+            lost4 = -back4 - total4
+            fall_low = lost4 - lost5 - q_low*total5
+            fall_ = total7
+            fall_low = fall_low
+            return fall_, fall_low
 
-        return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, whole), no, (delta, q, q_low, root, root_low, total3))
+        def no(q, q_low):
+            sunk = xp.exp(-q)
+            sunk_low = -q_low*sunk
+            fall_ = sunk
+            fall_low2 = sunk_low
+            return fall_, fall_low2
 
-    return select(xp, reach < 1.0, yes, (half, reach, total2), no, (delta, gamma, half, q, q_low, root, root_low, total2, total3, whole))
-
-
-def nyquist(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low):
-    """1 + a + e"""
-
-    def yes(delta, half, root, root_low):
-        cosine = xp.cos(root)
-
-        def yes(cosine, delta, half, root, root_low):
-            sine = xp.sin(root)
-            low = -root_low*sine
-            envelope = xp.exp(-half)
-            ends = 1.0 + xp.exp(-delta)
-            return ends + 2.0*envelope*(cosine + low)
-
-        def no(half, root, root_low):
-            grown = -0.5*xp.expm1(-half)
-            angle = 0.5*root
-            wave = xp.cos(angle)
-            wave = wave - 0.5*root_low*xp.sin(angle)
-            return 4.0*(grown*grown) + 4.0*(wave*wave)*xp.exp(-half)
-
-        return select(xp, cosine > 0.0, yes, (cosine, delta, half, root, root_low), no, (half, root, root_low))
-
-    def no(q, q_low, total3):
-        fast = xp.exp(-total3)
-        slow = xp.exp(-q)
-        slow = slow - q_low*slow
-        return (fast + 1.0)*(slow + 1.0)
-
-    return select(xp, total2 < 0.0, yes, (delta, half, root, root_low), no, (q, q_low, total3))
+        fall_, fall_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
 
 
-def stable(xp, roots, alpha, beta, gamma, delta):
-    """1 where the loop is stable, else 0"""
-    swing_ = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) & (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) & (~((delta < 1e-15) & (gamma > 1.0) & (swing_ >= 2500000000000000.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+        def yes(root, root_low):
+            given2 = 2.0*root
+            total10 = 1.0 - 0.5*given2
+            back8 = total10 - 1.0
+            lost10 = -back8 - 0.5*given2
+            curved2 = (given2*given2)*decay_series(xp, given2)
+            total11 = curved2 + total10
+            back8 = total11 - total10
+            lost11 = curved2 - back8
+            mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+            total10 = given2*total11
+            given2_halves = halves(xp, given2)
+            total11_halves = halves(xp, total11)
+            lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+            total13 = 1.0 - total10
+            back8 = total13 - 1.0
+            lost10 = -back8 - total10
+            fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+            fall2 = total13
+            fall_low3 = fall_low3
+            return fall2, fall_low3
+
+        def no(root, root_low):
+            sunk2 = xp.exp(-2.0*root)
+            sunk_low2 = -2.0*root_low*sunk2
+            fall2 = sunk2
+            fall_low4 = sunk_low2
+            return fall2, fall_low4
+
+        fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+        total22 = fall2 + 1.0
+        back15 = total22 - 1.0
+        lost22 = fall2 - back15
+        total23 = fall_*total22
+        fall__halves = halves(xp, fall_)
+        total22_halves = halves(xp, total22)
+        lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total22_halves)
+        creep_ = fall_low2*total22 + lost22 + total23
+        return creep_
+
+    return select(xp, total2 < 0.0, yes, (half, lost2, root, root_low, total2), no, (q, q_low, root, root_low))
 
 
 def sinhc_root(xp, w):
     """sinh(sqrt(w))/sqrt(w)"""
 
-    def yes():
+    def yes(w):
         return 1.0
 
     def no(w):
@@ -752,89 +1440,1025 @@ def sinhc_root(xp, w):
             size = xp.abs(w)
             root = square_root(xp, size)
             whole = xp.where(root == 0.0, 1.0, root)
-            grown = xp.expm1(xp.where(w < 0.0, 0.0, root))
+            grown = xp.expm1(root)
             return (0.5*grown + 0.5*grown/(grown + 1.0))/whole
 
         return select(xp, w < 0.0, yes, (w,), no, (w,))
 
-    return select(xp, w == 0.0, yes, (), no, (w,))
+    return select(xp, w == 0.0, yes, (w,), no, (w,))
+
+
+def together_series_single(xp, h, w):
+    """The same in single precision."""
+
+    def yes(h, w):
+        y = (h*h)
+        e2 = 2.48015873015873e-05*w + 0.001388888888888889
+        b2 = e2 + 2.48015873015873e-05*y
+        e2 = e2*w + 0.041666666666666664
+        b2 = b2*y + e2
+        e2 = e2*w
+        b2 = b2*y + e2
+        return b2
+
+    def no(h, w):
+        y2 = (h*h)
+        e8 = 4.110317623312165e-19*w + 1.5619206968586225e-16
+        b8 = e8 + 4.110317623312165e-19*y2
+        e8 = e8*w + 4.779477332387385e-14
+        b8 = b8*y2 + e8
+        e8 = e8*w + 1.1470745597729725e-11
+        b8 = b8*y2 + e8
+        e8 = e8*w + 2.08767569878681e-09
+        b8 = b8*y2 + e8
+        e8 = e8*w + 2.755731922398589e-07
+        b8 = b8*y2 + e8
+        e8 = e8*w + 2.48015873015873e-05
+        b8 = b8*y2 + e8
+        e8 = e8*w + 0.001388888888888889
+        b8 = b8*y2 + e8
+        e8 = e8*w + 0.041666666666666664
+        b8 = b8*y2 + e8
+        e8 = e8*w
+        b8 = b8*y2 + e8
+        return b8
+
+    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
 def together_series(xp, h, w):
     """divided difference of cosh(sqrt) at h^2 and w, less 1/2"""
-    y = (h*h)
-    e14 = 3.8003907548547434e-36*w + 3.7699876288159054e-33
-    b14 = e14 + 3.8003907548547434e-36*y
-    e14 = e14*w + 3.279889237069838e-30
-    b14 = b14*y + e14
-    e14 = e14*w + 2.4795962632247976e-27
-    b14 = b14*y + e14
-    e14 = e14*w + 1.6117375710961184e-24
-    b14 = b14*y + e14
-    e14 = e14*w + 8.896791392450574e-22
-    b14 = b14*y + e14
-    e14 = e14*w + 4.110317623312165e-19
-    b14 = b14*y + e14
-    e14 = e14*w + 1.5619206968586225e-16
-    b14 = b14*y + e14
-    e14 = e14*w + 4.779477332387385e-14
-    b14 = b14*y + e14
-    e14 = e14*w + 1.1470745597729725e-11
-    b14 = b14*y + e14
-    e14 = e14*w + 2.08767569878681e-09
-    b14 = b14*y + e14
-    e14 = e14*w + 2.755731922398589e-07
-    b14 = b14*y + e14
-    e14 = e14*w + 2.48015873015873e-05
-    b14 = b14*y + e14
-    e14 = e14*w + 0.001388888888888889
-    b14 = b14*y + e14
-    e14 = e14*w + 0.041666666666666664
-    b14 = b14*y + e14
-    e14 = e14*w
-    b14 = b14*y + e14
-    return b14
+    if h.dtype == xp.float32:
+        return together_series_single(xp, h, w)
+
+    def yes(h, w):
+        y = (h*h)
+        e4 = 2.08767569878681e-09*w + 2.755731922398589e-07
+        b4 = e4 + 2.08767569878681e-09*y
+        e4 = e4*w + 2.48015873015873e-05
+        b4 = b4*y + e4
+        e4 = e4*w + 0.001388888888888889
+        b4 = b4*y + e4
+        e4 = e4*w + 0.041666666666666664
+        b4 = b4*y + e4
+        e4 = e4*w
+        b4 = b4*y + e4
+        return b4
+
+    def no(h, w):
+        y2 = (h*h)
+        e12 = 3.279889237069838e-30*w + 2.4795962632247976e-27
+        b12 = e12 + 3.279889237069838e-30*y2
+        e12 = e12*w + 1.6117375710961184e-24
+        b12 = b12*y2 + e12
+        e12 = e12*w + 8.896791392450574e-22
+        b12 = b12*y2 + e12
+        e12 = e12*w + 4.110317623312165e-19
+        b12 = b12*y2 + e12
+        e12 = e12*w + 1.5619206968586225e-16
+        b12 = b12*y2 + e12
+        e12 = e12*w + 4.779477332387385e-14
+        b12 = b12*y2 + e12
+        e12 = e12*w + 1.1470745597729725e-11
+        b12 = b12*y2 + e12
+        e12 = e12*w + 2.08767569878681e-09
+        b12 = b12*y2 + e12
+        e12 = e12*w + 2.755731922398589e-07
+        b12 = b12*y2 + e12
+        e12 = e12*w + 2.48015873015873e-05
+        b12 = b12*y2 + e12
+        e12 = e12*w + 0.001388888888888889
+        b12 = b12*y2 + e12
+        e12 = e12*w + 0.041666666666666664
+        b12 = b12*y2 + e12
+        e12 = e12*w
+        b12 = b12*y2 + e12
+        return b12
+
+    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
-def together(xp, gamma, delta, half, total2, root, root_low, total3, q):
+def together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low):
     """n1 + n0"""
-    reach = xp.where(total2 < 0.0, 0.25*gamma, 0.4444444444444444*total3)
 
-    def yes(half, reach, total2):
-        case1 = reach >= 1.0
-        rest3 = together_series(xp, xp.where(case1, 0.0, half), xp.where(case1, 0.0, total2))
-        total4 = rest3 + 0.5
-        back4 = total4 - 0.5
-        lost4 = rest3 - back4
-        envelope = xp.exp(-half)
-        total5 = envelope*total4
-        envelope_halves = halves(xp, envelope)
-        total4_halves = halves(xp, total4)
-        lost4 = envelope*lost4 + product_error(total5, envelope_halves, total4_halves)
-        return 2.0*lost4 + 2.0*total5
+    def yes(delta, gamma, half, root, root_low, total2):
+        reach = 0.25*gamma
 
-    def no(delta, gamma, half, q, root, root_low, total2, total3):
+        def yes(half, total2):
+            rest3 = together_series(xp, half, total2)
+            total21 = rest3 + 0.5
+            back15 = total21 - rest3
+            rest4 = total21 - back15
+            one2 = rest3 - rest4
+            two2 = 0.5 - back15
+            lost21 = one2 + two2
+            envelope2 = xp.exp(-half)
+            total22 = envelope2*total21
+            envelope2_halves = halves(xp, envelope2)
+            total21_halves = halves(xp, total21)
+            lost21 = envelope2*lost21 + product_error(total22, envelope2_halves, total21_halves)
+            return 2.0*lost21 + 2.0*total22
 
-        def yes(delta, gamma, half, root, root_low):
+        def no(delta, gamma, half, reach, root, root_low):
 
-            def yes(delta, gamma):
-                return (sinhc_root(xp, xp.where(delta != 0.0, 0.0, -0.25*gamma))*sinhc_root(xp, xp.where(delta != 0.0, 0.0, -0.25*gamma)))
+            def yes(gamma):
+                return (sinhc_root(xp, -0.25*gamma)*sinhc_root(xp, -0.25*gamma))
 
-            def no(gamma, half, root, root_low):
+            def no(gamma, half, reach, root, root_low):
+                envelope = xp.exp(-half)
+                stiff = xp.where(reach < 0.5625, 1.0, gamma)
                 grown = -0.5*xp.expm1(-half)
                 angle = 0.5*root
                 wave = xp.sin(angle)
                 wave = 0.5*root_low*xp.cos(angle) + wave
-                return 4.0*((grown*grown) + (wave*wave)*xp.exp(-half))/xp.where(4.0 > gamma, 4.0, gamma)
+                return 4.0*(envelope*(wave*wave) + (grown*grown))/stiff
 
-            return select(xp, delta == 0.0, yes, (delta, gamma), no, (gamma, half, root, root_low))
+            return select(xp, delta == 0.0, yes, (gamma,), no, (gamma, half, reach, root, root_low))
 
-        def no(q, total3):
-            return decay(xp, q)*decay(xp, total3)
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, reach, root, root_low))
 
-        return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, root_low), no, (q, total3))
+    def no(half, q, root, total2, total3, whole2):
+        reach = 0.4444444444444444*total3
 
-    return select(xp, reach < 1.0, yes, (half, reach, total2), no, (delta, gamma, half, q, root, root_low, total2, total3))
+        def yes(half, total2):
+            rest3 = together_series(xp, half, total2)
+            total21 = rest3 + 0.5
+            back15 = total21 - rest3
+            rest4 = total21 - back15
+            one2 = rest3 - rest4
+            two2 = 0.5 - back15
+            lost21 = one2 + two2
+            envelope2 = xp.exp(-half)
+            total22 = envelope2*total21
+            envelope2_halves = halves(xp, envelope2)
+            total21_halves = halves(xp, total21)
+            lost21 = envelope2*lost21 + product_error(total22, envelope2_halves, total21_halves)
+            return 2.0*lost21 + 2.0*total22
+
+        def no(q, root, whole2):
+            rate = q
+            rate2 = 2.0*root
+
+            def yes(q):
+                given2 = q
+                total9 = 1.0 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total9 = curved2 + total9
+                total11 = given2*total9
+                total11 = 1.0 - total11
+                fall_ = total11
+                mean = total9
+                return fall_, mean
+
+            def no(q):
+                sunk = xp.exp(-q)
+                total13 = 1.0 - sunk
+                bottom = q
+                total13 = total13/bottom
+                fall_ = sunk
+                mean = total13
+                return fall_, mean
+
+            fall_, mean = select(xp, rate < 0.75, yes, (q,), no, (q,))
+
+
+            def yes(root):
+                given3 = 2.0*root
+                total15 = 1.0 - 0.5*given3
+                curved3 = (given3*given3)*decay_series(xp, given3)
+                total15 = curved3 + total15
+                total15 = given3*total15
+                total15 = 1.0 - total15
+                fall2 = total15
+                return fall2
+
+            def no(root):
+                sunk2 = xp.exp(-2.0*root)
+                fall2 = sunk2
+                return fall2
+
+            fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
+
+            return mean*(1.0 - fall_*fall2)/whole2
+
+        return select(xp, reach < 1.0, yes, (half, total2), no, (q, root, whole2))
+
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, root_low, total2), no, (half, q, root, total2, total3, whole2))
+
+
+def apart_series_single(xp, h, w):
+    """The same in single precision."""
+
+    def yes(h, w):
+        y = (h*h)
+        e2 = 2.7557319223985893e-06*w + 0.0001984126984126984
+        b2 = e2 + 2.7557319223985893e-06*y
+        e2 = e2*w + 0.008333333333333333
+        b2 = b2*y + e2
+        e2 = e2*w
+        b2 = b2*y + e2
+        return b2
+
+    def no(h, w):
+        y2 = (h*h)
+        e7 = 8.22063524662433e-18*w + 2.8114572543455206e-15
+        b7 = e7 + 8.22063524662433e-18*y2
+        e7 = e7*w + 7.647163731819816e-13
+        b7 = b7*y2 + e7
+        e7 = e7*w + 1.6059043836821613e-10
+        b7 = b7*y2 + e7
+        e7 = e7*w + 2.505210838544172e-08
+        b7 = b7*y2 + e7
+        e7 = e7*w + 2.7557319223985893e-06
+        b7 = b7*y2 + e7
+        e7 = e7*w + 0.0001984126984126984
+        b7 = b7*y2 + e7
+        e7 = e7*w + 0.008333333333333333
+        b7 = b7*y2 + e7
+        e7 = e7*w
+        b7 = b7*y2 + e7
+        return b7
+
+    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+
+
+def apart_series(xp, h, w):
+    """divided difference of sinh(sqrt)/sqrt at h^2 and w, less 1/6"""
+    if h.dtype == xp.float32:
+        return apart_series_single(xp, h, w)
+
+    def yes(h, w):
+        y = (h*h)
+        e4 = 1.6059043836821613e-10*w + 2.505210838544172e-08
+        b4 = e4 + 1.6059043836821613e-10*y
+        e4 = e4*w + 2.7557319223985893e-06
+        b4 = b4*y + e4
+        e4 = e4*w + 0.0001984126984126984
+        b4 = b4*y + e4
+        e4 = e4*w + 0.008333333333333333
+        b4 = b4*y + e4
+        e4 = e4*w
+        b4 = b4*y + e4
+        return b4
+
+    def no(h, w):
+        y2 = (h*h)
+        e11 = 9.183689863795546e-29*w + 6.446950284384474e-26
+        b11 = e11 + 9.183689863795546e-29*y2
+        e11 = e11*w + 3.868170170630684e-23
+        b11 = b11*y2 + e11
+        e11 = e11*w + 1.9572941063391263e-20
+        b11 = b11*y2 + e11
+        e11 = e11*w + 8.22063524662433e-18
+        b11 = b11*y2 + e11
+        e11 = e11*w + 2.8114572543455206e-15
+        b11 = b11*y2 + e11
+        e11 = e11*w + 7.647163731819816e-13
+        b11 = b11*y2 + e11
+        e11 = e11*w + 1.6059043836821613e-10
+        b11 = b11*y2 + e11
+        e11 = e11*w + 2.505210838544172e-08
+        b11 = b11*y2 + e11
+        e11 = e11*w + 2.7557319223985893e-06
+        b11 = b11*y2 + e11
+        e11 = e11*w + 0.0001984126984126984
+        b11 = b11*y2 + e11
+        e11 = e11*w + 0.008333333333333333
+        b11 = b11*y2 + e11
+        e11 = e11*w
+        b11 = b11*y2 + e11
+        return b11
+
+    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+
+
+def decay(xp, x):
+    """(1 - exp(-x))/x"""
+
+    def yes(x):
+        return 1.0
+
+    def no(x):
+        whole = x
+        return -xp.expm1(-x)/whole
+
+    return select(xp, x == 0.0, yes, (x,), no, (x,))
+
+
+def apart_single(xp, gamma, delta):
+    """The same in single precision."""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+
+    def yes(delta, gamma, half, total2):
+        reach = 0.25*gamma
+
+        def yes(half, total2):
+            rest4 = apart_series(xp, half, total2) - 4.967053879312289e-09
+            total24 = rest4 + 0.1666666716337204
+            back16 = total24 - rest4
+            rest5 = total24 - back16
+            one3 = rest4 - rest5
+            two3 = 0.1666666716337204 - back16
+            lost24 = one3 + two3
+            envelope2 = xp.exp(-half)
+            total25 = envelope2*total24
+            envelope2_halves = halves(xp, envelope2)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
+            return lost24 + total25
+
+        def no(delta, gamma, half, reach, total2):
+            envelope = xp.exp(-half)
+            stiff = xp.where(reach < 0.5625, 1.0, gamma)
+            whole4 = xp.where(delta == 0.0, 1.0, delta)
+
+            def yes(total2):
+                given3 = total2
+                bent = given3*sin_series(xp, given3)
+                total21 = bent + 1.0
+                odd = total21
+                return odd
+
+            def no(total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sine = xp.sin(root)
+                some = root
+                total22 = sine/some
+                odd = total22
+                return odd
+
+            odd = select(xp, total2 > -1.5, yes, (total2,), no, (total2,))
+
+            total23 = half*odd
+            return (decay(xp, delta) - 2.0*envelope*total23/whole4)/stiff
+
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, reach, total2))
+
+    def no(delta, gamma, half, rest2, total, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(half, total2):
+            rest4 = apart_series(xp, half, total2) - 4.967053879312289e-09
+            total24 = rest4 + 0.1666666716337204
+            back16 = total24 - rest4
+            rest5 = total24 - back16
+            one3 = rest4 - rest5
+            two3 = 0.1666666716337204 - back16
+            lost24 = one3 + two3
+            envelope2 = xp.exp(-half)
+            total25 = envelope2*total24
+            envelope2_halves = halves(xp, envelope2)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
+            return lost24 + total25
+
+        def no(delta, gamma, half, rest2, root, size, total, total2, total3):
+            whole2 = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole2
+            rate = q
+            rate2 = 2.0*root
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+
+            def yes(gamma, half, q, rest2, root, size, total, total2, total3, whole2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back2 = total3 - half
+                lost2 = root - back2
+                p_low = lost2 + root_low
+                off = gamma - q*whole2
+                whole2_halves = halves(xp, whole2)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole2*q, whole2_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole2
+                given = q
+                total4 = 1.0 - 0.5*given
+                back2 = total4 - 1.0
+                lost2 = -back2 - 0.5*given
+                curved = (given*given)*decay_series(xp, given)
+                total5 = curved + total4
+                back2 = total5 - total4
+                lost5 = curved - back2
+                mean_low = lost2 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                total4 = 1.0 - total4
+                fall_ = total4
+                mean = total5
+                mean_low = mean_low
+                return fall_, mean, mean_low
+
+            def no(gamma, half, q, rest2, root, size, total, total2, total3, whole2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back2 = total3 - half
+                lost2 = root - back2
+                p_low = lost2 + root_low
+                off = gamma - q*whole2
+                whole2_halves = halves(xp, whole2)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole2*q, whole2_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole2
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back2 = total8 - 1.0
+                lost2 = -back2 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left = left - product_error(total9*bottom, total9_halves, bottom_halves)
+                left = left + lost2 - q_low*total9 - sunk_low
+                lost2 = left/bottom
+                fall_ = sunk
+                mean = total9
+                mean_low2 = lost2
+                return fall_, mean, mean_low2
+
+            fall_, mean, mean_low2 = select(xp, rate < 0.75, yes, (gamma, half, q, rest2, root, size, total, total2, total3, whole2), no, (gamma, half, q, rest2, root, size, total, total2, total3, whole2))
+
+            twice = 2.0*fall_
+
+            def yes(rest2, root, size, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back2 = total10 - 1.0
+                lost2 = -back2 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total11 = curved2 + total10
+                back2 = total11 - total10
+                lost11 = curved2 - back2
+                mean_low3 = lost2 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                total10 = 1.0 - total10
+                fall2 = total10
+                mean2 = total11
+                mean_low3 = mean_low3
+                return fall2, mean2, mean_low3
+
+            def no(rest2, root, size, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back2 = total14 - 1.0
+                lost2 = -back2 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left = left - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left = left + lost2 - 2.0*root_low*total15 - sunk_low2
+                lost2 = left/bottom2
+                fall2 = sunk2
+                mean2 = total15
+                mean_low4 = lost2
+                return fall2, mean2, mean_low4
+
+            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (rest2, root, size, total, total2), no, (rest2, root, size, total, total2))
+
+            fast = fall_*fall2
+            total16 = mean2*twice
+            twice_halves = halves(xp, twice)
+            mean2_halves = halves(xp, mean2)
+            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            total17 = mean - total16
+            back12 = total17 - mean
+            rest3 = total17 - back12
+            one2 = mean - rest3
+            two2 = -back12 - total16
+            lost17 = one2 + two2
+            total16 = fast*mean
+            fast_halves = halves(xp, fast)
+            mean_halves = halves(xp, mean)
+            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
+            top = total17 + total16
+            low = lost17 - lost16 + lost18 + mean_low2
+            return (low + top)/whole3
+
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, rest2, root, size, total, total2, total3))
+
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, total2), no, (delta, gamma, half, rest, total, total2))
+
+
+def apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
+    """(n1 - n0)/delta"""
+    if gamma.dtype == xp.float32:
+        return apart_single(xp, gamma, delta)
+
+    def yes(delta, gamma, half, root, total2):
+        reach = 0.25*gamma
+
+        def yes(half, total2):
+            rest4 = apart_series(xp, half, total2) + 9.25185853854297e-18
+            total24 = rest4 + 0.16666666666666666
+            back16 = total24 - rest4
+            rest5 = total24 - back16
+            one3 = rest4 - rest5
+            two3 = 0.16666666666666666 - back16
+            lost24 = one3 + two3
+            envelope2 = xp.exp(-half)
+            total25 = envelope2*total24
+            envelope2_halves = halves(xp, envelope2)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
+            return lost24 + total25
+
+        def no(delta, gamma, half, reach, root, total2):
+            envelope = xp.exp(-half)
+            stiff = xp.where(reach < 0.5625, 1.0, gamma)
+            whole4 = xp.where(delta == 0.0, 1.0, delta)
+
+            def yes(total2):
+                given3 = total2
+                bent = given3*sin_series(xp, given3)
+                total21 = bent + 1.0
+                odd = total21
+                return odd
+
+            def no(root):
+                sine = xp.sin(root)
+                some = root
+                total22 = sine/some
+                odd = total22
+                return odd
+
+            odd = select(xp, total2 > -1.5, yes, (total2,), no, (root,))
+
+            total23 = half*odd
+            return (decay(xp, delta) - 2.0*envelope*total23/whole4)/stiff
+
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, reach, root, total2))
+
+    def no(delta, half, q, q_low, root, root_low, total2, total3):
+        reach = 0.4444444444444444*total3
+
+        def yes(half, total2):
+            rest4 = apart_series(xp, half, total2) + 9.25185853854297e-18
+            total24 = rest4 + 0.16666666666666666
+            back16 = total24 - rest4
+            rest5 = total24 - back16
+            one3 = rest4 - rest5
+            two3 = 0.16666666666666666 - back16
+            lost24 = one3 + two3
+            envelope2 = xp.exp(-half)
+            total25 = envelope2*total24
+            envelope2_halves = halves(xp, envelope2)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
+            return lost24 + total25
+
+        def no(delta, q, q_low, root, root_low, total3):
+            rate = q
+            rate2 = 2.0*root
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                curved = (given*given)*decay_series(xp, given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                total4 = 1.0 - total4
+                fall_ = total4
+                mean = total5
+                mean_low = mean_low
+                return fall_, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                mean = total9
+                mean_low2 = lost8
+                return fall_, mean, mean_low2
+
+            fall_, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+
+            twice = 2.0*fall_
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                total10 = 1.0 - total10
+                fall2 = total10
+                mean2 = total11
+                mean_low3 = mean_low3
+                return fall2, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, mean2, mean_low4
+
+            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            fast = fall_*fall2
+            total16 = mean2*twice
+            twice_halves = halves(xp, twice)
+            mean2_halves = halves(xp, mean2)
+            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            total17 = mean - total16
+            back12 = total17 - mean
+            rest3 = total17 - back12
+            one2 = mean - rest3
+            two2 = -back12 - total16
+            lost17 = one2 + two2
+            total16 = fast*mean
+            fast_halves = halves(xp, fast)
+            mean_halves = halves(xp, mean)
+            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
+            top = total17 + total16
+            low = lost17 - lost16 + lost18 + mean_low2
+            return (low + top)/whole3
+
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, q, q_low, root, root_low, total3))
+
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, total2), no, (delta, half, q, q_low, root, root_low, total2, total3))
+
+
+def late_part(xp, d):
+    """the fraction of a period in a delay"""
+    return d - xp.floor(d)
+
+
+def cubic_root(xp, k0, k1, k2, k3, low, high, rise_):
+    """the root of a cubic on a piece where it bends one way"""
+    convex = xp.where(2.0*k2 + 3.0*k3*(high + low) > 0.0, xp.full_like(high, 1.0), -1.0)
+    down = xp.where(convex*rise_ > 0.0, xp.full_like(convex, 1.0), -1.0)
+
+    def over(y, moves, down, high, k0, k1, k2, k3, low):
+        return moves == 0.0
+
+    def step(y, moves, down, high, k0, k1, k2, k3, low):
+        steep = k1 + y*(2.0*k2 + 3.0*k3*y)
+        case1 = steep == 0.0
+        some = xp.where(case1, 1.0, steep)
+        move = xp.where(case1, 0.0, (k0 + y*(k1 + y*(k2 + k3*y)))/some)
+        new = xp.where(high < y - move, high, y - move)
+        new = xp.where(low > new, low, new)
+        next_y = new
+        next_moves = xp.where(down*(y - new) > 0.0, xp.full_like(down, 1.0), 0.0)
+        return next_y, next_moves
+
+    y, moves = repeat(xp, 100, over, step, (xp.where(down > 0.0, high, low), 1.0), (down, high, k0, k1, k2, k3, low))
+    return y
+
+
+def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d):
+    """what the crossing on a piece, if there is one, adds"""
+
+    def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low, n1, slope, together_, zone):
+        x = cubic_root(xp, k0, k1, k2, k3, low, high, at_high - at_low)
+        case1 = zone == 1.0
+        case2 = zone == 0.0
+        y = xp.where(case2, x, xp.where(case1, center + x, 4.0 - x))
+        rest = xp.where(case2, 4.0 - x, xp.where(case1, beyond - x, x))
+
+        def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope, together_, x, y, zone):
+            off = xp.where(zone == 0.0, x - center, xp.where(zone == 1.0, x, beyond - x))
+            at = xp.where(0.0 > y, 0.0, y)
+            still = xp.where(0.0 > rest, 0.0, rest)
+            sine = 2.0*square_root(xp, at*still)
+            x2 = off*(2.0*loss - 4.0)
+            y2 = loss*sine
+            case1 = x2 < 0.0
+            halves_ = xp.where(case1, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
+            turned = xp.atan2(xp.where(case1, -y2, y2), xp.abs(x2))
+            x2 = still*together_ - apart_*at
+            y2 = n1*sine
+            case2 = x2 < 0.0
+            halves2 = xp.where(case2, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
+            turned2 = xp.atan2(xp.where(case2, -y2, y2), xp.abs(x2))
+            x2 = alpha*still - at*far
+            y2 = sine*slope
+            case3 = x2 < 0.0
+            halves3 = xp.where(case3, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
+            turned3 = xp.atan2(xp.where(case3, -y2, y2), xp.abs(x2))
+            case4 = at > 2.0
+            half = xp.atan2(xp.where(case4, square_root(xp, still), square_root(xp, at)), xp.where(case4, square_root(xp, at), square_root(xp, still)))
+            late = d + 2.0
+            halves3 = halves2 - halves_ + halves3 - xp.where(case4, late, 0.0)
+            share = 0.5*(turned2 - late*xp.where(case4, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
+            even = xp.floor(0.5*halves3)
+            left = 0.5*halves3 - even
+            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
+            rises = xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
+            turned3 = -2.0*rises*turns
+            return turned3
+
+        def no(rest):
+            turned4 = 0.0
+            return turned4
+
+        turned4 = select(xp, (rest > 0.0) & (y > 0.0), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope, together_, x, y, zone), no, (rest,))
+
+        return turned4
+
+    def no(at_high):
+        return 0.0
+
+    return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) & (high > low), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low, n1, slope, together_, zone), no, (at_high,))
+
+
+def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d):
+    """what the crossings between two points add to the count"""
+    disc = (k2*k2) - 3.0*k1*k3
+    some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
+    at = -k2/some
+    cut = xp.where((at < high) & (at > low) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
+
+    def yes(low):
+        one = low
+        two = low
+        return one, two
+
+    def no(disc, high, k1, k2, k3, low):
+        root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
+        q = -k2 - xp.where(k2 < 0.0, -root, root)
+        some2 = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
+        at2 = q/some2
+        cut2 = xp.where((at2 < high) & (at2 > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at2, low)
+        some2 = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
+        at2 = k1/some2
+        cut3 = xp.where((at2 < high) & (at2 > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at2, low)
+        one = cut2
+        two = cut3
+        return one, two
+
+    one, two = select(xp, disc < 0.0, yes, (low,), no, (disc, high, k1, k2, k3, low))
+
+    less = xp.where(one < two, one, two)
+    more = xp.where(one > two, one, two)
+    first = xp.where(cut < less, cut, less)
+    middle = xp.where(cut > less, cut, less)
+    last = xp.where(middle > more, middle, more)
+    middle = xp.where(middle < more, middle, more)
+    height = first*(first*(first*k3 + k2) + k1) + k0
+    height2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
+    height3 = k0 + last*(k1 + last*(k2 + k3*last))
+    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, height, height2, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
+    return found
+
+
+def late_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together_, apart_):
+    """roots outside the unit circle, behind a fractional delay"""
+    slope = alpha + beta
+    wall_far = alpha + 2.0*beta
+    force = beta*slope
+    across = m2 - m0
+    square = m0*m2
+    even = together_*(m0 + m2)
+    linear = (across*across) - even
+    pushed_ = alpha*together_
+    lost = (loss*loss)
+    near0 = (at_one - pushed_)*(at_one + pushed_)
+    near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together_*together_)
+    near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
+    near3 = -force*square
+    square = m0*m2
+    even = apart_*(m0 + m2)
+    linear = (across*across) - even
+    pushed_ = apart_*wall_far
+    lost = (loss*loss)
+    far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
+    far1 = (apart_*apart_)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
+    far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
+    far3 = force*square
+    middle = 2.0*at_one/(2.0 - loss)
+    rest = 2.0*at_minus_one/(2.0 - loss)
+    sine = 0.25*middle*rest
+    tilt = 0.25*rest - 0.25*middle
+    real = 0.25*rest*together_ - 0.25*apart_*middle
+    size = (across*across)
+    lost = (loss*loss)
+    one = (real*real) + sine*size
+    two = size*tilt - real*(m0 + m2)
+    three = m0*m2
+    wave = 0.25*alpha*rest - 0.25*middle*wall_far
+    wall = sine*(slope*slope) + (wave*wave)
+    own0 = lost*sine - one*wall
+    own1 = lost*tilt - force*one - two*wall
+    own2 = 1.0 - force*two - loss - three*wall
+    own3 = -force*three
+    one = 0.5*middle
+    two = 0.5*rest
+    before = own0 - one*(own1 - one*(own2 - one*own3))
+    after = own0 + two*(own1 + two*(own2 + own3*two))
+    side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
+    end = xp.where(wall_far > 0.0, side, 0.0) - d + xp.where(apart_ > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) - 3.0
+    total = xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0, after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3, xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d) + zone_turns(xp, own0, own1, own2, own3, -one, two, before, after, xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d)
+    return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+
+
+def nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
+    """1 + a + e"""
+
+    def yes(delta, half, lost2, root, root_low, total2):
+
+        def yes(total2):
+            given = total2
+            total4 = 0.5*given + 1.0
+            curved = (given*given)*cos_series(xp, given)
+            total4 = curved + total4
+            even = total4
+            return even
+
+        def no(root):
+            cosine = xp.cos(root)
+            even = cosine
+            return even
+
+        even = select(xp, total2 > -1.5, yes, (total2,), no, (root,))
+
+
+        def yes(delta, even, half, lost2, root, root_low, total2):
+            envelope = xp.exp(-half)
+            ends = 1.0 + xp.exp(-delta)
+
+            def yes(lost2, total2):
+                given = total2
+                total4 = 0.5*given + 1.0
+                back4 = total4 - 1.0
+                lost4 = 0.5*given - back4
+                curved = (given*given)*cos_series(xp, given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                even_low = 0.5*lost2 + lost4 + lost5
+                even_low = even_low
+                return even_low
+
+            def no(root, root_low):
+                sine = xp.sin(root)
+                even_low2 = -root_low*sine
+                return even_low2
+
+            even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+            return ends + 2.0*envelope*(even + even_low2)
+
+        def no(half, root, root_low):
+            envelope = xp.exp(-half)
+            grown = -0.5*xp.expm1(-half)
+            angle = 0.5*root
+            wave = xp.cos(angle)
+            wave = wave - 0.5*root_low*xp.sin(angle)
+            return 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
+
+        return select(xp, even > 0.0, yes, (delta, even, half, lost2, root, root_low, total2), no, (half, root, root_low))
+
+    def no(q, root):
+        rate = q
+        rate2 = 2.0*root
+
+        def yes(q):
+            given2 = q
+            total9 = 1.0 - 0.5*given2
+            curved2 = (given2*given2)*decay_series(xp, given2)
+            total9 = curved2 + total9
+            total9 = given2*total9
+            total9 = 1.0 - total9
+            fall_ = total9
+            return fall_
+
+        def no(q):
+            sunk = xp.exp(-q)
+            fall_ = sunk
+            return fall_
+
+        fall_ = select(xp, rate < 0.75, yes, (q,), no, (q,))
+
+
+        def yes(root):
+            given3 = 2.0*root
+            total15 = 1.0 - 0.5*given3
+            curved3 = (given3*given3)*decay_series(xp, given3)
+            total15 = curved3 + total15
+            total15 = given3*total15
+            total15 = 1.0 - total15
+            fall2 = total15
+            return fall2
+
+        def no(root):
+            sunk2 = xp.exp(-2.0*root)
+            fall2 = sunk2
+            return fall2
+
+        fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
+
+        return (fall_ + 1.0)*(fall_*fall2 + 1.0)
+
+    return select(xp, total2 < 0.0, yes, (delta, half, lost2, root, root_low, total2), no, (q, root))
+
+
+def some_part(xp, d):
+    """the same, or 1/2 where it is 0"""
+    part = d - xp.floor(d)
+    return xp.where(part == 0.0, 0.5, part)
+
+
+def stable_single(xp, roots, alpha, beta, gamma, delta):
+    """The same in single precision."""
+    swing_ = square_root(xp, gamma)
+    return xp.where((alpha > -gamma) & (roots == 0.0) & (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) & (~((delta < 5.960464477539062e-07) & (gamma > 1.0) & (swing_ >= 4194304.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+
+
+def stable(xp, roots, alpha, beta, gamma, delta):
+    """1 where the loop is stable, else 0"""
+    if roots.dtype == xp.float32:
+        return stable_single(xp, roots, alpha, beta, gamma, delta)
+    swing_ = square_root(xp, gamma)
+    return xp.where((alpha > -gamma) & (roots == 0.0) & (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) & (~((delta < 1.1102230246251565e-15) & (gamma > 1.0) & (swing_ >= 2251799813685248.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
 
 
 def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together_, apart_):
@@ -866,123 +2490,365 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     own2 = e - force*m1
     square2 = (near1*near1)
     product = 4.0*near0*square
-    disc = square2 - product
     size = square2 + xp.abs(product)
-    square2 = (own1*own1)
-    product = 4.0*own0*own2
-    disc2 = square2 - product
-    size2 = square2 + xp.abs(product)
-    square2 = (far1*far1)
-    product = 4.0*far0*square
-    disc3 = square2 - product
-    size3 = square2 + xp.abs(product)
-    disc3 = xp.where((size >= size2) & (size2 <= size3), disc2, xp.where((size > size3) & (size2 > size3), disc3, disc))
-    root = square_root(xp, xp.where(0.0 > disc3, 0.0, disc3))
-    case1 = near1 >= 0.0
-    q = -0.5*near1 - 0.5*xp.where(case1, root, -root)
-    case2 = square == 0.0
-    lead = xp.where(case2, 1.0, square)
-    case3 = q == 0.0
-    own = xp.where(case3, 1.0, q)
-    one = xp.where(case2, -1.0, q/lead)
-    two = xp.where(case3, -1.0, near0/own)
-    low = xp.where(case1, one, two)
-    high = xp.where(case1, two, one)
-    case4 = own1 >= 0.0
-    q = -0.5*own1 - 0.5*xp.where(case4, root, -root)
-    case5 = own2 == 0.0
-    lead = xp.where(case5, 1.0, own2)
-    case6 = q == 0.0
-    own = xp.where(case6, 1.0, q)
-    one = xp.where(case5, -1.0, q/lead)
-    two = xp.where(case6, -1.0, own0/own)
-    low2 = xp.where(case4, one, two)
-    high2 = xp.where(case4, two, one)
-    case7 = far1 >= 0.0
-    q = -0.5*far1 - 0.5*xp.where(case7, root, -root)
-    lead = xp.where(case2, 1.0, square)
-    case8 = q == 0.0
-    own1 = xp.where(case8, 1.0, q)
-    one = xp.where(case2, -1.0, q/lead)
-    two = xp.where(case8, -1.0, far0/own1)
-    low3 = xp.where(case7, one, two)
-    high3 = xp.where(case7, two, one)
-    case9 = high3 > low
-    edge = xp.where(case9, low, high3)
-    case10 = (beyond - low2 > 0.0) & (center + low2 > 0.0) & (edge > xp.abs(low2))
-    at = xp.where(case10, center + low2, xp.where(case9, low, 4.0 - high3))
-    still = xp.where(case10, beyond - low2, xp.where(case9, 4.0 - low, high3))
-    away = xp.where(case10, low2, xp.where(case9, low - center, beyond - high3))
-    case11 = (disc3 >= 0.0) & (edge < 4.0) & (high3 > 0.0) & (low > 0.0)
-    at = xp.where(case11, at, 2.0)
-    still = xp.where(case11, still, 2.0)
-    at = xp.where(0.0 > at, 0.0, at)
-    still = xp.where(0.0 > still, 0.0, still)
-    sine = 2.0*square_root(xp, at*still)
-    x = away*(-2.0*e - 2.0)
-    y = loss*sine
-    case12 = x < 0.0
-    halves_ = xp.where(case12, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned = xp.atan2(xp.where(case12, -y, y), xp.abs(x))
-    x = still*together_ - apart_*at
-    y = n1*sine
-    case13 = x < 0.0
-    halves2 = xp.where(case13, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned2 = xp.atan2(xp.where(case13, -y, y), xp.abs(x))
-    x = alpha*still - at*wall_far
-    y = sine*slope
-    case14 = x < 0.0
-    halves3 = xp.where(case14, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned3 = xp.atan2(xp.where(case14, -y, y), xp.abs(x))
-    case15 = at > 2.0
-    half = xp.atan2(xp.where(case15, square_root(xp, still), square_root(xp, at)), xp.where(case15, square_root(xp, at), square_root(xp, still)))
-    late = d + 2.0
-    halves3 = halves2 - halves_ + halves3 - xp.where(case15, late, 0.0)
-    share = 0.5*(turned2 - late*xp.where(case15, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
-    even = xp.floor(0.5*halves3)
-    left = 0.5*halves3 - even
-    turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
-    total = xp.where(case11, 2.0*turns, 0.0)
-    case16 = high < low3
-    edge = xp.where(case16, high, low3)
-    case17 = (beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge > xp.abs(high2))
-    at = xp.where(case17, center + high2, xp.where(case16, high, 4.0 - low3))
-    still = xp.where(case17, beyond - high2, xp.where(case16, 4.0 - high, low3))
-    away = xp.where(case17, high2, xp.where(case16, high - center, beyond - low3))
-    case18 = (disc3 >= 0.0) & (edge < 4.0) & (high > 0.0) & (low3 > 0.0)
-    at = xp.where(case18, at, 2.0)
-    still = xp.where(case18, still, 2.0)
-    at = xp.where(0.0 > at, 0.0, at)
-    still = xp.where(0.0 > still, 0.0, still)
-    sine = 2.0*square_root(xp, at*still)
-    x = away*(-2.0*e - 2.0)
-    y = loss*sine
-    case19 = x < 0.0
-    halves3 = xp.where(case19, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned3 = xp.atan2(xp.where(case19, -y, y), xp.abs(x))
-    x = still*together_ - apart_*at
-    y = n1*sine
-    case20 = x < 0.0
-    halves2 = xp.where(case20, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned2 = xp.atan2(xp.where(case20, -y, y), xp.abs(x))
-    x = alpha*still - at*wall_far
-    y = sine*slope
-    case21 = x < 0.0
-    halves_ = xp.where(case21, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-    turned = xp.atan2(xp.where(case21, -y, y), xp.abs(x))
-    case22 = at > 2.0
-    half = xp.atan2(xp.where(case22, square_root(xp, still), square_root(xp, at)), xp.where(case22, square_root(xp, at), square_root(xp, still)))
-    late = d + 2.0
-    halves_ = halves2 - halves3 + halves_ - xp.where(case22, late, 0.0)
-    share = 0.5*(turned2 - late*xp.where(case22, -2.0*half, 2.0*half) - turned3 + turned)/3.141592653589793
-    even = xp.floor(0.5*halves_)
-    left = 0.5*halves_ - even
-    turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
-    total = total + xp.where(case18, -2.0*turns, 0.0)
+    square3 = (own1*own1)
+    product2 = 4.0*own0*own2
+    size2 = square3 + xp.abs(product2)
+    square4 = (far1*far1)
+    product3 = 4.0*far0*square
+    size3 = square4 + xp.abs(product3)
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
     end = xp.where(wall_far > 0.0, side, 0.0) - d + xp.where(apart_ > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
-    total = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-    return total - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+
+    def yes(product2, square3):
+        disc2 = square3 - product2
+        disc2 = disc2
+        return disc2
+
+    def no(product, product3, size, size2, size3, square2, square4):
+
+        def yes(product3, square4):
+            disc3 = square4 - product3
+            disc3 = disc3
+            return disc3
+
+        def no(product, square2):
+            disc = square2 - product
+            disc = disc
+            return disc
+
+        disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no, (product, square2))
+
+        return disc4
+
+    disc4 = select(xp, (size >= size2) & (size2 <= size3), yes, (product2, square3), no, (product, product3, size, size2, size3, square2, square4))
+
+
+    def yes(alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far):
+        late2 = d + 2.0
+
+        def yes(disc4, near0, near1, square):
+            positive = disc4
+            root = square_root(xp, positive)
+            q = -0.5*near1 - 0.5*root
+
+            def yes(square):
+                one = -1.0
+                return one
+
+            def no(q, square):
+                lead = square
+                one = q/lead
+                return one
+
+            one = select(xp, square == 0.0, yes, (square,), no, (q, square))
+
+
+            def yes(q):
+                two = -1.0
+                return two
+
+            def no(near0, q):
+                own = q
+                two = near0/own
+                return two
+
+            two = select(xp, q == 0.0, yes, (q,), no, (near0, q))
+
+            low = one
+            high = two
+            return low, high
+
+        def no(disc4, near0, near1, square):
+            positive = disc4
+            root = square_root(xp, positive)
+            q = 0.5*root - 0.5*near1
+
+            def yes(square):
+                one = -1.0
+                return one
+
+            def no(q, square):
+                lead = square
+                one = q/lead
+                return one
+
+            one = select(xp, square == 0.0, yes, (square,), no, (q, square))
+
+
+            def yes(q):
+                two = -1.0
+                return two
+
+            def no(near0, q):
+                own = q
+                two = near0/own
+                return two
+
+            two = select(xp, q == 0.0, yes, (q,), no, (near0, q))
+
+            low = two
+            high = one
+            return low, high
+
+        low, high = select(xp, near1 >= 0.0, yes, (disc4, near0, near1, square), no, (disc4, near0, near1, square))
+
+
+        def yes(disc4, own0, own1):
+            positive = disc4
+            root = square_root(xp, positive)
+            q2 = -0.5*own1 - 0.5*root
+
+            def yes(q2):
+                two2 = -1.0
+                return two2
+
+            def no(own0, q2):
+                own3 = q2
+                two2 = own0/own3
+                return two2
+
+            two2 = select(xp, q2 == 0.0, yes, (q2,), no, (own0, q2))
+
+            high2 = two2
+            return high2
+
+        def no(disc4, own1, own2):
+
+            def yes(own2):
+                one2 = -1.0
+                return one2
+
+            def no(disc4, own1, own2):
+                positive = disc4
+                root = square_root(xp, positive)
+                q2 = 0.5*root - 0.5*own1
+                lead2 = own2
+                one2 = q2/lead2
+                return one2
+
+            one2 = select(xp, own2 == 0.0, yes, (own2,), no, (disc4, own1, own2))
+
+            high2 = one2
+            return high2
+
+        high2 = select(xp, own1 >= 0.0, yes, (disc4, own0, own1), no, (disc4, own1, own2))
+
+
+        def yes(disc4, far0, far1, square):
+            positive = disc4
+            root = square_root(xp, positive)
+            q3 = -0.5*far1 - 0.5*root
+
+            def yes(square):
+                one3 = -1.0
+                return one3
+
+            def no(q3, square):
+                lead3 = square
+                one3 = q3/lead3
+                return one3
+
+            one3 = select(xp, square == 0.0, yes, (square,), no, (q3, square))
+
+
+            def yes(q3):
+                two3 = -1.0
+                return two3
+
+            def no(far0, q3):
+                own4 = q3
+                two3 = far0/own4
+                return two3
+
+            two3 = select(xp, q3 == 0.0, yes, (q3,), no, (far0, q3))
+
+            low3 = one3
+            high3 = two3
+            return low3, high3
+
+        def no(disc4, far0, far1, square):
+            positive = disc4
+            root = square_root(xp, positive)
+            q3 = 0.5*root - 0.5*far1
+
+            def yes(square):
+                one3 = -1.0
+                return one3
+
+            def no(q3, square):
+                lead3 = square
+                one3 = q3/lead3
+                return one3
+
+            one3 = select(xp, square == 0.0, yes, (square,), no, (q3, square))
+
+
+            def yes(q3):
+                two3 = -1.0
+                return two3
+
+            def no(far0, q3):
+                own4 = q3
+                two3 = far0/own4
+                return two3
+
+            two3 = select(xp, q3 == 0.0, yes, (q3,), no, (far0, q3))
+
+            low3 = two3
+            high3 = one3
+            return low3, high3
+
+        low3, high3 = select(xp, far1 >= 0.0, yes, (disc4, far0, far1, square), no, (disc4, far0, far1, square))
+
+        edge = xp.where(high3 > low, low, high3)
+        case1 = high < low3
+        edge2 = xp.where(case1, high, low3)
+        away2 = xp.where((beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge2 > xp.abs(high2)), high2, xp.where(case1, high - center, beyond - low3))
+        x4 = away2*(-2.0*e - 2.0)
+
+        def yes(alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far):
+            late = d + 2.0
+
+            def yes(disc4, own1, own2):
+
+                def yes(own2):
+                    one2 = -1.0
+                    return one2
+
+                def no(disc4, own1, own2):
+                    positive = disc4
+                    root = square_root(xp, positive)
+                    q2 = -0.5*own1 - 0.5*root
+                    lead2 = own2
+                    one2 = q2/lead2
+                    return one2
+
+                one2 = select(xp, own2 == 0.0, yes, (own2,), no, (disc4, own1, own2))
+
+                low2 = one2
+                return low2
+
+            def no(disc4, own0, own1):
+                positive = disc4
+                root = square_root(xp, positive)
+                q2 = 0.5*root - 0.5*own1
+
+                def yes(q2):
+                    two2 = -1.0
+                    return two2
+
+                def no(own0, q2):
+                    own3 = q2
+                    two2 = own0/own3
+                    return two2
+
+                two2 = select(xp, q2 == 0.0, yes, (q2,), no, (own0, q2))
+
+                low2 = two2
+                return low2
+
+            low2 = select(xp, own1 >= 0.0, yes, (disc4, own1, own2), no, (disc4, own0, own1))
+
+            case1 = high3 > low
+            case2 = (beyond - low2 > 0.0) & (center + low2 > 0.0) & (edge > xp.abs(low2))
+            at = xp.where(case2, center + low2, xp.where(case1, low, 4.0 - high3))
+            still = xp.where(case2, beyond - low2, xp.where(case1, 4.0 - low, high3))
+            away = xp.where(case2, low2, xp.where(case1, low - center, beyond - high3))
+            at = at
+            still = still
+            at = xp.where(0.0 > at, 0.0, at)
+            still = xp.where(0.0 > still, 0.0, still)
+            sine2 = 2.0*square_root(xp, at*still)
+            x = away*(-2.0*e - 2.0)
+            y = loss*sine2
+            case3 = x < 0.0
+            halves_ = xp.where(case3, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+            turned = xp.atan2(xp.where(case3, -y, y), xp.abs(x))
+            x = still*together_ - apart_*at
+            y = n1*sine2
+            case4 = x < 0.0
+            halves2 = xp.where(case4, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+            turned2 = xp.atan2(xp.where(case4, -y, y), xp.abs(x))
+            x = alpha*still - at*wall_far
+            y = sine2*slope
+            case5 = x < 0.0
+            halves3 = xp.where(case5, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
+            turned3 = xp.atan2(xp.where(case5, -y, y), xp.abs(x))
+            case6 = at > 2.0
+            half = xp.atan2(xp.where(case6, square_root(xp, still), square_root(xp, at)), xp.where(case6, square_root(xp, at), square_root(xp, still)))
+            halves3 = halves2 - halves_ + halves3 - xp.where(case6, late, 0.0)
+            share = 0.5*(turned2 - late*xp.where(case6, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
+            even = xp.floor(0.5*halves3)
+            left = 0.5*halves3 - even
+            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
+            total = 2.0*turns
+            return total
+
+        def no(edge):
+            total = 0.0
+            return total
+
+        total = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far), no, (edge,))
+
+
+        def yes(beyond, center, edge2, high, high2, low3):
+            case1 = high < low3
+            case2 = (beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge2 > xp.abs(high2))
+            at4 = xp.where(case2, center + high2, xp.where(case1, high, 4.0 - low3))
+            still4 = xp.where(case2, beyond - high2, xp.where(case1, 4.0 - high, low3))
+            at4 = at4
+            still4 = still4
+            return at4, still4
+
+        def no(edge2):
+            at5 = 2.0
+            still5 = 2.0
+            return at5, still5
+
+        at5, still5 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes, (beyond, center, edge2, high, high2, low3), no, (edge2,))
+
+        at6 = xp.where(0.0 > at5, 0.0, at5)
+        still6 = xp.where(0.0 > still5, 0.0, still5)
+        sine3 = 2.0*square_root(xp, at6*still6)
+        y4 = loss*sine3
+        case2 = x4 < 0.0
+        halves5 = xp.where(case2, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
+        turned4 = xp.atan2(xp.where(case2, -y4, y4), xp.abs(x4))
+        x4 = still6*together_ - apart_*at6
+        y4 = n1*sine3
+        case3 = x4 < 0.0
+        halves6 = xp.where(case3, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
+        turned5 = xp.atan2(xp.where(case3, -y4, y4), xp.abs(x4))
+        x4 = alpha*still6 - at6*wall_far
+        y4 = sine3*slope
+        case4 = x4 < 0.0
+        halves7 = xp.where(case4, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
+        turned6 = xp.atan2(xp.where(case4, -y4, y4), xp.abs(x4))
+        case5 = at6 > 2.0
+        half2 = xp.atan2(xp.where(case5, square_root(xp, still6), square_root(xp, at6)), xp.where(case5, square_root(xp, at6), square_root(xp, still6)))
+        halves7 = halves6 - halves5 + halves7 - xp.where(case5, late2, 0.0)
+        share2 = 0.5*(turned5 - late2*xp.where(case5, -2.0*half2, 2.0*half2) - turned4 + turned6)/3.141592653589793
+        even2 = xp.floor(0.5*halves7)
+        left2 = 0.5*halves7 - even2
+        turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0, xp.floor(left2 + share2 + 0.5))
+        total2 = total + xp.where((edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), -2.0*turns2, 0.0)
+        total2 = total2
+        return total2
+
+    def no(disc4):
+        total3 = 0.0
+        return total3
+
+    total3 = select(xp, disc4 >= 0.0, yes, (alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far), no, (disc4,))
+
+    total4 = total3 + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
+    return total4 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+
+
+def whole_part(xp, d):
+    """whole periods of a delay"""
+    return xp.floor(d)
 
 
 def next_angle(xp, k, x):
@@ -999,40 +2865,742 @@ def next_angle(xp, k, x):
     return off, cosine, sine
 
 
+def cos_next_single(xp, k, x):
+    """The same in single precision."""
+    count = k + 1.0
+    angle = count*x
+    quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
+    turn_ = quarters - 4.0*xp.floor(0.25*quarters)
+
+    def yes(angle, count, k, quarters, turn_, x):
+
+        def yes(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            sine = low*still + wave
+            value = sine
+            return value
+
+        def no(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            cosine = still - low*wave
+            value = cosine
+            return value
+
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+
+        return -value
+
+    def no(angle, count, k, quarters, turn_, x):
+
+        def yes(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            sine = low*still + wave
+            value = sine
+            return value
+
+        def no(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            cosine = still - low*wave
+            value = cosine
+            return value
+
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+
+        return value
+
+    return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
+
+
 def cos_next(xp, k, x, off, cosine, sine):
     """cos((k + 1) x)"""
+    if k.dtype == xp.float32:
+        return cos_next_single(xp, k, x)
     return cosine - off*sine
+
+
+def sin_next_single(xp, k, x):
+    """The same in single precision."""
+    count = k + 1.0
+    angle = count*x
+    quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
+    turn_ = quarters - 4.0*xp.floor(0.25*quarters)
+
+    def yes(angle, count, k, quarters, turn_, x):
+
+        def yes(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            cosine = still - low*wave
+            value = cosine
+            return value
+
+        def no(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            sine = low*still + wave
+            value = sine
+            return value
+
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+
+        return -value
+
+    def no(angle, count, k, quarters, turn_, x):
+
+        def yes(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            cosine = still - low*wave
+            value = cosine
+            return value
+
+        def no(angle, count, k, quarters, x):
+            before = count - 1.0
+            missed = k - before
+            left = angle - 1.5707963705062866*quarters
+            quarters_halves = halves(xp, quarters)
+            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            back = total - left
+            rest = total - back
+            one = left - rest
+            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+            lost = one + two
+            total2 = 4.371138828673793e-08*quarters + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = 4.371138828673793e-08*quarters - back
+            lost2 = one + two
+            count_halves = halves(xp, count)
+            x_halves = halves(xp, x)
+            total = total2 + product_error(count*x, count_halves, x_halves)
+            back = total - total2
+            rest = total - back
+            one = total2 - rest
+            two = product_error(count*x, count_halves, x_halves) - back
+            lost3 = one + two
+            total2 = missed*x + total
+            back = total2 - total
+            rest = total2 - back
+            one = total - rest
+            two = missed*x - back
+            lost4 = one + two
+            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            missed_halves = halves(xp, missed)
+            low = low + product_error(missed*x, missed_halves, x_halves)
+            wave = xp.sin(total2)
+            still = xp.cos(total2)
+            sine = low*still + wave
+            value = sine
+            return value
+
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+
+        return value
+
+    return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
 
 
 def sin_next(xp, k, x, off, cosine, sine):
     """sin((k + 1) x)"""
+    if k.dtype == xp.float32:
+        return sin_next_single(xp, k, x)
     return cosine*off + sine
+
+
+def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, across):
+    """has the sign of the slope of the boundary's alpha"""
+    t = 0.5*theta
+    t2 = xp.tan(t)
+    t3 = (t2*t2)
+    t4 = t3 + 1.0
+    t5 = apart_*t3
+    t6 = at_minus_one*t3
+    t7 = at_one - t6
+    t8 = (loss*loss)
+    t3 = 4.0*t3
+    t10 = (t7*t7) + t8*t3
+    t11 = together_ - t5
+    t12 = (across*across)
+    t13 = (t11*t11) + t12*t3
+    t14 = t10*t13
+    t3 = across*loss*t3 + t11*t7
+    t16 = 2.0*l + 2.0
+    off, cosine, sine = next_angle(xp, t16, t)
+    t17 = sin_next(xp, t16, t, off, cosine, sine)
+    t18 = 2.0*loss*t11*t2 - 2.0*across*t2*t7
+    t16 = cos_next(xp, t16, t, off, cosine, sine)
+    return (t14*(l + 1.5) + t4*(loss*t13*(at_one + t6) - across*t10*(t5 + together_)))*(t3*t17 + t18*t16) - t2*(0.5*t14 + t4*(t13*(2.0*t8 - at_minus_one*t7) - t10*(2.0*t12 - apart_*t11)))*(t3*t16 - t17*t18)
+
+
+def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
+    """The same in single precision."""
+
+    def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
+        across = xp.where(part == 0.0, first, first - last)
+        turn_ = 3.141592653589793/(d + 1.0)
+
+        def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+            return (count > 24.0) | (found > 0.0)
+
+        def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+            rises = boundary_slope(xp, xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_), l, at_one, at_minus_one, loss, together_, apart_, across)
+            case1 = rises > 0.0
+            next_count = xp.where(case1, count + 1.0, count)
+            next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+            return next_count, next_found
+
+        count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+
+        def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+            high = xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_)
+            low = xp.where(0.001*high > xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)), 0.001*high, xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)))
+            low = low
+            above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+            def yes(low2):
+                root = low2
+                return root
+
+            def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
+                high2 = high
+                below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+                def yes(high2):
+                    root = high2
+                    return root
+
+                def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+
+                    def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                        return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                    def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                        span = c - b
+                        rise_ = fc - fb
+                        whole = xp.where(span == 0.0, 1.0, span)
+                        place = (a - b)/whole
+                        whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                        height = (fa - fb)/whole
+                        safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                        case1 = safe > 0.0
+                        one = xp.where(case1, fb - fa, 1.0)
+                        two = xp.where(case1, fb - fc, 1.0)
+                        three = xp.where(case1, fa - fc, 1.0)
+                        width = b - a
+                        here = fa/one
+                        there = fc/two
+                        whole = xp.where(width == 0.0, 1.0, width)
+                        other = fa/three
+                        last2 = fb/two
+                        guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
+                        edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                        edge = xp.where(0.5 < edge, 0.5, edge)
+                        share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                        share = xp.where(edge > share, edge, share)
+                        new = a + share*width
+                        value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                        case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                        next_b = xp.where(case2, b, a)
+                        next_fb = xp.where(case2, fb, fa)
+                        next_a = new
+                        next_fa = value
+                        next_c = xp.where(case2, a, b)
+                        next_fc = xp.where(case2, fa, fb)
+                        return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                    b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                    root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                    return root
+
+                root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+
+                return root
+
+            root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+
+            theta = root
+            return theta
+
+        def no(d):
+            end = xp.where(d == 0.0, xp.full_like(d, 3.141592653589793), xp.nan)
+            theta = end
+            return theta
+
+        theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (d,))
+
+        t = 0.5*theta
+        t2 = xp.sin(t)
+        t3 = (t2*t2)
+        t = xp.cos(t)
+        t5 = (t*t)
+        t6 = t5*together_ - apart_*t3
+        t7 = at_one*t5 - at_minus_one*t3
+        t8 = 2.0*loss*t6 - 2.0*across*t7
+        t5 = 4.0*t3*t5
+        t10 = 1.0/((across*across)*t5 + (t6*t6))
+        off, cosine, sine = next_angle(xp, l, theta)
+        t11 = t10*cos_next(xp, l, theta, off, cosine, sine)
+        t5 = across*loss*t5 + t6*t7
+        t7 = sin_next(xp, l, theta, off, cosine, sine)
+        t6 = -t10*t5*t7/xp.sin(theta) - 0.5*t11*t8
+        stiffness = t10*t7*t2*t*t8 - t11*t5 - 2.0*t6*t3
+        damping = t6
+        inside = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
+
+        def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+            outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            return outside
+
+        def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+            outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            return outside
+
+        outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+
+        good = stable(xp, outside, inside, damping, gamma, delta)
+        return xp.where(good > 0.0, theta, xp.nan)
+
+    def no(d):
+        return xp.nan
+
+    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) & (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_), no, (d,))
+
+
+def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
+    """the angle of the wall of largest stable stiffness, or NaN"""
+    if gamma.dtype == xp.float32:
+        return stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_)
+
+    def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
+        across = xp.where(part == 0.0, first, first - last)
+        turn_ = 3.141592653589793/(d + 1.0)
+
+        def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+            return (count > 24.0) | (found > 0.0)
+
+        def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+            rises = boundary_slope(xp, xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_), l, at_one, at_minus_one, loss, together_, apart_, across)
+            case1 = rises > 0.0
+            next_count = xp.where(case1, count + 1.0, count)
+            next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+            return next_count, next_found
+
+        count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+
+        def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+            high = xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_)
+            low = xp.where(0.001*high > xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)), 0.001*high, xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)))
+            low = low
+            above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+            def yes(low2):
+                root = low2
+                return root
+
+            def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
+                high2 = high
+                below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+                def yes(high2):
+                    root = high2
+                    return root
+
+                def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+
+                    def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                        return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                    def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                        span = c - b
+                        rise_ = fc - fb
+                        whole = xp.where(span == 0.0, 1.0, span)
+                        place = (a - b)/whole
+                        whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                        height = (fa - fb)/whole
+                        safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                        case1 = safe > 0.0
+                        one = xp.where(case1, fb - fa, 1.0)
+                        two = xp.where(case1, fb - fc, 1.0)
+                        three = xp.where(case1, fa - fc, 1.0)
+                        width = b - a
+                        here = fa/one
+                        there = fc/two
+                        whole = xp.where(width == 0.0, 1.0, width)
+                        other = fa/three
+                        last2 = fb/two
+                        guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
+                        edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                        edge = xp.where(0.5 < edge, 0.5, edge)
+                        share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                        share = xp.where(edge > share, edge, share)
+                        new = a + share*width
+                        value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                        case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                        next_b = xp.where(case2, b, a)
+                        next_fb = xp.where(case2, fb, fa)
+                        next_a = new
+                        next_fa = value
+                        next_c = xp.where(case2, a, b)
+                        next_fc = xp.where(case2, fa, fb)
+                        return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                    b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                    root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                    return root
+
+                root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+
+                return root
+
+            root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+
+            theta = root
+            return theta
+
+        def no(d):
+            end = xp.where(d == 0.0, xp.full_like(d, 3.141592653589793), xp.nan)
+            theta = end
+            return theta
+
+        theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (d,))
+
+        t = 0.5*theta
+        t2 = xp.sin(t)
+        t3 = (t2*t2)
+        t = xp.cos(t)
+        t5 = (t*t)
+        t6 = t5*together_ - apart_*t3
+        t7 = at_one*t5 - at_minus_one*t3
+        t8 = 2.0*loss*t6 - 2.0*across*t7
+        t5 = 4.0*t3*t5
+        t10 = 1.0/((across*across)*t5 + (t6*t6))
+        off, cosine, sine = next_angle(xp, l, theta)
+        t11 = t10*cos_next(xp, l, theta, off, cosine, sine)
+        t5 = across*loss*t5 + t6*t7
+        t7 = sin_next(xp, l, theta, off, cosine, sine)
+        t6 = -t10*t5*t7/xp.sin(theta) - 0.5*t11*t8
+        stiffness = t10*t7*t2*t*t8 - t11*t5 - 2.0*t6*t3
+        damping = t6
+        inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
+
+        def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+            outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            return outside
+
+        def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+            outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            return outside
+
+        outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+
+        good = stable(xp, outside, inside, damping, gamma, delta)
+        return xp.where(good > 0.0, theta, xp.nan)
+
+    def no(d):
+        return xp.nan
+
+    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) & (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_), no, (d,))
+
+
+def gap_single(xp, x):
+    """The same in single precision."""
+
+    def yes(x):
+        near = x
+        square = -(near*near)
+        b6 = 2.8114572543455206e-15*square + 7.647163731819816e-13
+        b6 = b6*square + 1.6059043836821613e-10
+        b6 = b6*square + 2.505210838544172e-08
+        b6 = b6*square + 2.7557319223985893e-06
+        b6 = b6*square + 0.0001984126984126984
+        b6 = b6*square + 0.008333333333333333
+        rest = b6*square - 4.967053879312289e-09
+        total = rest + 0.1666666716337204
+        return total
+
+    def no(x):
+        whole = x
+        return (x - xp.sin(x))/(whole*whole*whole)
+
+    return select(xp, xp.abs(x) < 2.0, yes, (x,), no, (x,))
 
 
 def gap(xp, x):
     """(x - sin(x))/x^3"""
+    if x.dtype == xp.float32:
+        return gap_single(xp, x)
 
     def yes(x):
-        near = xp.where(xp.abs(x) >= 2.0, 0.0, x)
+        near = x
         square = -(near*near)
-        b12 = 1.1309962886447716e-31*square + 9.183689863795546e-29
-        b12 = b12*square + 6.446950284384474e-26
-        b12 = b12*square + 3.868170170630684e-23
-        b12 = b12*square + 1.9572941063391263e-20
-        b12 = b12*square + 8.22063524662433e-18
-        b12 = b12*square + 2.8114572543455206e-15
-        b12 = b12*square + 7.647163731819816e-13
-        b12 = b12*square + 1.6059043836821613e-10
-        b12 = b12*square + 2.505210838544172e-08
-        b12 = b12*square + 2.7557319223985893e-06
-        b12 = b12*square + 0.0001984126984126984
-        b12 = b12*square + 0.008333333333333333
-        rest = b12*square + 9.25185853854297e-18
+        b10 = 6.446950284384474e-26*square + 3.868170170630684e-23
+        b10 = b10*square + 1.9572941063391263e-20
+        b10 = b10*square + 8.22063524662433e-18
+        b10 = b10*square + 2.8114572543455206e-15
+        b10 = b10*square + 7.647163731819816e-13
+        b10 = b10*square + 1.6059043836821613e-10
+        b10 = b10*square + 2.505210838544172e-08
+        b10 = b10*square + 2.7557319223985893e-06
+        b10 = b10*square + 0.0001984126984126984
+        b10 = b10*square + 0.008333333333333333
+        rest = b10*square + 9.25185853854297e-18
         total = rest + 0.16666666666666666
         return total
 
     def no(x):
-        whole = xp.where(xp.abs(x) < 2.0, 2.0, x)
+        whole = x
         return (x - xp.sin(x))/(whole*whole*whole)
 
     return select(xp, xp.abs(x) < 2.0, yes, (x,), no, (x,))
@@ -1042,7 +3610,7 @@ def sinc(xp, x):
     """sin(x)/x"""
 
     def yes(x):
-        near = xp.where(xp.abs(x) >= 1.0, 0.0, x)
+        near = x
         return 1.0 - (near*near)*gap(xp, near)
 
     def no(x):
@@ -1052,12 +3620,31 @@ def sinc(xp, x):
     return select(xp, xp.abs(x) < 1.0, yes, (x,), no, (x,))
 
 
+def need(xp, alpha, beta, l, epsilon, psi):
+    """the damping that the wall needs at the angle 2 psi"""
+
+    def yes(alpha, beta, l, psi):
+        off, cosine, sine = next_angle(xp, l, 2.0*psi)
+        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi, off, cosine, sine)
+        return early
+
+    def no(alpha, beta, epsilon, l, psi):
+        off, cosine, sine = next_angle(xp, l, 2.0*psi)
+        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi, off, cosine, sine)
+        off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*psi)
+        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi, off_2, cosine_2, sine_2) - early)
+        root = square_root(xp, epsilon*(1.0 - epsilon)*((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(xp.sin(psi)*xp.sin(psi))) + (n*n))
+        return 0.5*n + 0.5*root
+
+    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no, (alpha, beta, epsilon, l, psi))
+
+
 def chord(xp, k, x):
     """(2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3"""
-    turn = x*(k + 1.0)
+    turn_ = x*(k + 1.0)
 
-    def yes(k, turn, x):
-        angle = xp.where(turn >= 1.5, 0.0, turn)
+    def yes(k, turn_, x):
+        angle = turn_
         order = 2.0*k + 2.0
         off, cosine, sine = next_angle(xp, k, x)
         along = cos_next(xp, k, x, off, cosine, sine)
@@ -1065,32 +3652,548 @@ def chord(xp, k, x):
         inner = 0.5*(wave*wave) - gap(xp, angle)
         return order*(along*gap(xp, x) + 0.25*inner*(order*order))
 
-    def no(k, turn, x):
-        some = xp.where(turn < 1.5, 1.0, x)
+    def no(k, x):
+        some = x
         order = 2.0*k + 2.0
         off, cosine, sine = next_angle(xp, k, x)
         along = cos_next(xp, k, x, off, cosine, sine)
         return (2.0*sin_next(xp, k, x, off, cosine, sine) - along*order*xp.sin(x))/(some*some*some)
 
-    return select(xp, turn < 1.5, yes, (k, turn, x), no, (k, turn, x))
+    return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
+
+
+def rising(xp, alpha, beta, l, epsilon, psi):
+    """has the sign of the slope of Need, at a fraction"""
+    t = 2.0*l
+    t2 = t + 2.0
+    t3 = 0.5*alpha + beta
+    t4 = 2.0*psi
+    t5 = 2.0*alpha/(sinc(xp, psi)*sinc(xp, psi))
+    t = t + 4.0
+    early = (t2*t2)*t3*sinc(xp, psi*t2) - t5*chord(xp, l, t4)
+    steep = early + epsilon*(t3*(t*t)*sinc(xp, psi*t) - early - t5*chord(xp, l + 1.0, t4))
+    return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*need(xp, alpha, beta, l, epsilon, psi)
+
+
+def steepness(xp, alpha, beta, l, epsilon, psi):
+    """has the sign of the slope of Need, up to the angle in phase"""
+
+    def yes(alpha, beta, l, psi):
+        t = 2.0*l + 2.0
+        early = (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/(sinc(xp, psi)*sinc(xp, psi))
+        return early
+
+    def no(alpha, beta, epsilon, l, psi):
+        phase = psi*(2.0*l + 2.0) + xp.atan2(alpha*xp.cos(psi), (alpha + 2.0*beta)*xp.sin(psi)) + xp.atan2(epsilon*xp.sin(2.0*psi), epsilon*xp.cos(2.0*psi) - epsilon + 1.0) - 3.141592653589793
+
+        def yes(alpha, beta, epsilon, l, psi):
+            rising_ = rising(xp, alpha, beta, l, epsilon, psi)
+            return -xp.abs(rising_)
+
+        def no(alpha, beta, epsilon, l, psi):
+            rising_ = rising(xp, alpha, beta, l, epsilon, psi)
+            return rising_
+
+        return select(xp, phase > 0.0, yes, (alpha, beta, epsilon, l, psi), no, (alpha, beta, epsilon, l, psi))
+
+    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no, (alpha, beta, epsilon, l, psi))
+
+
+def worst_angle_single(xp, alpha, beta, l, epsilon):
+    """The same in single precision."""
+    size = xp.abs(alpha) + xp.abs(beta)
+    whole = xp.where(size == 0.0, 1.0, size)
+    stiffness = alpha/whole
+    damping = beta/whole
+    above = steepness(xp, stiffness, damping, l, epsilon, xp.full_like(damping, 0.0))
+
+    def yes(above):
+        root = 0.0
+        return root
+
+    def no(above, damping, epsilon, l, stiffness):
+        high = 3.141592653589793/(2.0*l + 2.0)
+        below = steepness(xp, stiffness, damping, l, epsilon, high)
+
+        def yes(high):
+            root = high
+            return root
+
+        def no(above, below, damping, epsilon, high, l, stiffness):
+
+            def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
+                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+            def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
+                span = c - b
+                rise_ = fc - fb
+                whole2 = xp.where(span == 0.0, 1.0, span)
+                place = (a - b)/whole2
+                whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
+                height = (fa - fb)/whole2
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                case1 = safe > 0.0
+                one = xp.where(case1, fb - fa, 1.0)
+                two = xp.where(case1, fb - fc, 1.0)
+                three = xp.where(case1, fa - fc, 1.0)
+                width = b - a
+                here = fa/one
+                there = fc/two
+                whole2 = xp.where(width == 0.0, 1.0, width)
+                other = fa/three
+                last = fb/two
+                guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
+                edge = 7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                edge = xp.where(0.5 < edge, 0.5, edge)
+                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                share = xp.where(edge > share, edge, share)
+                new = a + share*width
+                value = steepness(xp, stiffness, damping, l, epsilon, new)
+                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                next_b = xp.where(case2, b, a)
+                next_fb = xp.where(case2, fb, fa)
+                next_a = new
+                next_fa = value
+                next_c = xp.where(case2, a, b)
+                next_fc = xp.where(case2, fa, fb)
+                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
+            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+            return root
+
+        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, damping, epsilon, high, l, stiffness))
+
+        return root
+
+    root = select(xp, above <= 0.0, yes, (above,), no, (above, damping, epsilon, l, stiffness))
+
+    return root
+
+
+def worst_angle(xp, alpha, beta, l, epsilon):
+    """half of the angle at which the wall needs most damping"""
+    if alpha.dtype == xp.float32:
+        return worst_angle_single(xp, alpha, beta, l, epsilon)
+    size = xp.abs(alpha) + xp.abs(beta)
+    whole = xp.where(size == 0.0, 1.0, size)
+    stiffness = alpha/whole
+    damping = beta/whole
+    above = steepness(xp, stiffness, damping, l, epsilon, xp.full_like(damping, 0.0))
+
+    def yes(above):
+        root = 0.0
+        return root
+
+    def no(above, damping, epsilon, l, stiffness):
+        high = 3.141592653589793/(2.0*l + 2.0)
+        below = steepness(xp, stiffness, damping, l, epsilon, high)
+
+        def yes(high):
+            root = high
+            return root
+
+        def no(above, below, damping, epsilon, high, l, stiffness):
+
+            def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
+                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+            def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
+                span = c - b
+                rise_ = fc - fb
+                whole2 = xp.where(span == 0.0, 1.0, span)
+                place = (a - b)/whole2
+                whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
+                height = (fa - fb)/whole2
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                case1 = safe > 0.0
+                one = xp.where(case1, fb - fa, 1.0)
+                two = xp.where(case1, fb - fc, 1.0)
+                three = xp.where(case1, fa - fc, 1.0)
+                width = b - a
+                here = fa/one
+                there = fc/two
+                whole2 = xp.where(width == 0.0, 1.0, width)
+                other = fa/three
+                last = fb/two
+                guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
+                edge = 4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                edge = xp.where(0.5 < edge, 0.5, edge)
+                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                share = xp.where(edge > share, edge, share)
+                new = a + share*width
+                value = steepness(xp, stiffness, damping, l, epsilon, new)
+                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                next_b = xp.where(case2, b, a)
+                next_fb = xp.where(case2, fb, fa)
+                next_a = new
+                next_fa = value
+                next_c = xp.where(case2, a, b)
+                next_fc = xp.where(case2, fa, fb)
+                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
+            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+            return root
+
+        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, damping, epsilon, high, l, stiffness))
+
+        return root
+
+    root = select(xp, above <= 0.0, yes, (above,), no, (above, damping, epsilon, l, stiffness))
+
+    return root
+
+
+def largest_need(xp, alpha, beta, d):
+    """the damping that the wall needs at its worst angle"""
+
+    def yes(alpha):
+        return xp.inf
+
+    def no(alpha, beta, d):
+        whole = xp.floor(d)
+        part = d - whole
+        psi = worst_angle(xp, alpha, beta, whole, part)
+        return need(xp, alpha, beta, whole, part, psi)
+
+    return select(xp, alpha < 0.0, yes, (alpha,), no, (alpha, beta, d))
 
 
 def spread(xp, k, x):
     """((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3"""
-    turn = x*(k + 1.0)
+    turn_ = x*(k + 1.0)
 
-    def yes(k, turn, x):
-        angle = xp.where(turn >= 1.5, 0.0, turn)
+    def yes(k, turn_, x):
+        angle = turn_
         order = 2.0*k + 2.0
         return order*((order*order)*gap(xp, 2.0*angle) - gap(xp, x))
 
-    def no(k, turn, x):
-        some = xp.where(turn < 1.5, 1.0, x)
+    def no(k, x):
+        some = x
         order = 2.0*k + 2.0
         off, cosine, sine = next_angle(xp, k, x)
         return (order*xp.sin(x) - 2.0*cos_next(xp, k, x, off, cosine, sine)*sin_next(xp, k, x, off, cosine, sine))/(some*some*some)
 
-    return select(xp, turn < 1.5, yes, (k, turn, x), no, (k, turn, x))
+    return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
+
+
+def turn_single(xp, psi, l, epsilon):
+    """The same in single precision."""
+    above = -rising(xp, 1.0/(l + 1.0), -1.0/(2.0*l + 2.0), l, epsilon, psi)
+
+    def yes(above):
+        root = 0.0
+        return root
+
+    def no(above, epsilon, l, psi):
+        below = -rising(xp, xp.full_like(epsilon, 0.0), xp.full_like(epsilon, 1.0), l, epsilon, psi)
+
+        def yes(below):
+            root = 0.5*3.141592653589793
+            return root
+
+        def no(above, below, epsilon, l, psi):
+
+            def over(b, fb, a, fa, c, fc, epsilon, l, psi):
+                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+            def step(b, fb, a, fa, c, fc, epsilon, l, psi):
+                span = c - b
+                rise_ = fc - fb
+                whole = xp.where(span == 0.0, 1.0, span)
+                place = (a - b)/whole
+                whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                height = (fa - fb)/whole
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                case1 = safe > 0.0
+                one = xp.where(case1, fb - fa, 1.0)
+                two = xp.where(case1, fb - fc, 1.0)
+                three = xp.where(case1, fa - fc, 1.0)
+                width = b - a
+                here = fa/one
+                there = fc/two
+                whole = xp.where(width == 0.0, 1.0, width)
+                other = fa/three
+                last = fb/two
+                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
+                edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = xp.where(0.5 < edge, 0.5, edge)
+                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                share = xp.where(edge > share, edge, share)
+                new = a + share*width
+                value = -rising(xp, xp.cos(new)/(l + 1.0), xp.sin(new) - xp.cos(new)/(2.0*l + 2.0), l, epsilon, psi)
+                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                next_b = xp.where(case2, b, a)
+                next_fb = xp.where(case2, fb, fa)
+                next_a = new
+                next_fa = value
+                next_c = xp.where(case2, a, b)
+                next_fc = xp.where(case2, fa, fb)
+                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, psi))
+            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+            return root
+
+        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, psi))
+
+        return root
+
+    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi))
+
+    return root
+
+
+def turn(xp, psi, l, epsilon):
+    """the wall whose worst angle is 2 psi, as an angle"""
+    if psi.dtype == xp.float32:
+        return turn_single(xp, psi, l, epsilon)
+    above = -rising(xp, 1.0/(l + 1.0), -1.0/(2.0*l + 2.0), l, epsilon, psi)
+
+    def yes(above):
+        root = 0.0
+        return root
+
+    def no(above, epsilon, l, psi):
+        below = -rising(xp, xp.full_like(epsilon, 0.0), xp.full_like(epsilon, 1.0), l, epsilon, psi)
+
+        def yes(below):
+            root = 0.5*3.141592653589793
+            return root
+
+        def no(above, below, epsilon, l, psi):
+
+            def over(b, fb, a, fa, c, fc, epsilon, l, psi):
+                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+            def step(b, fb, a, fa, c, fc, epsilon, l, psi):
+                span = c - b
+                rise_ = fc - fb
+                whole = xp.where(span == 0.0, 1.0, span)
+                place = (a - b)/whole
+                whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                height = (fa - fb)/whole
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                case1 = safe > 0.0
+                one = xp.where(case1, fb - fa, 1.0)
+                two = xp.where(case1, fb - fc, 1.0)
+                three = xp.where(case1, fa - fc, 1.0)
+                width = b - a
+                here = fa/one
+                there = fc/two
+                whole = xp.where(width == 0.0, 1.0, width)
+                other = fa/three
+                last = fb/two
+                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
+                edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = xp.where(0.5 < edge, 0.5, edge)
+                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                share = xp.where(edge > share, edge, share)
+                new = a + share*width
+                value = -rising(xp, xp.cos(new)/(l + 1.0), xp.sin(new) - xp.cos(new)/(2.0*l + 2.0), l, epsilon, psi)
+                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                next_b = xp.where(case2, b, a)
+                next_fb = xp.where(case2, fb, fa)
+                next_a = new
+                next_fa = value
+                next_c = xp.where(case2, a, b)
+                next_fc = xp.where(case2, fa, fb)
+                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, psi))
+            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+            return root
+
+        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, psi))
+
+        return root
+
+    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi))
+
+    return root
+
+
+def touching(xp, theta, l, epsilon):
+    """the wall whose worst angle is theta, as an angle, or NaN"""
+    found = turn(xp, 0.5*theta, l, epsilon)
+    return xp.where(found < 0.5*3.141592653589793, found, xp.nan)
+
+
+def passive_angle_single(xp, l, epsilon):
+    """The same in single precision."""
+    low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
+    turned = turn(xp, low, l, epsilon)
+    wall = xp.cos(turned)/(l + 1.0)
+    wall2 = xp.sin(turned) - xp.cos(turned)/(2.0*l + 2.0)
+    need_ = need(xp, wall, wall2, l, epsilon, low)
+    off, cosine, sine = next_angle(xp, l, 2.0*low)
+    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*low)
+    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*low, off, cosine, sine)) + cos_next(xp, l, 2.0*low, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+
+    def yes(low):
+        root = low
+        return root
+
+    def no(above, epsilon, l, low):
+        high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
+        turned2 = turn(xp, high, l, epsilon)
+        wall3 = xp.cos(turned2)/(l + 1.0)
+        wall4 = xp.sin(turned2) - xp.cos(turned2)/(2.0*l + 2.0)
+        need2 = need(xp, wall3, wall4, l, epsilon, high)
+        off, cosine, sine = next_angle(xp, l, 2.0*high)
+        off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*high)
+        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*high, off, cosine, sine)) + cos_next(xp, l, 2.0*high, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+
+        def yes(high):
+            root = high
+            return root
+
+        def no(above, below, epsilon, high, l, low):
+
+            def over(b, fb, a, fa, c, fc, epsilon, l):
+                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+            def step(b, fb, a, fa, c, fc, epsilon, l):
+                span = c - b
+                rise_ = fc - fb
+                whole = xp.where(span == 0.0, 1.0, span)
+                place = (a - b)/whole
+                whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                height = (fa - fb)/whole
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                case1 = safe > 0.0
+                one = xp.where(case1, fb - fa, 1.0)
+                two = xp.where(case1, fb - fc, 1.0)
+                three = xp.where(case1, fa - fc, 1.0)
+                width = b - a
+                here = fa/one
+                there = fc/two
+                whole = xp.where(width == 0.0, 1.0, width)
+                other = fa/three
+                last = fb/two
+                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
+                edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = xp.where(0.5 < edge, 0.5, edge)
+                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                share = xp.where(edge > share, edge, share)
+                new = a + share*width
+                turned3 = turn(xp, new, l, epsilon)
+                wall5 = xp.cos(turned3)/(l + 1.0)
+                wall6 = xp.sin(turned3) - xp.cos(turned3)/(2.0*l + 2.0)
+                need3 = need(xp, wall5, wall6, l, epsilon, new)
+                off, cosine, sine = next_angle(xp, l, 2.0*new)
+                off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*new)
+                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*new, off, cosine, sine)) + cos_next(xp, l, 2.0*new, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                next_b = xp.where(case2, b, a)
+                next_fb = xp.where(case2, fb, fa)
+                next_a = new
+                next_fa = value
+                next_c = xp.where(case2, a, b)
+                next_fc = xp.where(case2, fa, fb)
+                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low, above, high, below, high, below), (epsilon, l))
+            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+            return root
+
+        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, epsilon, high, l, low))
+
+        return root
+
+    root = select(xp, above <= 0.0, yes, (low,), no, (above, epsilon, l, low))
+
+    return 2.0*root
+
+
+def passive_angle(xp, l, epsilon):
+    """the worst angle of the stiffest passive wall, at a fraction"""
+    if l.dtype == xp.float32:
+        return passive_angle_single(xp, l, epsilon)
+    low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
+    turned = turn(xp, low, l, epsilon)
+    wall = xp.cos(turned)/(l + 1.0)
+    wall2 = xp.sin(turned) - xp.cos(turned)/(2.0*l + 2.0)
+    need_ = need(xp, wall, wall2, l, epsilon, low)
+    off, cosine, sine = next_angle(xp, l, 2.0*low)
+    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*low)
+    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*low, off, cosine, sine)) + cos_next(xp, l, 2.0*low, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+
+    def yes(low):
+        root = low
+        return root
+
+    def no(above, epsilon, l, low):
+        high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
+        turned2 = turn(xp, high, l, epsilon)
+        wall3 = xp.cos(turned2)/(l + 1.0)
+        wall4 = xp.sin(turned2) - xp.cos(turned2)/(2.0*l + 2.0)
+        need2 = need(xp, wall3, wall4, l, epsilon, high)
+        off, cosine, sine = next_angle(xp, l, 2.0*high)
+        off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*high)
+        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*high, off, cosine, sine)) + cos_next(xp, l, 2.0*high, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+
+        def yes(high):
+            root = high
+            return root
+
+        def no(above, below, epsilon, high, l, low):
+
+            def over(b, fb, a, fa, c, fc, epsilon, l):
+                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+            def step(b, fb, a, fa, c, fc, epsilon, l):
+                span = c - b
+                rise_ = fc - fb
+                whole = xp.where(span == 0.0, 1.0, span)
+                place = (a - b)/whole
+                whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                height = (fa - fb)/whole
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                case1 = safe > 0.0
+                one = xp.where(case1, fb - fa, 1.0)
+                two = xp.where(case1, fb - fc, 1.0)
+                three = xp.where(case1, fa - fc, 1.0)
+                width = b - a
+                here = fa/one
+                there = fc/two
+                whole = xp.where(width == 0.0, 1.0, width)
+                other = fa/three
+                last = fb/two
+                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
+                edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = xp.where(0.5 < edge, 0.5, edge)
+                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                share = xp.where(edge > share, edge, share)
+                new = a + share*width
+                turned3 = turn(xp, new, l, epsilon)
+                wall5 = xp.cos(turned3)/(l + 1.0)
+                wall6 = xp.sin(turned3) - xp.cos(turned3)/(2.0*l + 2.0)
+                need3 = need(xp, wall5, wall6, l, epsilon, new)
+                off, cosine, sine = next_angle(xp, l, 2.0*new)
+                off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*new)
+                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*new, off, cosine, sine)) + cos_next(xp, l, 2.0*new, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                next_b = xp.where(case2, b, a)
+                next_fb = xp.where(case2, fb, fa)
+                next_a = new
+                next_fa = value
+                next_c = xp.where(case2, a, b)
+                next_fc = xp.where(case2, fa, fb)
+                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low, above, high, below, high, below), (epsilon, l))
+            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+            return root
+
+        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, epsilon, high, l, low))
+
+        return root
+
+    root = select(xp, above <= 0.0, yes, (low,), no, (above, epsilon, l, low))
+
+    return 2.0*root
 
 
 def discretize(gamma, delta):
@@ -1103,10 +4206,40 @@ def discretize(gamma, delta):
     xp, gamma, delta = arrays(gamma, delta)
 
     def work(gamma, delta):
-        half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low), swing(xp, gamma, delta, half, total2, root, root_low, total3, q, q_low), xp.exp(-delta)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        return rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), xp.exp(-delta)
 
     return elementwise(xp, work, gamma, delta)
+
+
+def discretize_late(gamma, delta, epsilon):
+    """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m.
+
+    gamma: physical stiffness, k T^2/m [1]
+    delta: physical damping, b T/m [1]
+    epsilon: rest of a delay, a fraction of a period [1]
+    Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
+    """
+    xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
+
+    def plant(gamma, delta):
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
+
+    together_, swing_ = elementwise(xp, plant, gamma, delta)
+
+    def work(gamma, delta, epsilon, together_, swing_):
+        t0 = 1.0 - epsilon
+        t1 = (t0*t0)
+        t0 = delta*t0
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t1, t0)
+        t1 = t1*rise(xp, gamma*t1, t0, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+        t4 = (epsilon*epsilon)
+        half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t4, delta*epsilon)
+        t4 = t4*xp.exp(-t0)*fall(xp, gamma*t4, delta*epsilon, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+        return t1, together_ - t1 - t4, t4, swing_, xp.exp(-delta)
+
+    return elementwise(xp, work, gamma, delta, epsilon, together_, swing_)
 
 
 def is_stable(alpha, beta, gamma, delta, d):
@@ -1117,21 +4250,40 @@ def is_stable(alpha, beta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, d whole.
+    Domain: gamma >= 0, delta >= 0, d >= 0.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return together(xp, gamma, delta, half, total2, root, root_low, total3, q), rise(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low), decay(xp, delta), apart(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
-    t0, rise_, fall_, nyquist_, decay_, apart_ = elementwise(xp, plant, gamma, delta)
+    t0, t2, t3, rise_, fall_, apart_ = elementwise(xp, plant, gamma, delta)
 
-    def work(alpha, beta, gamma, delta, d, t0, rise_, fall_, nyquist_, decay_, apart_):
-        t1 = unstable_roots(xp, alpha, beta, d, rise_, fall_, gamma*t0, nyquist_, decay_*delta, t0, apart_*delta)
-        return t1, stable(xp, t1, alpha, beta, gamma, delta)
+    def work(alpha, beta, gamma, delta, d, t0, t2, t3, rise_, fall_, apart_):
 
-    return elementwise(xp, work, alpha, beta, gamma, delta, d, t0, rise_, fall_, nyquist_, decay_, apart_)
+        def yes(alpha, apart_, beta, d, delta, fall_, gamma, rise_, t0, t2, t3):
+            t1 = gamma*t0
+            t1 = unstable_roots(xp, alpha, beta, d, rise_, fall_, t1, t2, t3, t0, apart_*delta)
+            return t1, stable(xp, t1, alpha, beta, gamma, delta)
+
+        def no(alpha, beta, d, delta, gamma, t0, t2, t3):
+            t1 = gamma*t0
+            t5 = some_part(xp, d)
+            t6 = 1.0 - t5
+            t7 = (t6*t6)
+            t6 = delta*t6
+            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t7, t6)
+            t7 = t7*rise(xp, gamma*t7, t6, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+            t10 = (t5*t5)
+            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t10, delta*t5)
+            t10 = t10*xp.exp(-t6)*fall(xp, gamma*t10, delta*t5, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t7 = late_roots(xp, alpha, beta, whole_part(xp, d), t7, t10, t1, t2, t3, t0, 2.0*t10 - t0 + 2.0*t7)
+            return t7, stable(xp, t7, alpha, beta, gamma, delta)
+
+        return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_, beta, d, delta, fall_, gamma, rise_, t0, t2, t3), no, (alpha, beta, d, delta, gamma, t0, t2, t3))
+
+    return elementwise(xp, work, alpha, beta, gamma, delta, d, t0, t2, t3, rise_, fall_, apart_)
 
 
 def stability_boundary(theta, gamma, delta, d):
@@ -1141,35 +4293,160 @@ def stability_boundary(theta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.
+    Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
     """
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return together(xp, gamma, delta, half, total2, root, root_low, total3, q), nyquist(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low), delta*apart(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low), 2.0*delta*decay(xp, delta)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        return delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), 2.0*delta*decay(xp, delta)
 
-    t0, nyquist_, t4, t7 = elementwise(xp, plant, gamma, delta)
+    t0, t1, nyquist_, t11 = elementwise(xp, plant, gamma, delta)
 
-    def work(theta, gamma, d, t0, nyquist_, t4, t7):
-        t1 = xp.tan(0.5*theta)
-        t2 = (t1*t1)
-        t3 = gamma*t0 - nyquist_*t2
-        t5 = t0 - t2*t4
-        t6 = t0 + t4
-        t8 = t2*t6*t7 + t3*t5
-        t9 = 1.0/(t2*(t6*t6) + (t5*t5))
-        off, cosine, sine = next_angle(xp, d, theta)
-        t10 = sin_next(xp, d, theta, off, cosine, sine)
-        t6 = t1*t5*t7 - t1*t3*t6
-        t5 = t9*cos_next(xp, d, theta, off, cosine, sine)
-        t3 = -t10*t8*t9 - t6*t5
-        return t10*t6*t9 - t1*t3 - t5*t8, 0.5*t3*(t2 + 1.0)/t1
+    def work(theta, gamma, delta, d, t0, t1, nyquist_, t11):
 
-    return elementwise(xp, work, theta, gamma, d, t0, nyquist_, t4, t7)
+        def yes(d, gamma, nyquist_, t0, t1, t11, theta):
+            t2 = t0 + t1
+            t3 = 0.5*theta
+            t4 = xp.sin(t3)
+            t5 = (t4*t4)
+            t3 = xp.cos(t3)
+            t7 = (t3*t3)
+            t8 = gamma*t1*t7 - nyquist_*t5
+            t9 = -t1*t7
+            t9 = -t0*t5 - t9
+            t12 = t9*t11 - t2*t8
+            t7 = t5*t7
+            t14 = 1.0/((t9*t9) + t7*(t2*t2))
+            off, cosine, sine = next_angle(xp, d, theta)
+            t15 = t14*cos_next(xp, d, theta, off, cosine, sine)
+            t7 = t11*t7
+            t7 = t9*t8 + t7*t2
+            t8 = 1.0/xp.sin(theta)
+            t2 = sin_next(xp, d, theta, off, cosine, sine)
+            t8 = -0.5*t12*t15 - t14*t7*t8*t2
+            t5 = 2.0*t5
+            return t12*t14*t2*t4*t3 - t15*t7 - t8*t5, t8
+
+        def no(d, delta, gamma, nyquist_, t1, t11, theta):
+            t3 = 0.5*theta
+            t4 = xp.sin(t3)
+            t5 = (t4*t4)
+            t3 = xp.cos(t3)
+            t7 = (t3*t3)
+            t8 = gamma*t1*t7 - nyquist_*t5
+            t9 = -t1*t7
+            t7 = t5*t7
+            t16 = t11*t7
+            t18 = 1.0/xp.sin(theta)
+            t21 = 2.0*t5
+            t22 = some_part(xp, d)
+            t23 = 1.0 - t22
+            t24 = (t23*t23)
+            t23 = delta*t23
+            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t24, t23)
+            t24 = 2.0*t24*rise(xp, gamma*t24, t23, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+            t27 = (t22*t22)
+            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t27, delta*t22)
+            t27 = 2.0*t27*xp.exp(-t23)*fall(xp, gamma*t27, delta*t22, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t23 = t24 - t27
+            t9 = -t5*(t24 - t1 + t27) - t9
+            t27 = t11*t9 - t23*t8
+            t7 = 1.0/(t7*(t23*t23) + (t9*t9))
+            t24 = whole_part(xp, d)
+            off_3, cosine_3, sine_3 = next_angle(xp, t24, theta)
+            t5 = t7*cos_next(xp, t24, theta, off_3, cosine_3, sine_3)
+            t16 = t16*t23 + t9*t8
+            t24 = sin_next(xp, t24, theta, off_3, cosine_3, sine_3)
+            t18 = -t18*t7*t16*t24 - 0.5*t27*t5
+            return t27*t7*t24*t4*t3 - t21*t18 - t5*t16, t18
+
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, gamma, nyquist_, t0, t1, t11, theta), no, (d, delta, gamma, nyquist_, t1, t11, theta))
+
+    return elementwise(xp, work, theta, gamma, delta, d, t0, t1, nyquist_, t11)
 
 
-def passivity_margin(theta, alpha, beta, delta, d):
+def max_stable_stiffness(gamma, delta, d):
+    """the wall of largest stable stiffness, a limit that is not stable itself, and the angle theta = omega T of its roots on the unit circle.
+
+    gamma: physical stiffness, k T^2/m [1]
+    delta: physical damping, b T/m [1]
+    d: delay in sampling periods, t_d/T [1]
+    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, NaN elsewhere and where no wall is stable.
+    """
+    xp, gamma, delta, d = arrays(gamma, delta, d)
+
+    def plant(gamma, delta):
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+
+    t0, t2, t3, t4, rise_, fall_ = elementwise(xp, plant, gamma, delta)
+
+    def work(gamma, delta, d, t0, t2, t3, t4, rise_, fall_):
+
+        def yes(d, delta, fall_, gamma, rise_, t0, t2, t3, t4):
+            t1 = gamma*t0
+            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_, fall_, t1, t2, t3, t0, t4)
+            t6 = 0.5*t5
+            t7 = xp.sin(t6)
+            t8 = (t7*t7)
+            t9 = t0 + t4
+            t6 = xp.cos(t6)
+            t11 = (t6*t6)
+            t1 = t1*t11 - t2*t8
+            t13 = t0*t11 - t4*t8
+            t14 = 2.0*t3
+            t15 = t13*t14 - t1*t9
+            t11 = t11*t8
+            t17 = 1.0/((t13*t13) + t11*(t9*t9))
+            off, cosine, sine = next_angle(xp, d, t5)
+            t18 = t17*cos_next(xp, d, t5, off, cosine, sine)
+            t11 = t1*t13 + t14*t11*t9
+            t9 = sin_next(xp, d, t5, off, cosine, sine)
+            t14 = -0.5*t15*t18 - t17*t11*t9/xp.sin(t5)
+            return t6*t15*t17*t9*t7 - t18*t11 - 2.0*t14*t8, t14, t5
+
+        def no(d, delta, gamma, t0, t2, t3):
+            t1 = gamma*t0
+            t14 = 2.0*t3
+            t22 = whole_part(xp, d)
+            t23 = some_part(xp, d)
+            t24 = 1.0 - t23
+            t25 = (t24*t24)
+            t24 = delta*t24
+            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t25, t24)
+            t25 = t25*rise(xp, gamma*t25, t24, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+            t28 = (t23*t23)
+            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t28, delta*t23)
+            t28 = t28*xp.exp(-t24)*fall(xp, gamma*t28, delta*t23, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t24 = 2.0*t25
+            t31 = 2.0*t28
+            t32 = t24 - t0 + t31
+            t28 = stiffest_angle(xp, gamma, delta, d, t22, t23, t25, t28, t1, t2, t3, t0, t32)
+            t25 = 0.5*t28
+            t23 = xp.sin(t25)
+            t36 = (t23*t23)
+            t25 = xp.cos(t25)
+            t38 = (t25*t25)
+            t1 = t1*t38 - t2*t36
+            t31 = t24 - t31
+            t32 = t0*t38 - t32*t36
+            t24 = t14*t32 - t1*t31
+            t38 = t36*t38
+            t44 = 1.0/((t31*t31)*t38 + (t32*t32))
+            off_3, cosine_3, sine_3 = next_angle(xp, t22, t28)
+            t45 = t44*cos_next(xp, t22, t28, off_3, cosine_3, sine_3)
+            t38 = t14*t31*t38 + t1*t32
+            t22 = sin_next(xp, t22, t28, off_3, cosine_3, sine_3)
+            t32 = -0.5*t24*t45 - t44*t38*t22/xp.sin(t28)
+            return t23*t25*t24*t44*t22 - 2.0*t36*t32 - t45*t38, t32, t28
+
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, fall_, gamma, rise_, t0, t2, t3, t4), no, (d, delta, gamma, t0, t2, t3))
+
+    return elementwise(xp, work, gamma, delta, d, t0, t2, t3, t4, rise_, fall_)
+
+
+def passivity_margin_at(theta, alpha, beta, delta, d):
     """physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is passive where it is positive at every angle.
 
     theta: angle on the unit circle, omega T [1]
@@ -1190,6 +4467,23 @@ def passivity_margin(theta, alpha, beta, delta, d):
     return elementwise(xp, work, theta, alpha, beta, delta, d)
 
 
+def passivity_margin(alpha, beta, delta, d):
+    """physical damping minus the damping that the wall needs at its worst angle; the wall is passive where it is not negative.
+
+    alpha: virtual stiffness, K T^2/m [1]
+    beta: virtual damping, B T/m [1]
+    delta: physical damping, b T/m [1]
+    d: delay in sampling periods, t_d/T [1]
+    Domain: delta >= 0, d >= 0, -inf for alpha < 0.
+    """
+    xp, alpha, beta, delta, d = arrays(alpha, beta, delta, d)
+
+    def work(alpha, beta, delta, d):
+        return delta - largest_need(xp, alpha, beta, d)
+
+    return elementwise(xp, work, alpha, beta, delta, d)
+
+
 def passivity_boundary(theta, delta, d):
     """the wall that is just passive and whose worst angle is theta = omega T.
 
@@ -1201,11 +4495,47 @@ def passivity_boundary(theta, delta, d):
     xp, theta, delta, d = arrays(theta, delta, d)
 
     def work(theta, delta, d):
-        t0 = delta/spread(xp, d, theta)
-        t2 = sinc(xp, 0.5*theta)
-        off, cosine, sine = next_angle(xp, d, theta)
-        t2 = (t2*t2)*(d + 1.0)*sin_next(xp, d, theta, off, cosine, sine)/theta
-        return 2.0*t0*t2, t0*(chord(xp, d, theta) - t2)
+
+        def yes(d, delta, theta):
+            t0 = delta/spread(xp, d, theta)
+            t1 = 0.5*theta
+            t1 = sinc(xp, t1)
+            off, cosine, sine = next_angle(xp, d, theta)
+            t1 = (t1*t1)*(d + 1.0)*sin_next(xp, d, theta, off, cosine, sine)/theta
+            return 2.0*t0*t1, t0*(chord(xp, d, theta) - t1)
+
+        def no(d, delta, theta):
+            t1 = 0.5*theta
+            t2 = sinc(xp, t1)
+            t4 = whole_part(xp, d)
+            t5 = t4 + 1.0
+            t6 = 1.0/t5
+            t7 = some_part(xp, d)
+            t8 = touching(xp, theta, t4, t7)
+            t9 = xp.cos(t8)
+            t10 = t6*t9
+            t11 = 2.0*t4
+            t12 = t9/(t11 + 2.0)
+            t8 = xp.sin(t8)
+            t14 = t8 - t12
+            t2 = 1.0/t2
+            t16 = t11 + 3.0
+            off, cosine, sine = next_angle(xp, t4, theta)
+            t4 = t14*cos_next(xp, t4, theta, off, cosine, sine)
+            t18 = t10*t2
+            t11 = t11 + 1.0
+            t11 = t11*sinc(xp, t1*t11)
+            t21 = 0.5*t18*t11 - t4
+            off_2, cosine_2, sine_2 = next_angle(xp, t5, theta)
+            t16 = t7*(0.5*t2*t16*t6*t9*sinc(xp, t1*t16) - t14*cos_next(xp, t5, theta, off_2, cosine_2, sine_2) - t21)
+            t2 = xp.cos(t1)
+            t1 = xp.sin(t1)
+            t21 = t21 + t16
+            t8 = t10 - 2.0*t12 + 2.0*t8
+            t8 = delta/(0.25*t18*t11 - 0.5*t4 + 0.5*t16 + 0.5*square_root(xp, (t21*t21) + t7*(1.0 - t7)*((t2*t2)*(t9*t9)/(t5*t5) + (t1*t1)*(t8*t8))))
+            return t10*t8, t14*t8
+
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
     return elementwise(xp, work, theta, delta, d)
 
@@ -1220,12 +4550,45 @@ def max_passive_stiffness(delta, d):
     xp, delta, d = arrays(delta, d)
 
     def work(delta, d):
-        t0 = 1.0/(d + 1.0)
-        t1 = 3.141592653589793*t0
-        t2 = 0.25*t1
-        t1 = 0.5*t1
-        t4 = xp.sin(t2)
-        return 2.0*delta*xp.tan(t2), delta*(t0 - 2.0*(t4*t4))/xp.sin(t1), t1
+
+        def yes(d, delta):
+            t0 = 3.141592653589793/(d + 1.0)
+            t1 = xp.tan(0.25*t0)
+            t0 = 0.5*t0
+            return 2.0*delta*t1, delta*(2.0/(3.141592653589793*sinc(xp, t0)) - t1), t0
+
+        def no(d, delta):
+            t3 = whole_part(xp, d)
+            t4 = t3 + 1.0
+            t5 = 1.0/t4
+            t6 = some_part(xp, d)
+            t7 = passive_angle(xp, t3, t6)
+            t8 = touching(xp, t7, t3, t6)
+            t9 = xp.cos(t8)
+            t10 = t5*t9
+            t11 = 2.0*t3
+            t12 = t9/(t11 + 2.0)
+            t8 = xp.sin(t8)
+            t14 = t8 - t12
+            t15 = 0.5*t7
+            t16 = 1.0/sinc(xp, t15)
+            t17 = t11 + 3.0
+            off, cosine, sine = next_angle(xp, t3, t7)
+            t3 = t14*cos_next(xp, t3, t7, off, cosine, sine)
+            t19 = t10*t16
+            t11 = t11 + 1.0
+            t11 = t11*sinc(xp, t15*t11)
+            t22 = 0.5*t19*t11 - t3
+            off_2, cosine_2, sine_2 = next_angle(xp, t4, t7)
+            t17 = t6*(0.5*t16*t17*t5*t9*sinc(xp, t15*t17) - t14*cos_next(xp, t4, t7, off_2, cosine_2, sine_2) - t22)
+            t16 = xp.cos(t15)
+            t15 = xp.sin(t15)
+            t22 = t22 + t17
+            t8 = t10 - 2.0*t12 + 2.0*t8
+            t8 = delta/(0.25*t19*t11 - 0.5*t3 + 0.5*t17 + 0.5*square_root(xp, (t22*t22) + t6*(1.0 - t6)*((t16*t16)*(t9*t9)/(t4*t4) + (t15*t15)*(t8*t8))))
+            return t10*t8, t14*t8, t7
+
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 
     return elementwise(xp, work, delta, d)
 
