@@ -124,7 +124,9 @@ def test_the_limits_are_the_leading_terms(at):
             assert abs(number(step, step) - exact) <= 2 * step + mpf(10) ** -35, cls
 
 
-@pytest.mark.parametrize("name", ["stability_boundary", "passivity_boundary", "passivity_margin_at"])
+@pytest.mark.parametrize(
+    "name", ["stability_boundary", "passivity_boundary", "passivity_margin_at"]
+)
 def test_forms_beside_power_series_in_balls(name):
     """Textbook formulas in ball arithmetic, differentiated as power series."""
     form = stable.form(name)

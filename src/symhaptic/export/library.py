@@ -58,7 +58,7 @@ def routine(form: Form) -> Routine:
     taken = {s.name for e in form.expressions for s in e.free_symbols}
     fresh = (Symbol(n) for n in (f"t{i}" for i in range(10**6)) if n not in taken)
     given, together = _apart(form.expressions)
-    steps, results = sp.cse(given, symbols=fresh, order="none")
+    steps, results = sp.cse(given, symbols=fresh, order="canonical")
     done: list[Step] = []
     for name, expr in steps:
         done.append((name, _with_named_bases(expr, done, fresh)))
@@ -88,9 +88,13 @@ def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], 
     return [e.args[k][0] for k in (0, 1) for e in exprs] + [first.lhs], together
 
 
+def _by_size(expr: Expr) -> tuple[int, object]:
+    return sp.count_ops(expr), sp.default_sort_key(expr)
+
+
 def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> Expr:
     """Powers of symbols only, so that a product does not compute its factor twice."""
-    for power in sorted(expr.atoms(sp.Pow), key=sp.count_ops):
+    for power in sorted(expr.atoms(sp.Pow), key=_by_size):
         base, exponent = power.args
         if exponent.is_Integer and abs(exponent) > 1 and not base.is_Symbol:
             name = next(iter(fresh))

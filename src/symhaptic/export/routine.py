@@ -160,7 +160,7 @@ class Steps:
     def common(self, *exprs: Expr) -> list[Expr]:
         """The expressions made of steps for what they have in common."""
         fresh = (self.fresh("t") for _ in count())
-        steps, results = sp.cse(exprs, symbols=fresh, order="none")
+        steps, results = sp.cse(exprs, symbols=fresh, order="canonical")
         self.done += steps
         return list(results)
 

@@ -3261,27 +3261,27 @@ def sin_next(xp, k, x, off, cosine, sine):
 
 def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, across):
     """has the sign of the slope of the boundary's alpha"""
-    t = 0.5*theta
-    t2 = xp.tan(t)
-    t3 = (t2*t2)
-    t4 = t3 + 1.0
-    t5 = apart_*t3
-    t6 = at_minus_one*t3
-    t7 = at_one - t6
-    t8 = (loss*loss)
-    t3 = 4.0*t3
-    t10 = (t7*t7) + t8*t3
-    t11 = together_ - t5
-    t12 = (across*across)
-    t13 = (t11*t11) + t12*t3
-    t14 = t10*t13
-    t3 = across*loss*t3 + t11*t7
-    t16 = 2.0*l + 2.0
-    off, cosine, sine = next_angle(xp, t16, t)
-    t17 = sin_next(xp, t16, t, off, cosine, sine)
-    t18 = 2.0*loss*t11*t2 - 2.0*across*t2*t7
-    t16 = cos_next(xp, t16, t, off, cosine, sine)
-    return (t14*(l + 1.5) + t4*(loss*t13*(at_one + t6) - across*t10*(t5 + together_)))*(t3*t17 + t18*t16) - t2*(0.5*t14 + t4*(t13*(2.0*t8 - at_minus_one*t7) - t10*(2.0*t12 - apart_*t11)))*(t3*t16 - t17*t18)
+    t = 2.0*l + 2.0
+    t2 = 0.5*theta
+    off, cosine, sine = next_angle(xp, t, t2)
+    t3 = sin_next(xp, t, t2, off, cosine, sine)
+    t4 = xp.tan(t2)
+    t5 = (t4*t4)
+    t6 = 4.0*t5
+    t7 = apart_*t5
+    t8 = together_ - t7
+    t9 = at_minus_one*t5
+    t10 = at_one - t9
+    t11 = across*loss*t6 + t10*t8
+    t2 = cos_next(xp, t, t2, off, cosine, sine)
+    t = 2.0*loss*t4*t8 - 2.0*across*t10*t4
+    t14 = (across*across)
+    t15 = t14*t6 + (t8*t8)
+    t16 = (loss*loss)
+    t6 = (t10*t10) + t16*t6
+    t18 = t15*t6
+    t5 = t5 + 1.0
+    return (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*(t7 + together_))) - t4*(0.5*t18 + t5*(t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
 
 
 def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
@@ -3380,23 +3380,23 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
 
         theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (d,))
 
-        t = 0.5*theta
-        t2 = xp.sin(t)
-        t3 = (t2*t2)
-        t = xp.cos(t)
-        t5 = (t*t)
-        t6 = t5*together_ - apart_*t3
-        t7 = at_one*t5 - at_minus_one*t3
-        t8 = 2.0*loss*t6 - 2.0*across*t7
-        t5 = 4.0*t3*t5
-        t10 = 1.0/((across*across)*t5 + (t6*t6))
         off, cosine, sine = next_angle(xp, l, theta)
-        t11 = t10*cos_next(xp, l, theta, off, cosine, sine)
-        t5 = across*loss*t5 + t6*t7
-        t7 = sin_next(xp, l, theta, off, cosine, sine)
-        t6 = -t10*t5*t7/xp.sin(theta) - 0.5*t11*t8
-        stiffness = t10*t7*t2*t*t8 - t11*t5 - 2.0*t6*t3
-        damping = t6
+        t = sin_next(xp, l, theta, off, cosine, sine)
+        t2 = 0.5*theta
+        t3 = xp.sin(t2)
+        t2 = xp.cos(t2)
+        t5 = (t2*t2)
+        t6 = (t3*t3)
+        t7 = 4.0*t5*t6
+        t8 = t5*together_ - apart_*t6
+        t9 = 1.0/((across*across)*t7 + (t8*t8))
+        t5 = at_one*t5 - at_minus_one*t6
+        t11 = 2.0*loss*t8 - 2.0*across*t5
+        t5 = across*loss*t7 + t5*t8
+        t8 = t9*cos_next(xp, l, theta, off, cosine, sine)
+        t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
+        stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
+        damping = t7
         inside = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
 
         def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
@@ -3516,23 +3516,23 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
 
         theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (d,))
 
-        t = 0.5*theta
-        t2 = xp.sin(t)
-        t3 = (t2*t2)
-        t = xp.cos(t)
-        t5 = (t*t)
-        t6 = t5*together_ - apart_*t3
-        t7 = at_one*t5 - at_minus_one*t3
-        t8 = 2.0*loss*t6 - 2.0*across*t7
-        t5 = 4.0*t3*t5
-        t10 = 1.0/((across*across)*t5 + (t6*t6))
         off, cosine, sine = next_angle(xp, l, theta)
-        t11 = t10*cos_next(xp, l, theta, off, cosine, sine)
-        t5 = across*loss*t5 + t6*t7
-        t7 = sin_next(xp, l, theta, off, cosine, sine)
-        t6 = -t10*t5*t7/xp.sin(theta) - 0.5*t11*t8
-        stiffness = t10*t7*t2*t*t8 - t11*t5 - 2.0*t6*t3
-        damping = t6
+        t = sin_next(xp, l, theta, off, cosine, sine)
+        t2 = 0.5*theta
+        t3 = xp.sin(t2)
+        t2 = xp.cos(t2)
+        t5 = (t2*t2)
+        t6 = (t3*t3)
+        t7 = 4.0*t5*t6
+        t8 = t5*together_ - apart_*t6
+        t9 = 1.0/((across*across)*t7 + (t8*t8))
+        t5 = at_one*t5 - at_minus_one*t6
+        t11 = 2.0*loss*t8 - 2.0*across*t5
+        t5 = across*loss*t7 + t5*t8
+        t8 = t9*cos_next(xp, l, theta, off, cosine, sine)
+        t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
+        stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
+        damping = t7
         inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
 
         def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
@@ -3664,14 +3664,14 @@ def chord(xp, k, x):
 
 def rising(xp, alpha, beta, l, epsilon, psi):
     """has the sign of the slope of Need, at a fraction"""
-    t = 2.0*l
-    t2 = t + 2.0
+    t = 2.0*psi
+    t2 = 2.0*alpha/(sinc(xp, psi)*sinc(xp, psi))
     t3 = 0.5*alpha + beta
-    t4 = 2.0*psi
-    t5 = 2.0*alpha/(sinc(xp, psi)*sinc(xp, psi))
-    t = t + 4.0
-    early = (t2*t2)*t3*sinc(xp, psi*t2) - t5*chord(xp, l, t4)
-    steep = early + epsilon*(t3*(t*t)*sinc(xp, psi*t) - early - t5*chord(xp, l + 1.0, t4))
+    t4 = 2.0*l
+    t5 = t4 + 2.0
+    t4 = t4 + 4.0
+    early = t3*(t5*t5)*sinc(xp, psi*t5) - t2*chord(xp, l, t)
+    steep = early + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - early - t2*chord(xp, l + 1.0, t))
     return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*need(xp, alpha, beta, l, epsilon, psi)
 
 
@@ -4299,71 +4299,71 @@ def stability_boundary(theta, gamma, delta, d):
 
     def plant(gamma, delta):
         half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), 2.0*delta*decay(xp, delta)
+        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), 2.0*delta*decay(xp, delta), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
-    t0, t1, nyquist_, t11 = elementwise(xp, plant, gamma, delta)
+    t4, t5, t13, nyquist_ = elementwise(xp, plant, gamma, delta)
 
-    def work(theta, gamma, delta, d, t0, t1, nyquist_, t11):
+    def work(theta, gamma, delta, d, t4, t5, t13, nyquist_):
 
-        def yes(d, gamma, nyquist_, t0, t1, t11, theta):
-            t2 = t0 + t1
-            t3 = 0.5*theta
-            t4 = xp.sin(t3)
-            t5 = (t4*t4)
-            t3 = xp.cos(t3)
-            t7 = (t3*t3)
-            t8 = gamma*t1*t7 - nyquist_*t5
-            t9 = -t1*t7
-            t9 = -t0*t5 - t9
-            t12 = t9*t11 - t2*t8
-            t7 = t5*t7
-            t14 = 1.0/((t9*t9) + t7*(t2*t2))
+        def yes(d, gamma, nyquist_, t13, t4, t5, theta):
             off, cosine, sine = next_angle(xp, d, theta)
-            t15 = t14*cos_next(xp, d, theta, off, cosine, sine)
-            t7 = t11*t7
-            t7 = t9*t8 + t7*t2
-            t8 = 1.0/xp.sin(theta)
-            t2 = sin_next(xp, d, theta, off, cosine, sine)
-            t8 = -0.5*t12*t15 - t14*t7*t8*t2
-            t5 = 2.0*t5
-            return t12*t14*t2*t4*t3 - t15*t7 - t8*t5, t8
+            t0 = sin_next(xp, d, theta, off, cosine, sine)
+            t1 = 0.5*theta
+            t2 = xp.sin(t1)
+            t1 = xp.cos(t1)
+            t6 = t4 + t5
+            t7 = (t1*t1)
+            t8 = (t2*t2)
+            t9 = t7*t8
+            t10 = -t4*t7
+            t10 = -t10 - t5*t8
+            t12 = 1.0/((t10*t10) + (t6*t6)*t9)
+            t7 = gamma*t4*t7 - nyquist_*t8
+            t15 = t10*t13 - t7*t6
+            t9 = t13*t9
+            t9 = t10*t7 + t9*t6
+            t7 = t12*cos_next(xp, d, theta, off, cosine, sine)
+            t6 = 1.0/xp.sin(theta)
+            t6 = -t0*t12*t9*t6 - 0.5*t15*t7
+            t8 = 2.0*t8
+            return t0*t12*t15*t2*t1 - t9*t7 - t6*t8, t6
 
-        def no(d, delta, gamma, nyquist_, t1, t11, theta):
-            t3 = 0.5*theta
-            t4 = xp.sin(t3)
-            t5 = (t4*t4)
-            t3 = xp.cos(t3)
-            t7 = (t3*t3)
-            t8 = gamma*t1*t7 - nyquist_*t5
-            t9 = -t1*t7
-            t7 = t5*t7
-            t16 = t11*t7
-            t18 = 1.0/xp.sin(theta)
-            t21 = 2.0*t5
-            t22 = some_part(xp, d)
-            t23 = 1.0 - t22
-            t24 = (t23*t23)
-            t23 = delta*t23
-            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t24, t23)
-            t24 = 2.0*t24*rise(xp, gamma*t24, t23, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
-            t27 = (t22*t22)
-            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t27, delta*t22)
-            t27 = 2.0*t27*xp.exp(-t23)*fall(xp, gamma*t27, delta*t22, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t23 = t24 - t27
-            t9 = -t5*(t24 - t1 + t27) - t9
-            t27 = t11*t9 - t23*t8
-            t7 = 1.0/(t7*(t23*t23) + (t9*t9))
-            t24 = whole_part(xp, d)
-            off_3, cosine_3, sine_3 = next_angle(xp, t24, theta)
-            t5 = t7*cos_next(xp, t24, theta, off_3, cosine_3, sine_3)
-            t16 = t16*t23 + t9*t8
-            t24 = sin_next(xp, t24, theta, off_3, cosine_3, sine_3)
-            t18 = -t18*t7*t16*t24 - 0.5*t27*t5
-            return t27*t7*t24*t4*t3 - t21*t18 - t5*t16, t18
+        def no(d, delta, gamma, nyquist_, t13, t4, theta):
+            t1 = 0.5*theta
+            t2 = xp.sin(t1)
+            t1 = xp.cos(t1)
+            t7 = (t1*t1)
+            t8 = (t2*t2)
+            t9 = t7*t8
+            t10 = -t4*t7
+            t7 = gamma*t4*t7 - nyquist_*t8
+            t16 = t13*t9
+            t19 = 1.0/xp.sin(theta)
+            t21 = 2.0*t8
+            t22 = whole_part(xp, d)
+            off, cosine, sine = next_angle(xp, t22, theta)
+            t23 = sin_next(xp, t22, theta, off, cosine, sine)
+            t24 = some_part(xp, d)
+            t25 = (t24*t24)
+            t26 = 1.0 - t24
+            t27 = delta*t26
+            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t25, delta*t24)
+            t25 = 2.0*t25*xp.exp(-t27)*fall(xp, gamma*t25, delta*t24, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t26 = (t26*t26)
+            half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, gamma*t26, t27)
+            t26 = 2.0*t26*rise(xp, gamma*t26, t27, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
+            t27 = t26 - t25
+            t10 = -t10 - t8*(t25 + t26 - t4)
+            t9 = 1.0/((t27*t27)*t9 + (t10*t10))
+            t26 = t13*t10 - t7*t27
+            t16 = t7*t10 + t16*t27
+            t22 = t9*cos_next(xp, t22, theta, off, cosine, sine)
+            t19 = -t19*t23*t9*t16 - 0.5*t26*t22
+            return t2*t23*t1*t9*t26 - t21*t19 - t16*t22, t19
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, gamma, nyquist_, t0, t1, t11, theta), no, (d, delta, gamma, nyquist_, t1, t11, theta))
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, gamma, nyquist_, t13, t4, t5, theta), no, (d, delta, gamma, nyquist_, t13, t4, theta))
 
-    return elementwise(xp, work, theta, gamma, delta, d, t0, t1, nyquist_, t11)
+    return elementwise(xp, work, theta, gamma, delta, d, t4, t5, t13, nyquist_)
 
 
 def max_stable_stiffness(gamma, delta, d):
@@ -4387,28 +4387,28 @@ def max_stable_stiffness(gamma, delta, d):
         def yes(d, delta, fall_, gamma, rise_, t0, t2, t3, t4):
             t1 = gamma*t0
             t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_, fall_, t1, t2, t3, t0, t4)
-            t6 = 0.5*t5
-            t7 = xp.sin(t6)
-            t8 = (t7*t7)
-            t9 = t0 + t4
-            t6 = xp.cos(t6)
-            t11 = (t6*t6)
-            t1 = t1*t11 - t2*t8
-            t13 = t0*t11 - t4*t8
-            t14 = 2.0*t3
-            t15 = t13*t14 - t1*t9
-            t11 = t11*t8
-            t17 = 1.0/((t13*t13) + t11*(t9*t9))
             off, cosine, sine = next_angle(xp, d, t5)
-            t18 = t17*cos_next(xp, d, t5, off, cosine, sine)
-            t11 = t1*t13 + t14*t11*t9
-            t9 = sin_next(xp, d, t5, off, cosine, sine)
-            t14 = -0.5*t15*t18 - t17*t11*t9/xp.sin(t5)
-            return t6*t15*t17*t9*t7 - t18*t11 - 2.0*t14*t8, t14, t5
+            t6 = sin_next(xp, d, t5, off, cosine, sine)
+            t7 = 0.5*t5
+            t8 = xp.sin(t7)
+            t7 = xp.cos(t7)
+            t10 = t0 + t4
+            t11 = (t7*t7)
+            t12 = (t8*t8)
+            t13 = t11*t12
+            t14 = t0*t11 - t12*t4
+            t15 = 1.0/((t10*t10)*t13 + (t14*t14))
+            t16 = 2.0*t3
+            t11 = t1*t11 - t12*t2
+            t1 = t14*t16 - t10*t11
+            t11 = t10*t13*t16 + t14*t11
+            t16 = t15*cos_next(xp, d, t5, off, cosine, sine)
+            t14 = -t15*t11*t6/xp.sin(t5) - 0.5*t1*t16
+            return t15*t1*t6*t8*t7 - 2.0*t12*t14 - t11*t16, t14, t5
 
         def no(d, delta, gamma, t0, t2, t3):
             t1 = gamma*t0
-            t14 = 2.0*t3
+            t16 = 2.0*t3
             t22 = whole_part(xp, d)
             t23 = some_part(xp, d)
             t24 = 1.0 - t23
@@ -4419,27 +4419,27 @@ def max_stable_stiffness(gamma, delta, d):
             t28 = (t23*t23)
             half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t28, delta*t23)
             t28 = t28*xp.exp(-t24)*fall(xp, gamma*t28, delta*t23, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t24 = 2.0*t25
-            t31 = 2.0*t28
+            t24 = 2.0*t28
+            t31 = 2.0*t25
             t32 = t24 - t0 + t31
-            t28 = stiffest_angle(xp, gamma, delta, d, t22, t23, t25, t28, t1, t2, t3, t0, t32)
-            t25 = 0.5*t28
-            t23 = xp.sin(t25)
-            t36 = (t23*t23)
-            t25 = xp.cos(t25)
-            t38 = (t25*t25)
-            t1 = t1*t38 - t2*t36
-            t31 = t24 - t31
-            t32 = t0*t38 - t32*t36
-            t24 = t14*t32 - t1*t31
-            t38 = t36*t38
-            t44 = 1.0/((t31*t31)*t38 + (t32*t32))
-            off_3, cosine_3, sine_3 = next_angle(xp, t22, t28)
-            t45 = t44*cos_next(xp, t22, t28, off_3, cosine_3, sine_3)
-            t38 = t14*t31*t38 + t1*t32
-            t22 = sin_next(xp, t22, t28, off_3, cosine_3, sine_3)
-            t32 = -0.5*t24*t45 - t44*t38*t22/xp.sin(t28)
-            return t23*t25*t24*t44*t22 - 2.0*t36*t32 - t45*t38, t32, t28
+            t25 = stiffest_angle(xp, gamma, delta, d, t22, t23, t25, t28, t1, t2, t3, t0, t32)
+            t28 = 0.5*t25
+            t23 = xp.sin(t28)
+            t28 = xp.cos(t28)
+            off_3, cosine_3, sine_3 = next_angle(xp, t22, t25)
+            t37 = sin_next(xp, t22, t25, off_3, cosine_3, sine_3)
+            t31 = t31 - t24
+            t24 = (t28*t28)
+            t40 = (t23*t23)
+            t41 = t24*t40
+            t32 = t0*t24 - t32*t40
+            t43 = 1.0/((t31*t31)*t41 + (t32*t32))
+            t24 = t1*t24 - t2*t40
+            t1 = t16*t32 - t31*t24
+            t24 = t16*t31*t41 + t32*t24
+            t22 = t43*cos_next(xp, t22, t25, off_3, cosine_3, sine_3)
+            t16 = -t37*t43*t24/xp.sin(t25) - 0.5*t1*t22
+            return t23*t28*t37*t43*t1 - 2.0*t40*t16 - t24*t22, t16, t25
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, fall_, gamma, rise_, t0, t2, t3, t4), no, (d, delta, gamma, t0, t2, t3))
 
@@ -4514,26 +4514,26 @@ def passivity_boundary(theta, delta, d):
             t8 = touching(xp, theta, t4, t7)
             t9 = xp.cos(t8)
             t10 = t6*t9
-            t11 = 2.0*t4
-            t12 = t9/(t11 + 2.0)
             t8 = xp.sin(t8)
-            t14 = t8 - t12
-            t2 = 1.0/t2
-            t16 = t11 + 3.0
+            t12 = 2.0*t4
+            t13 = t9/(t12 + 2.0)
+            t14 = t8 - t13
             off, cosine, sine = next_angle(xp, t4, theta)
             t4 = t14*cos_next(xp, t4, theta, off, cosine, sine)
-            t18 = t10*t2
-            t11 = t11 + 1.0
-            t11 = t11*sinc(xp, t1*t11)
-            t21 = 0.5*t18*t11 - t4
+            t2 = 1.0/t2
+            t17 = t10*t2
+            t18 = t12 + 1.0
+            t18 = t18*sinc(xp, t1*t18)
+            t12 = t12 + 3.0
+            t21 = 0.5*t17*t18 - t4
             off_2, cosine_2, sine_2 = next_angle(xp, t5, theta)
-            t16 = t7*(0.5*t2*t16*t6*t9*sinc(xp, t1*t16) - t14*cos_next(xp, t5, theta, off_2, cosine_2, sine_2) - t21)
-            t2 = xp.cos(t1)
-            t1 = xp.sin(t1)
-            t21 = t21 + t16
-            t8 = t10 - 2.0*t12 + 2.0*t8
-            t8 = delta/(0.25*t18*t11 - 0.5*t4 + 0.5*t16 + 0.5*square_root(xp, (t21*t21) + t7*(1.0 - t7)*((t2*t2)*(t9*t9)/(t5*t5) + (t1*t1)*(t8*t8))))
-            return t10*t8, t14*t8
+            t12 = t7*(0.5*t2*t12*t6*t9*sinc(xp, t1*t12) - t14*cos_next(xp, t5, theta, off_2, cosine_2, sine_2) - t21)
+            t21 = t21 + t12
+            t2 = xp.sin(t1)
+            t1 = xp.cos(t1)
+            t13 = t10 + 2.0*t8 - 2.0*t13
+            t13 = delta/(0.25*t17*t18 - 0.5*t4 + 0.5*t12 + 0.5*square_root(xp, (t21*t21) + t7*(1.0 - t7)*((t2*t2)*(t13*t13) + (t1*t1)*(t9*t9)/(t5*t5))))
+            return t10*t13, t14*t13
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
@@ -4566,27 +4566,27 @@ def max_passive_stiffness(delta, d):
             t8 = touching(xp, t7, t3, t6)
             t9 = xp.cos(t8)
             t10 = t5*t9
-            t11 = 2.0*t3
-            t12 = t9/(t11 + 2.0)
             t8 = xp.sin(t8)
-            t14 = t8 - t12
-            t15 = 0.5*t7
-            t16 = 1.0/sinc(xp, t15)
-            t17 = t11 + 3.0
+            t12 = 2.0*t3
+            t13 = t9/(t12 + 2.0)
+            t14 = t8 - t13
             off, cosine, sine = next_angle(xp, t3, t7)
             t3 = t14*cos_next(xp, t3, t7, off, cosine, sine)
-            t19 = t10*t16
-            t11 = t11 + 1.0
-            t11 = t11*sinc(xp, t15*t11)
-            t22 = 0.5*t19*t11 - t3
+            t16 = 0.5*t7
+            t17 = 1.0/sinc(xp, t16)
+            t18 = t10*t17
+            t19 = t12 + 1.0
+            t19 = t19*sinc(xp, t16*t19)
+            t12 = t12 + 3.0
+            t22 = 0.5*t18*t19 - t3
             off_2, cosine_2, sine_2 = next_angle(xp, t4, t7)
-            t17 = t6*(0.5*t16*t17*t5*t9*sinc(xp, t15*t17) - t14*cos_next(xp, t4, t7, off_2, cosine_2, sine_2) - t22)
-            t16 = xp.cos(t15)
-            t15 = xp.sin(t15)
-            t22 = t22 + t17
-            t8 = t10 - 2.0*t12 + 2.0*t8
-            t8 = delta/(0.25*t19*t11 - 0.5*t3 + 0.5*t17 + 0.5*square_root(xp, (t22*t22) + t6*(1.0 - t6)*((t16*t16)*(t9*t9)/(t4*t4) + (t15*t15)*(t8*t8))))
-            return t10*t8, t14*t8, t7
+            t12 = t6*(0.5*t17*t12*t5*t9*sinc(xp, t16*t12) - t14*cos_next(xp, t4, t7, off_2, cosine_2, sine_2) - t22)
+            t22 = t22 + t12
+            t17 = xp.sin(t16)
+            t16 = xp.cos(t16)
+            t13 = t10 + 2.0*t8 - 2.0*t13
+            t13 = delta/(0.25*t18*t19 - 0.5*t3 + 0.5*t12 + 0.5*square_root(xp, (t22*t22) + t6*(1.0 - t6)*((t17*t17)*(t13*t13) + (t16*t16)*(t9*t9)/(t4*t4))))
+            return t10*t13, t14*t13, t7
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 
