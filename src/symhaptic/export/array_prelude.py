@@ -145,8 +145,11 @@ def repeat(xp, most, over, step, start, given):
         return [xp.where(done, a, b) for a, b in zip(states, step(*states, *given), strict=True)]
 
     if is_jax_array(like):
+
+        def busy(now):
+            return (now[0] < most) & ~xp.all(over(*now[1], *given))
+
         loop = sys.modules["jax"].lax.while_loop
-        busy = lambda now: (now[0] < most) & ~xp.all(over(*now[1], *given))
         return tuple(loop(busy, lambda now: (now[0] + 1, kept(now[1])), (0, states))[1])
     if deferred(like):
         for _ in range(most):

@@ -1,0 +1,1 @@
+"""The commands, each thin: it parses, calls, prints."""

@@ -1,0 +1,73 @@
+"""What the commands share: how a bad input is told, progress, and where results go."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NoReturn
+
+import typer
+
+app = typer.Typer(
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+class Unusable(ValueError):
+    """A bad input, with the line that names the argument, its value and what is allowed."""
+
+
+def refuse(message: str) -> NoReturn:
+    """End with one line that says what is wrong."""
+    raise Unusable(message)
+
+
+@contextmanager
+def progress(total: int) -> Iterator[Callable[[int, Path], None]]:
+    """A progress bar that shows the statement under way, where somebody watches."""
+    if not sys.stderr.isatty():
+        yield lambda done, path: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    from symhaptic.listing import under_way
+
+    columns = (TextColumn("{task.description:32}"), BarColumn(), MofNCompleteColumn())
+    console = Console(stderr=True)
+    with Progress(*columns, TimeElapsedColumn(), console=console, transient=True) as bar:
+        task = bar.add_task("", total=total)
+        yield lambda done, path: bar.update(task, completed=done, description=under_way(path))
+
+
+def writable(output: Path | None) -> None:
+    """Say before the work is done that its result has no place."""
+    if output is not None and (output.is_dir() or not output.parent.is_dir()):
+        reason = "Is a directory" if output.is_dir() else "No such file or directory"
+        unwritable(output, reason)
+
+
+def unwritable(output: Path, reason: str | None) -> NoReturn:
+    """End with one line that says why nothing can be written there."""
+    refuse(f"-o {output}: cannot write there ({reason}); a file in a folder that exists is allowed")
+
+
+def write(replace: Callable[[Path, str | bytes], None], output: Path, content: str | bytes) -> None:
+    """A result into its file, whole or not at all."""
+    try:
+        replace(output, content)
+    except OSError as wrong:
+        unwritable(output, wrong.strerror)
+
+
+def close_to(id: str, known: Iterable[str]) -> str:
+    """Ids that look alike, or some to start from."""
+    from difflib import get_close_matches
+
+    names = list(known)
+    return ", ".join(get_close_matches(id, names, 4, 0.5) or [*names[:3], "...", names[-1]])
