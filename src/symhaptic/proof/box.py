@@ -123,8 +123,7 @@ def _search(expr: Expr, box: Box, given: Given | None) -> Positive | Denied:
                 cuts += ":"
                 continue
             if there <= 0 and _inside(box, middle):
-                point = dict(zip(box, map(_exact, middle), strict=True))
-                return Denied(point, touches=not there < 0)
+                return Denied(_point(box, middle), touches=not there < 0)
             tried += 1
             if tried >= _PIECES:
                 raise Exhausted("too many pieces")
@@ -178,7 +177,7 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
     below = search(upper - expr, box, given)
     if not isinstance(below, Positive):
         raise NotShown(f"{expr}: the bound {upper} is not shown")
-    return Largest(expr, below, dict(zip(box, map(_exact, where), strict=True)), lower, upper)
+    return Largest(expr, below, _point(box, where), lower, upper)
 
 
 def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
@@ -253,13 +252,26 @@ def _halved(piece: Piece, across: int, middle: arb) -> list[Piece]:
 
 
 def _middle(interval: Interval) -> arb:
-    return ((interval[0] + interval[1]) / 2).mid()
+    """A number in the middle, or the ball of a single one."""
+    low, high = interval
+    return low.union(high) if low.overlaps(high) else ((low + high) / 2).mid()
 
 
 def _inside(box: Box, point: Sequence[arb]) -> bool:
     """Whether a point lies in the box, whose ends may be known in balls only."""
     ends = _whole(box)
-    return all(bool(low <= x <= high) for x, (low, high) in zip(point, ends, strict=True))
+    return all(
+        bool(low <= x <= high) or (low.overlaps(high) and x.overlaps(low))
+        for x, (low, high) in zip(point, ends, strict=True)
+    )
+
+
+def _point(box: Box, numbers: Sequence[arb]) -> dict[sp.Symbol, Expr]:
+    """A point of the box in rational numbers, and in its own where the box has but one."""
+    return {
+        symbol: sp.sympify(low) if low == high else _exact(x)
+        for (symbol, (low, high)), x in zip(box.items(), numbers, strict=True)
+    }
 
 
 def _exact(number: arb) -> Expr:
