@@ -74,11 +74,12 @@ def functions(form: Form) -> Any:
     made, files = request.built(TARGETS["numpy"], [form], "terms", vectors=False)
     space: dict[str, Any] = {}
     exec(compile(files["terms.py"], "terms.py", "exec"), space)
+    found = {k: v for k, v in space.items() if callable(v)}
     for name, start in starts(made).items():
         own, first = code_name(name), space[code_name(start.routine.name)]
         places = [start.kept.index(symbol) for symbol in start.used[name]]
-        space[own] = partial(_begun, first, space[own], places)
-    return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})
+        found[own] = partial(_begun, first, space[own], places)
+    return type("Terms", (), {k: staticmethod(v) for k, v in found.items()})
 
 
 def _begun(first: Any, rest: Any, places: list[int], *args: Any) -> Any:

@@ -44,7 +44,8 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         size = np.maximum(np.abs(value), swing(expr, args))
         return value, size + spoiled(function, value, expr, args)
     if isinstance(expr, Searched):
-        value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
+        given = np.broadcast_arrays(*(np.asarray(v, dtype=float) for v, _ in parts))
+        value = getattr(functions, code_name(type(expr).__name__))(np, *given)
         return value, np.abs(value)
     if expr.is_Add:
         total = sum(v for v, _ in parts)
