@@ -19,9 +19,12 @@ class Worst:
 
 GOALS: Mapping[str, float] = {
     "discretize": 2,
+    "discretize_late": 4,
     "characteristic_polynomial": 4,
     "stability_boundary": 8,
+    "max_stable_stiffness": 8,
     "passivity_margin_at": 4,
+    "passivity_margin": 4,
     "passivity_boundary": 8,
     "max_passive_stiffness": 4,
     "linear_limit": 4,

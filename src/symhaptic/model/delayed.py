@@ -100,9 +100,7 @@ def _shortened(parts: Parts, time: Expr) -> Brief:
     split = c * time if parts.stiffness else None
     short = Plant(sp.S.One, damping, stiffness)
     x, kick = plant.sampled(short, split=split), short.transition(sp.S.One, split)[0, 1]
-    return Brief(
-        time**2 * x.n1, time**2 * x.n0, time**2 * (x.n1 - x.n0), time * kick, 1 - x.e
-    )
+    return Brief(time**2 * x.n1, time**2 * x.n0, time**2 * (x.n1 - x.n0), time * kick, 1 - x.e)
 
 
 @cache
