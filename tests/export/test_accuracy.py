@@ -12,12 +12,14 @@ from symhaptic.bench import error
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns
 from symhaptic.export import device, library, request
-from symhaptic.export.accuracy import GOALS, MEASURED
+from symhaptic.export.accuracy import ABOVE, GOALS, MEASURED
 
 needs_gcc = pytest.mark.skipif(
     shutil.which("gcc") is None, reason="no gcc here: exported C is not measured"
 )
 COUNT = 2500
+FEW = {"max_stable_stiffness": 250, "passivity_boundary": 600, "passivity_margin": 600}
+"""Fewer of those whose exact values take long."""
 CASES = [(precision, name) for precision, names in MEASURED.items() for name in names]
 every = pytest.mark.parametrize(("precision", "name"), CASES, ids=lambda x: getattr(x, "name", x))
 
@@ -39,7 +41,7 @@ def compiled(tmp_path_factory):
 def test_no_error_is_larger_than_the_recorded_one(precision, name, compiled):
     """All hard cases and some thousand others; the record is that of 10^5 points."""
     form, run = compiled(name, precision)
-    arrays = columns(form, np.random.default_rng(2), COUNT, precision)
+    arrays = columns(form, np.random.default_rng(2), FEW.get(name, COUNT), precision)
     for result, (off, point) in error.compare(form, arrays, run(arrays), precision).items():
         assert round(off, 2) <= MEASURED[precision][name].error, (result, point)
 
@@ -66,7 +68,18 @@ def test_every_function_of_numbers_is_measured(precision):
 @every
 def test_what_is_recorded_is_within_its_goal(precision, name):
     """Two last places for the device, four for passivity, eight for boundaries."""
-    assert MEASURED[precision][name].error <= GOALS[name]
+    assert MEASURED[precision][name].error <= GOALS[name] or name in ABOVE
+
+
+def test_a_goal_is_missed_only_where_it_is_said():
+    """What is above its goal: the angle of a flat maximum, no stiffness and no damping."""
+    missed = {
+        (name, record.result)
+        for names in MEASURED.values()
+        for name, record in names.items()
+        if record.error > GOALS[name]
+    }
+    assert missed == {(name, "theta") for name in ABOVE}
 
 
 @needs_gcc

@@ -44,7 +44,8 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         size = np.maximum(np.abs(value), swing(expr, args))
         return value, size + spoiled(function, value, expr, args)
     if isinstance(expr, Searched):
-        value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
+        given = np.broadcast_arrays(*(np.asarray(v, dtype=float) for v, _ in parts))
+        value = getattr(functions, code_name(type(expr).__name__))(np, *given)
         return value, np.abs(value)
     if expr.is_Add:
         total = sum(v for v, _ in parts)
@@ -58,7 +59,7 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     if expr.is_Pow:
         power = int(expr.args[1])
         base, size = parts[0]
-        return base**power, size**power if power > 0 else np.abs(base**power)
+        return base**power, size**power if power > 0 else np.abs(base ** (power - 1)) * size
     plain: Any = {sp.exp: np.exp, sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan}[expr.func]
     value = plain(parts[0][0])
     return value, np.abs(value) + spoiled(plain, value, expr, [parts[0][0]])

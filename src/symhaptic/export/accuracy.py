@@ -19,14 +19,23 @@ class Worst:
 
 GOALS: Mapping[str, float] = {
     "discretize": 2,
+    "discretize_late": 4,
     "characteristic_polynomial": 4,
     "stability_boundary": 8,
+    "max_stable_stiffness": 8,
     "passivity_margin_at": 4,
+    "passivity_margin": 4,
     "passivity_boundary": 8,
     "max_passive_stiffness": 4,
     "linear_limit": 4,
 }
-"""Above this no record may be."""
+"""Above this no record may be, but for those of ABOVE."""
+
+ABOVE: Mapping[str, str] = {
+    "max_stable_stiffness": "theta of a flat maximum next to pi, behind a small fraction: at "
+    "gamma = 2.25 and delta = 3, where the maximum without delay leaves pi, and d = 0.001"
+}
+"""Where a goal is missed, and by what; alpha and beta there are right to their last place."""
 
 MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
     DOUBLE: {
@@ -86,7 +95,8 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
         ),
     },
 }
-"""The worst results of 100 000 points a function (double, but for the device: 20 000)."""
+"""The worst results of 2 500 to 5 000 points a function, of stability_boundary in double 20 000, of
+what is searched for 700 to 1 000; those of earlier records (up to 100 000 points) among them."""
 
 DERIVATIVES: Mapping[str, float] = {
     "discretize_and_derivatives": 7.31,  # n0_by_gamma; n1_by_gamma 4.85, others 4.11

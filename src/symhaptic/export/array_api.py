@@ -47,21 +47,20 @@ class ArrayApi(Target):
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
         lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
-        written = [_without_numbers(r) for r in library.helpers]
-        starts = begun(written)
-        for helper in written:
+        shared = starts(library)
+        for helper in map(_without_numbers, library.helpers):
             if helper.name == "ProductError":
                 lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
                 continue
-            start = starts.get(helper.name)
+            start = shared.get(helper.name)
             if start and start.first == helper.name:
                 lines += [*self._helper(start.routine, {}), "", ""]
             own = start.rest(helper) if start else helper
             other = _without_numbers(known(SINGLE)[helper.name])
             brief = None if other == helper else other
-            lines += [*self._helper(own, starts, brief), "", ""]
+            lines += [*self._helper(own, shared, brief), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += [*self._public(routine, describe(form), starts), "", ""]
+            lines += [*self._public(routine, describe(form), shared), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
     def _named(self, symbols: Iterable[Symbol]) -> list[str]:
@@ -126,6 +125,11 @@ class ArrayApi(Target):
     def commands(self, name: str) -> list[list[str]]:
         """Run; a warning is an error."""
         return [["python", "-W", "error", "selftest.py"]]
+
+
+def starts(library: Library) -> dict[str, Begun]:
+    """For each helper that shares its first steps with others, the routine that does them."""
+    return begun(map(_without_numbers, library.helpers))
 
 
 def _without_numbers(routine: Routine) -> Routine:

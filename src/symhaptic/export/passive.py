@@ -61,7 +61,9 @@ def worst_angle(precision: Precision = DOUBLE) -> Routine:
     def slope(inner: Steps, at: Expr) -> Expr:
         return sp.Function("Steepness")(*wall, l, epsilon, at)
 
-    psi = crossing(do, slope, sp.S.Zero, pi / (2 * (l + 1)), precision.flat)
+    # below pi/2, beyond which a sine that vanishes there has the other sign
+    high = sp.Rational(precision.below_pi) / (2 * (l + 1))
+    psi = crossing(do, slope, sp.S.Zero, high, precision.flat)
     return do.routine("WorstAngle", "half of the angle at which the wall needs most damping",
                       _WALL, psi)  # fmt: skip
 

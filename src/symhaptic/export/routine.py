@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cache
 from itertools import count
 
 import sympy as sp
@@ -367,14 +368,14 @@ class _Lazy:
     def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
         """Steps that the expressions may need."""
         found: set[Symbol] = set()
-        left = [s for e in wanted for s in e.free_symbols]
+        left = [s for e in wanted for s in _free(e)]
         while left:
             symbol = left.pop()
             if symbol in found or symbol in done:
                 continue
             if symbol in self.known:
                 found.add(symbol)
-                left += self.known[symbol].free_symbols
+                left += _free(self.known[symbol])
             elif symbol in self.loops:
                 found |= set(self.loops[symbol].states)
                 left += self.loops[symbol].free_symbols
@@ -405,7 +406,7 @@ class _Lazy:
     def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:
         """Whether a choice has work in it: steps of its own, or calls."""
         _, yes, no = parted(expr)
-        return any(side.atoms(Function) - side.atoms(Piecewise, sp.Abs) for side in (yes, no)) or (
+        return any(map(_calls, (yes, no))) or (
             self._closure((yes,), done) != self._closure((no,), done)
         )
 
@@ -415,8 +416,20 @@ class _Lazy:
             return False
         _, yes, no = parted(expr)
         own = self._closure((yes, no), there)
-        calls = any(side.atoms(Function) - side.atoms(Piecewise, sp.Abs) for side in (yes, no))
+        calls = any(map(_calls, (yes, no)))
         return bool(own) or calls
+
+
+@cache
+def _free(expr: Expr) -> frozenset[Symbol]:
+    """Its symbols, looked for once."""
+    return frozenset(expr.free_symbols)
+
+
+@cache
+def _calls(expr: Expr) -> bool:
+    """Whether a function of ours or of the library is in it."""
+    return bool(expr.atoms(Function) - expr.atoms(Piecewise, sp.Abs))
 
 
 def _chosen_alike(results: tuple[Expr, ...]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import And, Expr, Max, Min, Or, pi, sqrt
+from sympy import And, Expr, Max, Or, atan2, pi, sqrt
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose
@@ -19,8 +19,18 @@ gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together,
 _PARTS = 24
 """Of the first half turn of the delay, at which the first maximum is looked for."""
 
-_LAST = sp.Rational(31412785, 10**7)
-"""Next to pi, where the stiffness without delay has its limit with no slope."""
+
+def undelayed_angle() -> Routine:
+    """Without delay: where a parabola changes its sign first, or pi where it does not."""
+    do = Steps()
+    square, middle, last = (do("k", k) for k in do.common(*stiffest.undelayed()))
+    discriminant = do("discriminant", middle * middle - 4 * square * last)
+    root = do("root", sqrt(Max(discriminant, 0)))
+    falls = choose(discriminant < 0, 0, root - middle)
+    above = do("above", choose(middle > 0, middle + root, 2 * last))
+    below = do("below", choose(middle > 0, Max(-2 * square, 0), falls))
+    return do.routine("UndelayedAngle", "the angle of the largest stiffness without delay",
+                      stiffest.UNDELAYED, 2 * atan2(sqrt(above), sqrt(below)))  # fmt: skip
 
 
 def boundary_slope() -> Routine:
@@ -42,15 +52,16 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
         return sp.Function("BoundarySlope")(at, steps, *numbers)
 
     def angle(count: Expr) -> Expr:
-        return Min(count * turn / _PARTS, _LAST)
+        return count * turn / _PARTS
 
     def scan(inner: Steps, states: tuple[sp.Symbol, ...]) -> tuple[Expr, ...]:
         count, _ = states
         rises = inner("rises", slope(inner, angle(count)))
         return choose(rises > 0, count + 1, count), choose(rises > 0, 0, 1)
 
+    at_once = sp.Eq(d, 0)
     count, found = do.repeat(
-        {"count": 1 + 0 * d, "found": sp.S.Zero},
+        {"count": do("start", choose(at_once, _PARTS + 1, 1)), "found": sp.S.Zero},
         scan,
         lambda states: Or(states[1] > 0, states[0] > _PARTS),
         _PARTS,
@@ -59,8 +70,8 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     low = do("low", Max(angle(count - 1), high / 1000))
     inner_maximum = found > 0
     root = crossing(do, slope, low, high, precision.close, inner_maximum)
-    end = do("end", choose(sp.Eq(d, 0), pi, sp.nan))
-    theta = do("theta", choose(inner_maximum, root, end))
+    early = sp.Function("UndelayedAngle")(at_one, at_minus_one, loss, together, apart)
+    theta = do("theta", choose(at_once, early, choose(inner_maximum, root, sp.nan)))
     stiffness, damping = do.common(*stable.curve(*numbers[:-1], 2 * across, theta, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
@@ -80,5 +91,5 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
                       choose(known, choose(good > 0, theta, sp.nan), sp.nan))  # fmt: skip
 
 
-ROUTINES = (boundary_slope,)
+ROUTINES = (boundary_slope, undelayed_angle)
 PRECISE = (stiffest_angle,)

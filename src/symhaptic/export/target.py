@@ -70,7 +70,7 @@ def _taken() -> frozenset[str]:
     """The names of all routines."""
     from symhaptic.export.library import known
 
-    return frozenset(code_name(name) for name in known())
+    return frozenset(code_name(name) for name in known(DOUBLE))
 
 
 class Printing(CodePrinter):  # type: ignore[misc]

@@ -108,7 +108,11 @@ def sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     """Value and largest term of a form at a point: what its last place is measured by.
 
     A difference is as large as its larger side, a sum at least as large as its value, a product
-    as large as its factors.  ``at`` has those of the arguments, and keeps all that are found.
+    as large as its factors.  A quotient grows by what its denominator lost: next to the pole that
+    the boundary has where M(-1) = 0, a last place of any argument changes it as much.  An argument
+    that is a product, such as delta (1 - epsilon), reaches its function rounded, and half a last
+    place of it counts, too: a mere wave or exponential of it is not known better.  ``at`` has
+    those of the arguments, and keeps all that are found.
     """
     if expr not in at:
         at[expr] = _sized(expr, at)
@@ -149,7 +153,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         return mpmath.fprod(v for v, _ in parts), mpmath.fprod(size for _, size in parts)
     if expr.is_Pow and expr.args[1].is_Integer:
         (base, size), power = parts[0], int(expr.args[1])
-        return base**power, size**power if power > 0 else abs(base) ** power
+        return base**power, size**power if power > 0 else abs(base) ** (power - 1) * size
     if expr.is_Pow:
         root = mpmath.sqrt(parts[0][0])
         return root, root

@@ -7,17 +7,19 @@ With :math:`M=m_2z^2+m_1z+m_0`, where :math:`m_2=(1-\varepsilon)^2n_1` of a peri
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
 from sympy import Expr, Rational, exp
 
 from symhaptic.model import boundary, fractional, plant
-from symhaptic.model.entire import Creep, Fade, S
-from symhaptic.model.entire_device import Fall, Rise
+from symhaptic.model.entire import Creep, Decay, Fade, Lag, S
+from symhaptic.model.entire_device import Apart, Fall, Rise
 from symhaptic.model.fractional import Late
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, Sampled
+from symhaptic.model.slopes import Kick
 from symhaptic.notation import a, c, delta, e, epsilon, gamma, l, m_0, m_1, m_2, n_0, n_1, z
 from symhaptic.scene import Parts
 
@@ -47,17 +49,63 @@ def ends(parts: Parts, part: Expr = epsilon) -> tuple[Expr, Expr]:
     return rest**2 * rise(parts, rest), part**2 * kept * fall(parts, part)
 
 
-def _shortened(parts: Parts, time: Expr) -> Sampled:
-    """A sampled device of such a period, derived; c is that of the whole one."""
+@dataclass(frozen=True)
+class Brief:
+    """The device after a part of a period, in units of the whole one."""
+
+    rise: Expr
+    """n_1 of that part."""
+    fall: Expr
+    """n_0."""
+    apart: Expr
+    """n_1 - n_0."""
+    kick: Expr
+    """Its displacement by a unit impulse."""
+    loss: Expr
+    """1 - e."""
+
+
+def brief(parts: Parts, time: Expr) -> Brief:
+    """In entire functions."""
+    own, sunk = rise(parts, time), fall(parts, time)
+    loss = delta * time * Decay(delta * time) if parts.damping else sp.S.Zero
+    if parts.stiffness and parts.damping:
+        given = gamma * time**2, delta * time
+        apart, kick = delta * time * Apart(*given), Kick(*given)
+    elif parts.damping:
+        apart, kick = delta * time * Lag(delta * time), Decay(delta * time)
+    else:
+        apart, kick = sp.S.Zero, S(-gamma * time**2) if parts.stiffness else sp.S.One
+    return Brief(time**2 * own, time**2 * sunk, time**2 * apart, time * kick, loss)
+
+
+def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
+    """m_2 - m_1 + m_0, made of the period's rest and of its beginning.
+
+    A period is one part after the other, so that n_1 = R + (1 - gamma R) r + k K, in capitals what
+    belongs to the rest, and n_0 is found from the time reversed.  Nothing is as large as n_1 here,
+    where little is left of it.
+    """
+    spring = gamma if parts.stiffness else sp.S.Zero
+    damper = delta if parts.damping else sp.S.Zero
+    slowed = damper * last.kick + spring * last.rise
+    turned = slowed * first.fall - first.loss * last.fall + spring * first.rise * last.rise
+    return first.apart - last.apart - 2 * first.kick * last.kick + turned
+
+
+def _shortened(parts: Parts, time: Expr) -> Brief:
+    """Such a part, derived; c is that of the whole period."""
     damping = delta * time if parts.damping else None
     stiffness = gamma * time**2 if parts.stiffness else None
-    apart = c * time if parts.stiffness else None
-    return plant.sampled(Plant(sp.S.One, damping, stiffness), split=apart)
+    split = c * time if parts.stiffness else None
+    short = Plant(sp.S.One, damping, stiffness)
+    x, kick = plant.sampled(short, split=split), short.transition(sp.S.One, split)[0, 1]
+    return Brief(time**2 * x.n1, time**2 * x.n0, time**2 * (x.n1 - x.n0), time * kick, 1 - x.e)
 
 
 @cache
 def derived(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
-    """m_2 and m_0 of the two shortened periods, and all three, beside those of the late force."""
+    """What is made of the two parts of a period beside the late force; and the impulse."""
     split = c if parts.stiffness else None
     given = {gamma: ((delta**2 if parts.damping else sp.S.Zero) - c**2) / 4}
     late = fractional.late(plant.normalised(parts), split=split)
@@ -65,11 +113,14 @@ def derived(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
     first, last = _shortened(parts, 1 - epsilon), _shortened(parts, epsilon)
     kept = exp(-delta * (1 - epsilon)) if parts.damping else sp.S.One
     pairs = (
-        ((1 - epsilon) ** 2 * first.n1, late.m2),
-        (epsilon**2 * kept * last.n0, late.m0),
+        (first.rise, late.m2),
+        (kept * last.fall, late.m0),
         (whole.n1 + whole.n0, late.m2 + late.m1 + late.m0),
+        (at_minus_one(parts, first, last), late.m2 - late.m1 + late.m0),
     )
-    return tuple((ours.xreplace(given), exact.xreplace(given)) for ours, exact in pairs)
+    found = tuple((ours.xreplace(given), exact.xreplace(given)) for ours, exact in pairs)
+    impulse = plant.normalised(parts).transition(sp.S.One)[0, 1]
+    return (*found, (brief(parts, sp.S.One).kick, impulse))
 
 
 ANY = Late(m_2, m_1, m_0, Sampled(n_1, n_0, a, e))

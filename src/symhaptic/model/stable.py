@@ -501,9 +501,8 @@ def stability_boundary(parts: Parts = FULL) -> Form:
 
 def _late(parts: Parts) -> _Device:
     """The same device, with M = m2 z + m1 + m0/z instead of n1 z + n0 at z = -1."""
-    x = _device(parts)
-    first, last = delayed.ends(parts)
-    return replace(x, apart=2 * (first + last) - x.together)
+    two = (delayed.brief(parts, time) for time in (1 - epsilon, epsilon))
+    return replace(_device(parts), apart=delayed.at_minus_one(parts, *two))
 
 
 def _boundary(x: _Device, across: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
