@@ -52,8 +52,9 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         return total, np.max(terms, axis=0)
     if expr.is_Mul:
         return math.prod(v for v, _ in parts), math.prod(s for _, s in parts)
-    if expr.is_Pow and expr.args[1] == sp.S.Half:
+    if expr.is_Pow and abs(expr.args[1]) == sp.S.Half:
         root = np.sqrt(parts[0][0])
+        root = root if expr.args[1] > 0 else 1 / root
         return root, root
     if expr.is_Pow:
         power = int(expr.args[1])

@@ -123,6 +123,13 @@ def pushed() -> Routine:
                       choose(alpha < 0, sp.oo, need))  # fmt: skip
 
 
+def rated() -> Routine:
+    """The slope of a need, which has none if the wall pulls."""
+    do, slope = Steps(), sp.Symbol("slope")
+    return do.routine("Rated", "the slope of the need, NaN for alpha < 0", (alpha, slope),
+                      choose(alpha < 0, sp.nan, slope))  # fmt: skip
+
+
 def whole_part() -> Routine:
     """Whole periods of a delay."""
     return Steps().routine("WholePart", "whole periods of a delay", (d,), floor(d))
@@ -143,5 +150,6 @@ def some_part() -> Routine:
 
 ROUTINES = (
     whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
+    rated,
 )  # fmt: skip
 PRECISE = (worst_angle, turn, passive_angle)

@@ -152,6 +152,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         return base**power, size**power if power > 0 else abs(base) ** power
     if expr.is_Pow:
         root = mpmath.sqrt(parts[0][0])
+        root = root if expr.args[1] > 0 else 1 / root
         return root, root
     exact = _PLAIN[expr.func](parts[0][0])
     return exact, abs(exact) + _spoiled(expr, exact, at)
