@@ -15,7 +15,7 @@ from symhaptic.export.target import code_name
 from symhaptic.export.vectors import rounded
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.model.searched import Searched
+from symhaptic.model.searched import Rated, Searched
 
 
 def sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
@@ -45,7 +45,7 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         return value, size + spoiled(function, value, expr, args)
     if isinstance(expr, Searched):
         value = getattr(functions, code_name(type(expr).__name__))(np, *(v for v, _ in parts))
-        return value, np.abs(value)
+        return value, parts[1][1] if isinstance(expr, Rated) else np.abs(value)
     if expr.is_Add:
         total = sum(v for v, _ in parts)
         terms = np.broadcast_arrays(np.abs(total), *(size for _, size in parts))

@@ -52,7 +52,16 @@ def steepness() -> Routine:
 
 
 def worst_angle(precision: Precision = DOUBLE) -> Routine:
-    """Half of the angle at which the wall needs most."""
+    """Half of the angle at which the wall needs most, as near as its need has to be."""
+    return _worst("WorstAngle", precision.flat)
+
+
+def neediest_angle(precision: Precision = DOUBLE) -> Routine:
+    """The same to the last place, for derivatives of the need."""
+    return _worst("NeediestAngle", precision.close)
+
+
+def _worst(name: str, close: Expr) -> Routine:
     do = Steps()
     size = do("size", sp.Abs(alpha) + sp.Abs(beta))
     scale = do.nonzero(size)
@@ -61,8 +70,8 @@ def worst_angle(precision: Precision = DOUBLE) -> Routine:
     def slope(inner: Steps, at: Expr) -> Expr:
         return sp.Function("Steepness")(*wall, l, epsilon, at)
 
-    psi = crossing(do, slope, sp.S.Zero, pi / (2 * (l + 1)), precision.flat)
-    return do.routine("WorstAngle", "half of the angle at which the wall needs most damping",
+    psi = crossing(do, slope, sp.S.Zero, pi / (2 * (l + 1)), close)
+    return do.routine(name, "half of the angle at which the wall needs most damping",
                       _WALL, psi)  # fmt: skip
 
 
@@ -152,4 +161,4 @@ ROUTINES = (
     whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
     rated,
 )  # fmt: skip
-PRECISE = (worst_angle, turn, passive_angle)
+PRECISE = (worst_angle, neediest_angle, turn, passive_angle)

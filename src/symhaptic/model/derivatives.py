@@ -30,7 +30,7 @@ from symhaptic.model.searched import (
     SomePart,
     StiffestAngle,
     WholePart,
-    WorstAngle,
+    NeediestAngle,
 )
 from symhaptic.model.slopes import STABLE, ApartDrop, Echo, Kick, Ripple
 from symhaptic.model.stable import Form, NoForm
@@ -139,7 +139,7 @@ class _By:
         """That of the need at the worst angle."""
         stiffness, damping, delay = expr.args
         whole, part = WholePart(delay), LatePart(delay)
-        angle = WorstAngle(stiffness, damping, whole, part)
+        angle = NeediestAngle(stiffness, damping, whole, part)
         at = {alpha: stiffness, beta: damping, l: whole, epsilon: part, psi: angle}
         need, arguments = worst.need(), {alpha: stiffness, beta: damping, epsilon: delay}
         return sp.Add(

@@ -147,7 +147,7 @@ class LargestNeed(Searched):
         return largest(need(alpha, beta, d), mpmath.pi / (whole + 1), end)[0]
 
 
-class WorstAngle(Searched):
+class NeediestAngle(Searched):
     """Where the need is largest: (alpha, beta, l, epsilon)."""
 
     nargs = 4
