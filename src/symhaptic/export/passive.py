@@ -53,16 +53,18 @@ def steepness() -> Routine:
 
 def worst_angle(precision: Precision = DOUBLE) -> Routine:
     """Half of the angle at which the wall needs most, as near as its need has to be."""
-    return _worst("WorstAngle", precision.flat)
+    return _worst("WorstAngle", precision, precision.flat)
 
 
 def neediest_angle(precision: Precision = DOUBLE) -> Routine:
     """The same to the last place, for derivatives of the need."""
-    return _worst("NeediestAngle", precision.close)
+    return _worst("NeediestAngle", precision, precision.close)
 
 
-def _worst(name: str, close: Expr) -> Routine:
+def _worst(name: str, precision: Precision, close: Expr) -> Routine:
     do = Steps()
+    # beyond pi the sine is negative, which at half a period turns the phase
+    most = pi if precision is DOUBLE else sp.Rational(*precision.below_pi.as_integer_ratio())
     size = do("size", sp.Abs(alpha) + sp.Abs(beta))
     scale = do.nonzero(size)
     wall = do("stiffness", alpha / scale), do("damping", beta / scale)
@@ -70,7 +72,7 @@ def _worst(name: str, close: Expr) -> Routine:
     def slope(inner: Steps, at: Expr) -> Expr:
         return sp.Function("Steepness")(*wall, l, epsilon, at)
 
-    psi = crossing(do, slope, sp.S.Zero, pi / (2 * (l + 1)), close)
+    psi = crossing(do, slope, sp.S.Zero, most / (2 * (l + 1)), close)
     return do.routine(name, "half of the angle at which the wall needs most damping",
                       _WALL, psi)  # fmt: skip
 
