@@ -17,7 +17,7 @@ from functools import cached_property
 import sympy as sp
 from sympy import Expr, Symbol, exp, sin
 
-from symhaptic.model import delayed, stable, worst
+from symhaptic.model import delayed, worst
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.entire import Chord, CosNext, Decay, Entire, Fade, Gap, Lag, S, Sinc, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Together
@@ -36,7 +36,6 @@ from symhaptic.model.slopes import STABLE, ApartDrop, Echo, Kick, Ripple
 from symhaptic.model.stable import Form, NoForm
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, psi
 from symhaptic.scene import FULL, Parts
-
 
 
 def _stretched() -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
@@ -247,6 +246,7 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
 def differentiable(form: Form) -> tuple[str, ...]:
     """The names of the arguments by which the form has derivatives.
 
+    >>> from symhaptic.model import stable
     >>> differentiable(stable.form("passivity_margin_at"))
     ('theta', 'alpha', 'beta', 'delta', 'd')
     >>> differentiable(stable.form("is_stable"))
