@@ -24,13 +24,13 @@ from symhaptic.model.entire_device import Apart, Fall, Together
 from symhaptic.model.searched import (
     LargestNeed,
     LatePart,
+    NeediestAngle,
     Pushed,
     Rated,
     Searched,
     SomePart,
     StiffestAngle,
     WholePart,
-    NeediestAngle,
 )
 from symhaptic.model.slopes import STABLE, ApartDrop, Echo, Kick, Ripple
 from symhaptic.model.stable import Form, NoForm
