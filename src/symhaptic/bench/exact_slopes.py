@@ -6,11 +6,14 @@ comes from the package's own forms.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
 import flint
 from flint import arb, arb_series
+
+from symhaptic.bench import searched
 
 Series = Any
 
@@ -51,12 +54,30 @@ def polynomial(alpha: Series, beta: Series, gamma: Series, delta: Series) -> tup
     return arb_series([1], 2), -a, e + n1 * (al + be), n0 * (al + be) - n1 * be, -n0 * be
 
 
+def late(gamma: Series, delta: Series, part: Series) -> tuple[Series, ...]:
+    """m2, m1, m0, a and e: a force that changes inside the period."""
+    none, one = arb_series([0], 2), arb_series([1], 2)
+    matrix = [[none, one, none], [-gamma, -delta, one], [none, none, none]]
+    whole, rest, begun = (moved([[x * t for x in row] for row in matrix])
+                          for t in (one, 1 - part, part))  # fmt: skip
+    first, second = rest[0][2], rest[1][2]
+    old = [rest[i][0] * begun[0][2] + rest[i][1] * begun[1][2] for i in range(2)]
+    return (
+        first,
+        whole[0][1] * second - whole[1][1] * first + old[0],
+        whole[0][1] * old[1] - whole[1][1] * old[0],
+        whole[0][0] + whole[1][1],
+        (-delta).exp(),
+    )
+
+
 def boundary(theta: Series, gamma: Series, delta: Series, d: Series) -> tuple[Series, ...]:
-    """-z^(d+1) (A/z)/(n1 z + n0) on the unit circle, in real and imaginary parts."""
-    n1, n0, a, e = device(gamma, delta)
-    cosine, sine, turn = theta.cos(), theta.sin(), (d + 1) * theta
+    """-z^(l+1) A/(m2 z^2 + m1 z + m0) on the unit circle, in real and imaginary parts."""
+    whole = math.floor(float(d[0]))
+    m2, m1, m0, a, e = late(gamma, delta, d - whole)
+    cosine, sine, turn = theta.cos(), theta.sin(), (whole + 1) * theta
     top, top_j = cosine * (1 + e) - a, sine * (1 - e)
-    low, low_j = n1 * cosine + n0, n1 * sine
+    low, low_j = (m2 + m0) * cosine + m1, (m2 - m0) * sine
     size = low * low + low_j * low_j
     ratio, ratio_j = (top * low + top_j * low_j) / size, (top_j * low - top * low_j) / size
     beta = -(turn.cos() * ratio_j + turn.sin() * ratio) / sine
@@ -72,7 +93,9 @@ def margin(theta: Series, alpha: Series, beta: Series, delta: Series, d: Series)
 
 
 def envelope(theta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
-    """Where the margin and its slope vanish: two linear equations."""
+    """Where the margin and its slope vanish: two linear equations for whole delays."""
+    if float(d[0]) % 1:
+        return _scaled(searched.passive(float(theta[0]), 1.0, float(d[0])), delta)
     t, n = theta, d + 1
     up, half = (n - arb(1) / 2) * t, t / 2
     k = up.sin() / (2 * half.sin())
@@ -83,8 +106,16 @@ def envelope(theta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
     return delta * c1 / det, -delta * k1 / det
 
 
+def _scaled(wall: tuple[Any, ...], delta: Series) -> tuple[Series, ...]:
+    """The wall that is just passive on a device whose damping is not 1."""
+    return tuple(delta * x for x in wall[:2])
+
+
 def stiffest(delta: Series, d: Series) -> tuple[Series, ...]:
-    """(11) of the paper."""
+    """(11) of the paper for whole delays."""
+    if float(d[0]) % 1:
+        *wall, angle = searched.stiffest_passive(1.0, float(d[0]))
+        return *_scaled(tuple(wall), delta), arb_series([angle], 2)
     n = d + 1
     angle = arb.pi() / (2 * n)
     beta = ((angle * d).sin() - d / n) / angle.sin()
@@ -98,6 +129,7 @@ def line(beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
 
 SERIES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
+    "discretize_late": lambda gamma, delta, epsilon: late(gamma, delta, epsilon),
     "characteristic_polynomial": polynomial,
     "stability_boundary": boundary,
     "passivity_margin_at": margin,

@@ -15,7 +15,7 @@ from symhaptic.export.target import code_name
 from symhaptic.export.vectors import rounded
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.model.searched import Searched
+from symhaptic.model.searched import Rated, Searched
 
 
 def sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
@@ -46,15 +46,16 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     if isinstance(expr, Searched):
         given = np.broadcast_arrays(*(np.asarray(v, dtype=float) for v, _ in parts))
         value = getattr(functions, code_name(type(expr).__name__))(np, *given)
-        return value, np.abs(value)
+        return value, parts[1][1] if isinstance(expr, Rated) else np.abs(value)
     if expr.is_Add:
         total = sum(v for v, _ in parts)
         terms = np.broadcast_arrays(np.abs(total), *(size for _, size in parts))
         return total, np.max(terms, axis=0)
     if expr.is_Mul:
         return math.prod(v for v, _ in parts), math.prod(s for _, s in parts)
-    if expr.is_Pow and expr.args[1] == sp.S.Half:
+    if expr.is_Pow and abs(expr.args[1]) == sp.S.Half:
         root = np.sqrt(parts[0][0])
+        root = root if expr.args[1] > 0 else 1 / root
         return root, root
     if expr.is_Pow:
         power = int(expr.args[1])

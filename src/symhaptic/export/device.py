@@ -338,7 +338,10 @@ def swing() -> Routine:
 
 
 def apart(precision: Precision = DOUBLE) -> Routine:
-    """(n_1 - n_0)/delta."""
+    """(n_1 - n_0)/delta; for delta = 0 and a stiff spring only a finite number.
+
+    Forms have delta Apart alone, which is 0 there.
+    """
     do = Steps()
     m = motion(do)
     c = _creeping(do, m)

@@ -52,8 +52,19 @@ def steepness() -> Routine:
 
 
 def worst_angle(precision: Precision = DOUBLE) -> Routine:
-    """Half of the angle at which the wall needs most."""
+    """Half of the angle at which the wall needs most, as near as its need has to be."""
+    return _worst("WorstAngle", precision, precision.flat)
+
+
+def neediest_angle(precision: Precision = DOUBLE) -> Routine:
+    """The same to the last place, for derivatives of the need."""
+    return _worst("NeediestAngle", precision, precision.close)
+
+
+def _worst(name: str, precision: Precision, close: Expr) -> Routine:
     do = Steps()
+    # beyond pi the sine is negative, which at half a period turns the phase
+    most = sp.Rational(precision.below_pi)
     size = do("size", sp.Abs(alpha) + sp.Abs(beta))
     scale = do.nonzero(size)
     wall = do("stiffness", alpha / scale), do("damping", beta / scale)
@@ -61,10 +72,8 @@ def worst_angle(precision: Precision = DOUBLE) -> Routine:
     def slope(inner: Steps, at: Expr) -> Expr:
         return sp.Function("Steepness")(*wall, l, epsilon, at)
 
-    # below pi/2, beyond which a sine that vanishes there has the other sign
-    high = sp.Rational(precision.below_pi) / (2 * (l + 1))
-    psi = crossing(do, slope, sp.S.Zero, high, precision.flat)
-    return do.routine("WorstAngle", "half of the angle at which the wall needs most damping",
+    psi = crossing(do, slope, sp.S.Zero, most / (2 * (l + 1)), close)
+    return do.routine(name, "half of the angle at which the wall needs most damping",
                       _WALL, psi)  # fmt: skip
 
 
@@ -125,6 +134,13 @@ def pushed() -> Routine:
                       choose(alpha < 0, sp.oo, need))  # fmt: skip
 
 
+def rated() -> Routine:
+    """The slope of a need, which has none if the wall pulls."""
+    do, slope = Steps(), sp.Symbol("slope")
+    return do.routine("Rated", "the slope of the need, NaN for alpha < 0", (alpha, slope),
+                      choose(alpha < 0, sp.nan, slope))  # fmt: skip
+
+
 def whole_part() -> Routine:
     """Whole periods of a delay."""
     return Steps().routine("WholePart", "whole periods of a delay", (d,), floor(d))
@@ -145,5 +161,6 @@ def some_part() -> Routine:
 
 ROUTINES = (
     whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
+    rated,
 )  # fmt: skip
-PRECISE = (worst_angle, turn, passive_angle)
+PRECISE = (worst_angle, neediest_angle, turn, passive_angle)

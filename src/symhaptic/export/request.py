@@ -16,7 +16,7 @@ from symhaptic.export.target import Refused, Target
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
 from symhaptic.model import stable
-from symhaptic.model.derivatives import with_derivatives
+from symhaptic.model.derivatives import differentiable, with_derivatives
 from symhaptic.model.stable import Form, NoForm
 from symhaptic.scene import FULL, Parts
 
@@ -88,7 +88,7 @@ def _differentiated(form: Form, by: Sequence[str]) -> Form:
 
 
 def _all_differentiated(every: list[Form], by: Sequence[str]) -> list[Form]:
-    """Each form by those arguments that it has; what has none is left as it is."""
+    """Each form by those arguments by which it has one; what has none is left as it is."""
     known = sorted({symbol.name for form in every for symbol in form.arguments})
     for name in by:
         if name not in known:
@@ -98,11 +98,9 @@ def _all_differentiated(every: list[Form], by: Sequence[str]) -> list[Form]:
             )
     found = []
     for form in every:
-        own = tuple(n for n in dict.fromkeys(by) if n in {s.name for s in form.arguments})
-        try:
-            found.append(with_derivatives(form, own) if own else form)
-        except NoForm:
-            found.append(form)
+        has = differentiable(form)
+        own = tuple(name for name in dict.fromkeys(by) if name in has)
+        found.append(with_derivatives(form, own) if own else form)
     return found
 
 

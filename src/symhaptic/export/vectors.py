@@ -18,7 +18,7 @@ from symhaptic.export.sizes import size as slope_size
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots, late_outside, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.model.searched import Searched
+from symhaptic.model.searched import Rated, Searched
 from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.stable import Form
 from symhaptic.model.values import value
@@ -137,7 +137,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     if isinstance(expr, Searched):
         kind: Any = type(expr)
         exact = _searched(kind, tuple(v for v, _ in parts))
-        return exact, abs(exact)
+        return exact, parts[1][1] if kind is Rated else abs(exact)
     if isinstance(expr, UnstableRoots | LateRoots):
         count = (outside if isinstance(expr, UnstableRoots) else late_outside)(
             *(v for v, _ in parts)
@@ -156,6 +156,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         return base**power, size**power if power > 0 else abs(base) ** (power - 1) * size
     if expr.is_Pow:
         root = mpmath.sqrt(parts[0][0])
+        root = root if expr.args[1] > 0 else 1 / root
         return root, root
     exact = _PLAIN[expr.func](parts[0][0])
     return exact, abs(exact) + _spoiled(expr, exact, at)

@@ -2,24 +2,58 @@
 
 Some products have a derivative that loses digits when it is taken factor by factor, such as
 gamma Together = 1 - a + e; these are differentiated as a whole.
+
+By the delay a derivative is that by its fraction, inside a period; at a whole delay it is the slope
+to the right.  A value that is largest at an angle that is searched for has the derivative that it
+has at this angle held still (envelope theorem).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import product
+from functools import cached_property
 
 import sympy as sp
 from sympy import Expr, Symbol, exp, sin
 
+from symhaptic.model import delayed, worst
+from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.entire import Chord, CosNext, Decay, Entire, Fade, Gap, Lag, S, Sinc, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Together
+from symhaptic.model.searched import (
+    LargestNeed,
+    LatePart,
+    NeediestAngle,
+    Pushed,
+    Rated,
+    Searched,
+    SomePart,
+    StiffestAngle,
+    WholePart,
+)
 from symhaptic.model.slopes import STABLE, ApartDrop, Echo, Kick, Ripple
 from symhaptic.model.stable import Form, NoForm
-from symhaptic.notation import delta, gamma
+from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, psi
+from symhaptic.scene import FULL, Parts
 
-_PLAIN = (sp.exp, sp.sin, sp.cos, sp.tan, Entire)
+
+def _stretched() -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
+    """m2 and m0 of the device behind a fraction: by it they change as after a unit impulse."""
+    rest = 1 - epsilon
+    still = FULL.without("stiffness")
+    impulses: dict[Parts, Callable[[Expr], Expr]] = {
+        FULL: lambda t: Kick(gamma * t**2, delta * t),
+        still: lambda t: Decay(delta * t),
+        FULL.without("damping"): lambda t: S(-gamma * t**2),
+    }
+    for parts, impulse in impulses.items():
+        first, last = delayed.ends(parts)
+        kept = exp(-delta * rest) if parts.damping else sp.S.One
+        factor = 1 if parts.damping else 2  # without the half before S(..)^2
+        yield factor * first, {epsilon: -factor * rest * impulse(rest)}
+        yield factor * last, {epsilon: factor * kept * epsilon * impulse(epsilon)}
+
 
 _WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
     (
@@ -36,8 +70,10 @@ _WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
     (delta * Decay(delta), {delta: exp(-delta)}),
     (delta * Lag(delta), {delta: Fade(delta) - 2 * Lag(delta)}),
     (gamma * S(-gamma / 4) ** 2, {gamma: S(-gamma)}),
+    *_stretched(),
 )
-"""Products and their derivatives: 1 - a + e, n1 - n0, 1 - e, and these without spring or damper."""
+"""Products and their derivatives: 1 - a + e, n1 - n0, 1 - e, these without spring or damper, and
+the device behind a fraction of a period."""
 
 
 class _By:
@@ -62,15 +98,58 @@ class _By:
         if expr.is_Pow:
             base, power = expr.args
             return power * base ** (power - 1) * self(base)
+        if isinstance(expr, sp.Piecewise):
+            return self._either(expr)
+        if isinstance(expr, Searched):
+            return self._searched(expr)
+        if isinstance(expr, sp.Abs):
+            return expr.args[0] / expr * self(expr.args[0])
         if isinstance(expr, Entire) and type(expr) not in STABLE:
             raise NoForm(f"no stable derivative of {type(expr).__name__} is known")
         return sp.Add(*(expr.fdiff(i + 1) * self(arg) for i, arg in enumerate(expr.args)))
+
+    def _either(self, expr: sp.Piecewise) -> Expr:
+        """Of a form for whole delays and another one for those with a fraction."""
+        (whole, condition), (late, _) = expr.args
+        if self.by != d:
+            return sp.Piecewise((self(whole), condition), (self(late), True))
+        slope = self.inside(late.xreplace({SomePart(d): epsilon, WholePart(d): l}))
+        right = slope.xreplace({epsilon: sp.S.Zero, l: d})
+        back = slope.xreplace({epsilon: SomePart(d), l: WholePart(d)})
+        return sp.Piecewise((right, condition), (back, True))
+
+    @cached_property
+    def inside(self) -> _By:
+        """Derivatives by the fraction of a period."""
+        return _By(epsilon)
+
+    def _searched(self, expr: Searched) -> Expr:
+        if isinstance(expr, WholePart):
+            return sp.S.Zero
+        if isinstance(expr, LatePart | SomePart):
+            return self(expr.args[0])
+        if isinstance(expr, Pushed):
+            return Rated(expr.args[0], self(expr.args[1]))
+        if isinstance(expr, LargestNeed):
+            return Rated(expr.args[0], self._needed(expr))
+        raise NoForm(f"{type(expr).__name__} is searched for")
+
+    def _needed(self, expr: LargestNeed) -> Expr:
+        """That of the need at the worst angle."""
+        stiffness, damping, delay = expr.args
+        whole, part = WholePart(delay), LatePart(delay)
+        angle = NeediestAngle(stiffness, damping, whole, part)
+        at = {alpha: stiffness, beta: damping, l: whole, epsilon: part, psi: angle}
+        need, arguments = worst.need(), {alpha: stiffness, beta: damping, epsilon: delay}
+        return sp.Add(
+            *(_By(s)(need).xreplace(at) * self(arg) for s, arg in arguments.items() if self(arg))
+        )
 
     def _product(self, expr: Expr) -> Expr:
         powers = expr.as_powers_dict()
         for whole, slope in (*self.whole, *self._waves(expr)):
             parts = whole.as_powers_dict()
-            times = min(powers.get(base, 0) / power for base, power in parts.items())
+            times = min(_times(powers.get(base, sp.S.Zero), power) for base, power in parts.items())
             if times >= 1:
                 rest, times = expr / whole ** int(times), int(times)
                 return whole ** (times - 1) * (times * slope * rest + whole * self(rest))
@@ -89,6 +168,12 @@ class _By:
                 yield wave / x, self(k) * turned + self(x) * flat
 
 
+def _times(power: Expr, whole: Expr) -> Expr:
+    """How often a power holds another one; the exponent of exp is no number."""
+    ratio = power / whole
+    return ratio if ratio.is_number else sp.S.Zero
+
+
 def derivative(expr: Expr, by: Symbol) -> Expr:
     """The derivative of a stable form, again a stable form.
 
@@ -100,28 +185,55 @@ def derivative(expr: Expr, by: Symbol) -> Expr:
     return _By(by)(expr)
 
 
-def counting(form: Form) -> list[str]:
-    """What a form is made of that is not smooth."""
-    functions = {f for e in form.expressions for f in e.atoms(sp.Function)}
-    return sorted({type(f).__name__ for f in functions if not isinstance(f, _PLAIN)})
+def counts(form: Form) -> bool:
+    """Whether a form counts roots: whole numbers have no slope."""
+    return any(e.has(UnstableRoots, LateRoots, Stable) for e in form.expressions)
+
+
+def _held(expr: Expr, by: _By) -> Expr:
+    """The derivative at the angle that is searched for, which stays as it is."""
+    still = Symbol("still")
+
+    def stopped(e: Expr) -> tuple[Expr, dict[Expr, Expr]]:
+        (angle,) = e.atoms(StiffestAngle)
+        return e.xreplace({angle: still}), {still: angle}
+
+    if not isinstance(expr, sp.Piecewise):
+        one, back = stopped(expr)
+        return by(one).xreplace(back)
+    (whole, condition), (late, _) = expr.args
+    (one, back), (other, back_late) = stopped(whole), stopped(late)
+    slopes = by(sp.Piecewise((one, condition), (other, True))).args
+    return sp.Piecewise(
+        (slopes[0][0].xreplace(back), condition), (slopes[1][0].xreplace(back_late), True)
+    )
 
 
 def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
     """The form with, beside each result r, its derivative r_by_x for every argument x asked for.
 
-    Raises :class:`NoForm` for what is no argument, and for what counts.
+    Of a form with results at an angle that is searched for, only for the results that are largest
+    there.  Raises :class:`NoForm` for what is no argument, for what counts, and for what is
+    searched for in another way.
     """
     symbols = {s.name: s for s in form.arguments}
     for name in by:
         if name not in symbols:
             raise NoForm(f"{form.name}: has no argument {name!r}; it has {', '.join(symbols)}")
-    if rough := counting(form):
-        raise NoForm(f"{form.name}: has no derivative, since {', '.join(rough)} counts or searches")
-    every = {name: _By(symbols[name]) for name in by}
-    slopes = tuple(
-        (f"{result}_by_{name}", every[name](expr))
-        for name, (result, expr) in product(by, form.results)
-    )
+    if counts(form):
+        raise NoForm(f"{form.name}: has no derivative, since it counts roots")
+    results = [r for r in form.results if not form.held or r[0] in form.held]
+    slopes = []
+    for name in by:
+        own = _By(symbols[name])
+        for result, expr in results:
+            try:
+                found = _held(expr, own) if form.held else own(expr)
+            except NoForm as lacking:
+                raise NoForm(
+                    f"{form.name}: has no derivative with respect to {name}, since {lacking}"
+                ) from None
+            slopes.append((f"{result}_by_{name}", found))
     return replace(
         form,
         name=f"{form.name}_and_derivatives",
@@ -129,3 +241,23 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
         results=(*form.results, *slopes),
         plain=form,
     )
+
+
+def differentiable(form: Form) -> tuple[str, ...]:
+    """The names of the arguments by which the form has derivatives.
+
+    >>> from symhaptic.model import stable
+    >>> differentiable(stable.form("passivity_margin_at"))
+    ('theta', 'alpha', 'beta', 'delta', 'd')
+    >>> differentiable(stable.form("is_stable"))
+    ()
+    """
+    return tuple(s.name for s in form.arguments if _has(form, s.name))
+
+
+def _has(form: Form, name: str) -> bool:
+    try:
+        with_derivatives(form, (name,))
+    except NoForm:
+        return False
+    return True

@@ -147,6 +147,23 @@ class LargestNeed(Searched):
         return largest(need(alpha, beta, d), mpmath.pi / (whole + 1), end)[0]
 
 
+class NeediestAngle(Searched):
+    """Where the need is largest: (alpha, beta, l, epsilon)."""
+
+    nargs = 4
+    meaning = (
+        "half of the angle at which the wall (alpha, beta) behind a delay of l + epsilon periods "
+        "needs most damping, searched for"
+    )
+
+    @staticmethod
+    def exact(alpha: mpf, beta: mpf, whole: mpf, part: mpf) -> mpf:
+        """By a grid and findroot."""
+        n = alpha * (whole + part + 0.5) - beta
+        end = (n + mpmath.sqrt(n**2 + part * (1 - part) * alpha**2)) / 2 if part else n
+        return largest(need(alpha, beta, whole + part), mpmath.pi / (whole + 1), end)[1] / 2
+
+
 def _wall(x: mpf, d: mpf) -> tuple[mpf, mpf]:
     alpha = mpmath.cos(x) / (mpmath.floor(d) + 1)
     return alpha, mpmath.sin(x) - alpha / 2
@@ -210,6 +227,20 @@ class Pushed(Searched):
     def exact(alpha: mpf, value: mpf) -> mpf:
         """The second argument, or infinity."""
         return mpf("inf") if alpha < 0 else value
+
+
+class Rated(Searched):
+    """The second argument, and NaN where the first is negative."""
+
+    nargs = 2
+    meaning = "the second number, or NaN where the first is negative"
+
+    @staticmethod
+    def exact(alpha: mpf, value: mpf) -> mpf:
+        """The second argument, or none."""
+        if alpha < 0:
+            raise ArithmeticError("no slope of what is infinite")
+        return value
 
 
 # -- stability -----------------------------------------------------------------------------

@@ -87,6 +87,8 @@ class Form:
     """Pairs, stable and derived from first principles, that together make it the same formula."""
     domain: tuple[str, ...]
     """Where it is meant, one condition each."""
+    held: tuple[str, ...] = ()
+    """Results that are largest at an angle that is searched for; the others are found there."""
     plain: Form | None = None
     """The form without the derivatives that are among the results."""
 
@@ -575,6 +577,7 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
             *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
             "NaN elsewhere and where no wall is stable",
         ),
+        held=("alpha",),
     )
 
 
