@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
-from symhaptic.numeric.bracket import rising_root
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.passivity import (
     is_passive,
@@ -270,15 +269,3 @@ def test_nan_in_nan_out():
 def test_the_impossible_is_refused_by_name(call, words):
     with pytest.raises(ValueError, match=words):
         call()
-
-
-def test_bracketed_roots():
-    # zeros of cos - x from tables (the Dottie number), of a steep and of a flat function
-    low, high = np.zeros(3), np.array([1.0, 2.0, 3.0])
-    assert np.allclose(rising_root(lambda x: x - np.cos(x), low, high), 0.739085133215160642)
-    steep = rising_root(lambda x: np.tanh(1e6 * (x - 0.3)), np.array(0.0), np.array(1.0))
-    flat = rising_root(lambda x: (x - 0.3) ** 5, np.array(0.0), np.array(1.0))
-    assert steep == pytest.approx(0.3, rel=1e-12)
-    assert flat == pytest.approx(0.3, rel=1e-3)
-    ends = rising_root(lambda x: x, np.array([1.0, -2.0]), np.array([2.0, -1.0]))
-    assert ends.tolist() == [1.0, -1.0]

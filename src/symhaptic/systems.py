@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.numeric.plant import device
+from symhaptic.kernels import haptic
 
 if TYPE_CHECKING:
     from symhaptic.scene import Scene
@@ -26,11 +26,11 @@ def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
     gamma, delta, delay = scene.dimensionless
     steps = int(np.floor(delay))
     part = delay - steps
-    given = np.atleast_1d(gamma), np.atleast_1d(delta), np.atleast_1d(part)
-    x = device(*given)
+    found = haptic.discretize_late(gamma, delta, part) if part else haptic.discretize(gamma, delta)
+    *force, a, e = map(float, found)
     scale = scene.sampling_period**2 / scene.mass
-    top = [scale * float(v[0]) for v in ((x.m2, x.m1, x.m0) if part else (x.m2, x.m1))]
-    return top, [1.0, -float(x.a[0]), float(x.e[0])] + [0.0] * (steps + (part > 0))
+    top = [scale * v for v in force]
+    return top, [1.0, -a, e] + [0.0] * (steps + (part > 0))
 
 
 def control_system(scene: Scene) -> Any:

@@ -12,6 +12,7 @@ import mpmath
 import numpy as np
 import pytest
 from mpmath import mpf
+from oracle import certified
 
 import symhaptic
 from symhaptic import lambdify
@@ -228,16 +229,21 @@ def test_bad_values_are_named_in_every_library(library):
 
 
 def test_traced_values_are_not_looked_at():
-    """NaN out of range, for a delay with a fraction, and for NaN; never an error."""
+    """Fractions of a delay included; NaN, or -1, for NaN and never an error."""
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")
     delay = make([1.0, 0.5, math.nan])
     alpha, _ = jax.jit(symhaptic.stability_boundary)(1.0, 0.1, 0.2, delay)
-    assert np.isnan(np.asarray(alpha)).tolist() == [False, True, True]
+    assert np.isnan(np.asarray(alpha)).tolist() == [False, False, True]
+    want, _ = symhaptic.stability_boundary(1.0, 0.1, 0.2, [1.0, 0.5])
+    assert np.asarray(alpha)[:2] == pytest.approx(want, rel=1e-12)
     counted = jax.jit(symhaptic.unstable_roots)(0.1, 0.1, 0.1, 0.2, delay)
-    assert np.asarray(counted).tolist() == [roots_outside(0.1, 0.1, 0.1, 0.2, 1), -1, -1]
+    whole = roots_outside(0.1, 0.1, 0.1, 0.2, 1)
+    assert np.asarray(counted).tolist() == [whole, certified(0.1, 0.1, 0.1, 0.2, 0.5), -1]
     jax.jit(symhaptic.discretize)(make(-1.0), make(-1.0))
-    margin = jax.jit(symhaptic.passivity_margin)(make([1.0, -1.0]), 0.0, 1.0, 0.0)
-    assert np.asarray(margin).tolist() == [0.5, -math.inf]  # (6): b - K T/2 without delay
+    late = make([0.0, 0.0, 0.5])
+    margin = jax.jit(symhaptic.passivity_margin)(make([1.0, -1.0, 4 * 5**0.5 - 8]), 0.0, 1.0, late)
+    # (6): b - K T/2 without delay; half a period late 4 sqrt(5) - 8 is just passive
+    assert np.asarray(margin) == pytest.approx([0.5, -math.inf, 0.0], abs=1e-14)
 
 
 def test_what_stays_single_and_what_does_not():

@@ -7,7 +7,7 @@ With :math:`Q=-z^{l+1}A/M` on the unit circle, :math:`\beta=\Im Q/\sin\theta` an
 from __future__ import annotations
 
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,7 +16,7 @@ from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.given import Given
-from symhaptic.numeric.plant import Device, device
+from symhaptic.numeric.plant import Device
 from symhaptic.numeric.stability import SHEETS
 
 _SPLIT = 2.0**27 + 1
@@ -143,16 +143,17 @@ def stability_boundary(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(theta=theta, gamma=gamma, delta=delta, delay=delay)
-    steps = given.values[3]
-    if sheet == "exact" and not given.whole(steps):
-        alpha, beta = given.by_numpy(partial(arguments.in_blocks, _pair), 2)
-        return alpha, beta
-    found = given(haptic.stability_boundary)
-    known = given.xp.isfinite(found[0]) & (sheet == "principal" or steps == given.xp.floor(steps))
-    alpha, beta = (given.xp.where(known, x, given.xp.full_like(x, np.nan)) for x in found)
+    found = given(haptic.stability_boundary if sheet == "exact" else partial(_principal, given.xp))
+    alpha, beta = (given.xp.where(given.xp.isfinite(found[0]), x, given.xp.nan) for x in found)
     return alpha, beta
 
 
-def _pair(theta: Array, gamma: Array, delta: Array, delay: Array) -> tuple[Array, Array]:
-    steps = np.floor(delay)
-    return point(device(gamma, delta, delay - steps), theta, steps)
+def _principal(xp: Any, theta: Any, gamma: Any, delta: Any, delay: Any) -> tuple[Any, Any]:
+    """The rest of the delay turns Q of the whole one, which is known by the wall, once more."""
+    steps = xp.floor(delay)
+    alpha, beta = haptic.stability_boundary(theta, gamma, delta, steps)
+    rest = (delay - steps) * theta
+    turn, turn_j, sine, half = xp.cos(rest), xp.sin(rest), xp.sin(theta), xp.sin(theta / 2)
+    q, q_j = alpha + 2 * beta * half * half, beta * sine
+    real, imaginary = q * turn - q_j * turn_j, q_j * turn + q * turn_j
+    return real - imaginary * xp.tan(theta / 2), imaginary / sine

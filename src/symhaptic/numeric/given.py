@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -45,7 +46,12 @@ class Given:
         if not is_numpy_array(self.values[0]):
             return kernel(*self.values)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            return kernel(*self.values)
+            found = kernel(*self.values)
+        return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
+
+    def each(self, work: Callable[..., Any]) -> Any:
+        """What ``work``, given the namespace and flat pieces, makes of them element by element."""
+        return self(partial(haptic.elementwise, self.xp, partial(work, self.xp)))
 
     def whole(self, delay: Any) -> bool:
         """Whether no delay has a fraction, as far as that can be known."""

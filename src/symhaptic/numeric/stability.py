@@ -129,17 +129,14 @@ def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
     return steps, part if np.any(part) else None
 
 
-def _count(
-    alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array, sheet: str
-) -> Array:
-    steps, part = split(delay, sheet)
-    given = (gamma, delta) if part is None else (gamma, delta, part)
-    plant = arguments.in_blocks(device, *given)
+def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array) -> Array:
+    """On the principal sheet."""
+    plant = arguments.in_blocks(device, gamma, delta)
 
-    def work(al: Array, be: Array, st: Array, *numbers: Array) -> list[Array]:
-        return [count(Device(*numbers), wall(al, be), st, part is None, sheet == "principal")]
+    def work(al: Array, be: Array, dy: Array, *numbers: Array) -> list[Array]:
+        return [count(Device(*numbers), wall(al, be), dy, principal=True)]
 
-    return np.asarray(arguments.in_blocks(work, alpha, beta, steps, *plant)[0])
+    return np.asarray(arguments.in_blocks(work, alpha, beta, delay, *plant)[0])
 
 
 def unstable_roots(
@@ -174,16 +171,15 @@ def unstable_roots(
 def _outside_and_stable(given: Given, sheet: str) -> Any:
     """The count of roots outside, and 1 where the loop is stable and 0 where not; or NaN."""
     xp, delay = given.xp, given.values[4]
+    if sheet == "exact":
+        return given(haptic.is_stable)
     if given.whole(delay):
-        found = given(haptic.is_stable)
         whole = delay == xp.floor(delay)
-        return tuple(xp.where(whole, x, xp.full_like(x, xp.nan)) for x in found)
+        return tuple(xp.where(whole, x, xp.nan) for x in given(haptic.is_stable))
 
     def work(al: Array, be: Array, g: Array, dl: Array, dy: Array) -> tuple[Array, Array]:
         unknown = np.isnan(al + be + g + dl + dy)
-        outside = np.where(
-            unknown, np.nan, np.where(unknown, 0.0, _count(al, be, g, dl, dy, sheet))
-        )
+        outside = np.where(unknown, np.nan, np.where(unknown, 0.0, _count(al, be, g, dl, dy)))
         swings = (al == 0) & (be == 0) & (dl == 0)
         good = (outside == 0) & (al > -g) & ~swings & ~stuck(g, dl)
         return outside, np.where(unknown, np.nan, good)
