@@ -686,15 +686,15 @@ def motion(xp, gamma, delta):
     back = total - half
     lost3 = root - back
     p_low = lost3 + root_low
-    whole = xp.where(total == 0.0, 1.0, total)
-    q = gamma/whole
-    off = gamma - q*whole
-    whole_halves = halves(xp, whole)
+    whole2 = xp.where(total == 0.0, 1.0, total)
+    q = gamma/whole2
+    off = gamma - q*whole2
+    whole2_halves = halves(xp, whole2)
     q_halves = halves(xp, q)
-    off = off - product_error(whole*q, whole_halves, q_halves)
+    off = off - product_error(whole2*q, whole2_halves, q_halves)
     off = off - p_low*q
-    q_low = off/whole
-    return half, total2, lost, root, root_low, total, p_low, whole, q, q_low
+    q_low = off/whole2
+    return half, total2, lost, root, whole, root_low, total, p_low, whole2, q, q_low
 
 
 def fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low):
@@ -2166,6 +2166,25 @@ def apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_lo
     return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, total2), no, (delta, half, q, q_low, root, root_low, total2, total3))
 
 
+def kick(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low):
+    """displacement by a unit impulse after a period"""
+
+    def yes(half, root, root_low, whole):
+        sine = xp.sin(root)
+        cosine = xp.cos(root)
+        swung = (cosine*root_low + sine)/whole
+        envelope = xp.exp(-half)
+        return envelope*swung
+
+    def no(q, q_low, root):
+        fall_ = xp.exp(-q)
+        fall_ = fall_ - fall_*q_low
+        gap_ = 2.0*root
+        return fall_*decay(xp, gap_)
+
+    return select(xp, total2 < 0.0, yes, (half, root, root_low, whole), no, (q, q_low, root))
+
+
 def late_part(xp, d):
     """the fraction of a period in a delay"""
     return d - xp.floor(d)
@@ -3287,101 +3306,158 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     return (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*(t7 + together_))) - t4*(0.5*t18 + t5*(t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
 
 
+def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
+    """the angle of the largest stiffness without delay"""
+    t2 = 2.0*apart_
+    t3 = -together_
+    t4 = t2 + t3
+    t2 = at_minus_one*t4 + loss*t2
+    t6 = (apart_*apart_)
+    t8 = 2.0*together_
+    k2 = t8*(at_one*t6 + t2*together_)
+
+    def yes(apart_, at_minus_one, at_one, k2, loss, t3, t4, t5, t6, t8, together_):
+        t = (together_*together_)
+        t7 = -apart_ - t3
+        k = t*t5 - t6*(2.0*at_minus_one*t7 - at_one*t4 + 4.0*loss*t7)
+        k3 = together_*(at_minus_one*t + at_one*(t + (t7*t7)) + loss*t8*(2.0*together_ - apart_))
+        discriminant = (k2*k2) - 4.0*k*k3
+        root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
+        above = k2 + root
+        below = xp.where(0.0 > -2.0*k, 0.0, -2.0*k)
+        return above, below
+
+    def no(apart_, at_minus_one, at_one, k2, loss, t3, t4, t5, t6, t8, together_):
+        t = (together_*together_)
+        t7 = -apart_ - t3
+        k3 = together_*(at_minus_one*t + at_one*(t + (t7*t7)) + loss*t8*(2.0*together_ - apart_))
+        above = 2.0*k3
+        k = t*t5 - t6*(2.0*at_minus_one*t7 - at_one*t4 + 4.0*loss*t7)
+        discriminant = (k2*k2) - 4.0*k*k3
+
+        def yes(discriminant):
+            below = 0.0
+            return below
+
+        def no(discriminant, k2):
+            root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
+            below = root - k2
+            return below
+
+        below = select(xp, discriminant < 0.0, yes, (discriminant,), no, (discriminant, k2))
+
+        return above, below
+
+    above, below = select(xp, k2 > 0.0, yes, (apart_, at_minus_one, at_one, k2, loss, t3, t4, t2, t6, t8, together_), no, (apart_, at_minus_one, at_one, k2, loss, t3, t4, t2, t6, t8, together_))
+
+    return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
+
+
 def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
     """The same in single precision."""
 
     def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
         across = xp.where(part == 0.0, first, first - last)
-        turn_ = 3.141592653589793/(d + 1.0)
 
-        def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-            return (count > 24.0) | (found > 0.0)
-
-        def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-            rises = boundary_slope(xp, xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_), l, at_one, at_minus_one, loss, together_, apart_, across)
-            case1 = rises > 0.0
-            next_count = xp.where(case1, count + 1.0, count)
-            next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
-            return next_count, next_found
-
-        count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
-
-        def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
-            high = xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_)
-            low = xp.where(0.001*high > xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)), 0.001*high, xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)))
-            low = low
-            above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
-
-            def yes(low2):
-                root = low2
-                return root
-
-            def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
-                high2 = high
-                below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
-
-                def yes(high2):
-                    root = high2
-                    return root
-
-                def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
-
-                    def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                        return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-
-                    def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                        span = c - b
-                        rise_ = fc - fb
-                        whole = xp.where(span == 0.0, 1.0, span)
-                        place = (a - b)/whole
-                        whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                        height = (fa - fb)/whole
-                        safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                        case1 = safe > 0.0
-                        one = xp.where(case1, fb - fa, 1.0)
-                        two = xp.where(case1, fb - fc, 1.0)
-                        three = xp.where(case1, fa - fc, 1.0)
-                        width = b - a
-                        here = fa/one
-                        there = fc/two
-                        whole = xp.where(width == 0.0, 1.0, width)
-                        other = fa/three
-                        last2 = fb/two
-                        guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                        edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
-                        edge = xp.where(0.5 < edge, 0.5, edge)
-                        share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                        share = xp.where(edge > share, edge, share)
-                        new = a + share*width
-                        value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
-                        case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                        next_b = xp.where(case2, b, a)
-                        next_fb = xp.where(case2, fb, fa)
-                        next_a = new
-                        next_fa = value
-                        next_c = xp.where(case2, a, b)
-                        next_fc = xp.where(case2, fa, fb)
-                        return next_b, next_fb, next_a, next_fa, next_c, next_fc
-
-                    b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
-                    root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                    return root
-
-                root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
-
-                return root
-
-            root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
-
-            theta = root
+        def yes(apart_, at_minus_one, at_one, loss, together_):
+            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_)
             return theta
 
-        def no(d):
-            end = xp.where(d == 0.0, xp.full_like(d, 3.141592653589793), xp.nan)
-            theta = end
+        def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
+            turn_ = 3.141592653589793/(d + 1.0)
+            start = 1.0
+
+            def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+                return (count > 24.0) | (found > 0.0)
+
+            def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+                rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+                case1 = rises > 0.0
+                next_count = xp.where(case1, count + 1.0, count)
+                next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+                return next_count, next_found
+
+            count, found = repeat(xp, 24, over, step, (start, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+
+            def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+                high = 0.041666666666666664*count*turn_
+                low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+                low = low
+                above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+                def yes(low2):
+                    root = low2
+                    return root
+
+                def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
+                    high2 = high
+                    below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+                    def yes(high2):
+                        root = high2
+                        return root
+
+                    def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+
+                        def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                            return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                        def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                            span = c - b
+                            rise_ = fc - fb
+                            whole = xp.where(span == 0.0, 1.0, span)
+                            place = (a - b)/whole
+                            whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                            height = (fa - fb)/whole
+                            safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                            case1 = safe > 0.0
+                            one = xp.where(case1, fb - fa, 1.0)
+                            two = xp.where(case1, fb - fc, 1.0)
+                            three = xp.where(case1, fa - fc, 1.0)
+                            width = b - a
+                            here = fa/one
+                            there = fc/two
+                            whole = xp.where(width == 0.0, 1.0, width)
+                            other = fa/three
+                            last2 = fb/two
+                            guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
+                            edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                            edge = xp.where(0.5 < edge, 0.5, edge)
+                            share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                            share = xp.where(edge > share, edge, share)
+                            new = a + share*width
+                            value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                            case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                            next_b = xp.where(case2, b, a)
+                            next_fb = xp.where(case2, fb, fa)
+                            next_a = new
+                            next_fa = value
+                            next_c = xp.where(case2, a, b)
+                            next_fc = xp.where(case2, fa, fb)
+                            return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                        b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                        root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                        return root
+
+                    root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+
+                    return root
+
+                root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+
+                theta = root
+                return theta
+
+            def no(found):
+                theta = xp.nan
+                return theta
+
+            theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
+
             return theta
 
-        theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (d,))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
         off, cosine, sine = next_angle(xp, l, theta)
         t = sin_next(xp, l, theta, off, cosine, sine)
@@ -3428,96 +3504,106 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
 
     def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
         across = xp.where(part == 0.0, first, first - last)
-        turn_ = 3.141592653589793/(d + 1.0)
 
-        def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-            return (count > 24.0) | (found > 0.0)
-
-        def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-            rises = boundary_slope(xp, xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_), l, at_one, at_minus_one, loss, together_, apart_, across)
-            case1 = rises > 0.0
-            next_count = xp.where(case1, count + 1.0, count)
-            next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
-            return next_count, next_found
-
-        count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
-
-        def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
-            high = xp.where(3.1412785 < 0.041666666666666664*count*turn_, 3.1412785, 0.041666666666666664*count*turn_)
-            low = xp.where(0.001*high > xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)), 0.001*high, xp.where(3.1412785 < 0.041666666666666664*turn_*(count - 1.0), 3.1412785, 0.041666666666666664*turn_*(count - 1.0)))
-            low = low
-            above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
-
-            def yes(low2):
-                root = low2
-                return root
-
-            def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
-                high2 = high
-                below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
-
-                def yes(high2):
-                    root = high2
-                    return root
-
-                def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
-
-                    def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                        return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-
-                    def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                        span = c - b
-                        rise_ = fc - fb
-                        whole = xp.where(span == 0.0, 1.0, span)
-                        place = (a - b)/whole
-                        whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                        height = (fa - fb)/whole
-                        safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                        case1 = safe > 0.0
-                        one = xp.where(case1, fb - fa, 1.0)
-                        two = xp.where(case1, fb - fc, 1.0)
-                        three = xp.where(case1, fa - fc, 1.0)
-                        width = b - a
-                        here = fa/one
-                        there = fc/two
-                        whole = xp.where(width == 0.0, 1.0, width)
-                        other = fa/three
-                        last2 = fb/two
-                        guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                        edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
-                        edge = xp.where(0.5 < edge, 0.5, edge)
-                        share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                        share = xp.where(edge > share, edge, share)
-                        new = a + share*width
-                        value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
-                        case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                        next_b = xp.where(case2, b, a)
-                        next_fb = xp.where(case2, fb, fa)
-                        next_a = new
-                        next_fa = value
-                        next_c = xp.where(case2, a, b)
-                        next_fc = xp.where(case2, fa, fb)
-                        return next_b, next_fb, next_a, next_fa, next_c, next_fc
-
-                    b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
-                    root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                    return root
-
-                root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
-
-                return root
-
-            root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
-
-            theta = root
+        def yes(apart_, at_minus_one, at_one, loss, together_):
+            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_)
             return theta
 
-        def no(d):
-            end = xp.where(d == 0.0, xp.full_like(d, 3.141592653589793), xp.nan)
-            theta = end
+        def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
+            turn_ = 3.141592653589793/(d + 1.0)
+            start = 1.0
+
+            def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+                return (count > 24.0) | (found > 0.0)
+
+            def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+                rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+                case1 = rises > 0.0
+                next_count = xp.where(case1, count + 1.0, count)
+                next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+                return next_count, next_found
+
+            count, found = repeat(xp, 24, over, step, (start, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+
+            def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+                high = 0.041666666666666664*count*turn_
+                low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+                low = low
+                above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+                def yes(low2):
+                    root = low2
+                    return root
+
+                def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
+                    high2 = high
+                    below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+                    def yes(high2):
+                        root = high2
+                        return root
+
+                    def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+
+                        def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                            return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                        def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                            span = c - b
+                            rise_ = fc - fb
+                            whole = xp.where(span == 0.0, 1.0, span)
+                            place = (a - b)/whole
+                            whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                            height = (fa - fb)/whole
+                            safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                            case1 = safe > 0.0
+                            one = xp.where(case1, fb - fa, 1.0)
+                            two = xp.where(case1, fb - fc, 1.0)
+                            three = xp.where(case1, fa - fc, 1.0)
+                            width = b - a
+                            here = fa/one
+                            there = fc/two
+                            whole = xp.where(width == 0.0, 1.0, width)
+                            other = fa/three
+                            last2 = fb/two
+                            guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
+                            edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                            edge = xp.where(0.5 < edge, 0.5, edge)
+                            share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                            share = xp.where(edge > share, edge, share)
+                            new = a + share*width
+                            value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                            case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                            next_b = xp.where(case2, b, a)
+                            next_fb = xp.where(case2, fb, fa)
+                            next_a = new
+                            next_fa = value
+                            next_c = xp.where(case2, a, b)
+                            next_fc = xp.where(case2, fa, fb)
+                            return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                        b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                        root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                        return root
+
+                    root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+
+                    return root
+
+                root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+
+                theta = root
+                return theta
+
+            def no(found):
+                theta = xp.nan
+                return theta
+
+            theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
+
             return theta
 
-        theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (d,))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
         off, cosine, sine = next_angle(xp, l, theta)
         t = sin_next(xp, l, theta, off, cosine, sine)
@@ -3715,7 +3801,7 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
         return root
 
     def no(above, damping, epsilon, l, stiffness):
-        high = 3.141592653589793/(2.0*l + 2.0)
+        high = 3.141592502593994/(2.0*l + 2.0)
         below = steepness(xp, stiffness, damping, l, epsilon, high)
 
         def yes(high):
@@ -4209,7 +4295,7 @@ def discretize(gamma, delta):
     xp, gamma, delta = arrays(gamma, delta)
 
     def work(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), xp.exp(-delta)
 
     return elementwise(xp, work, gamma, delta)
@@ -4226,7 +4312,7 @@ def discretize_late(gamma, delta, epsilon):
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
     together_, swing_ = elementwise(xp, plant, gamma, delta)
@@ -4235,10 +4321,10 @@ def discretize_late(gamma, delta, epsilon):
         t0 = 1.0 - epsilon
         t1 = (t0*t0)
         t0 = delta*t0
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t1, t0)
+        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t1, t0)
         t1 = t1*rise(xp, gamma*t1, t0, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
         t4 = (epsilon*epsilon)
-        half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t4, delta*epsilon)
+        half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t4, delta*epsilon)
         t4 = t4*xp.exp(-t0)*fall(xp, gamma*t4, delta*epsilon, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
         return t1, together_ - t1 - t4, t4, swing_, xp.exp(-delta)
 
@@ -4258,7 +4344,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
     t0, t2, t3, rise_, fall_, apart_ = elementwise(xp, plant, gamma, delta)
@@ -4275,14 +4361,19 @@ def is_stable(alpha, beta, gamma, delta, d):
             t5 = some_part(xp, d)
             t6 = 1.0 - t5
             t7 = (t6*t6)
-            t6 = delta*t6
-            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t7, t6)
-            t7 = t7*rise(xp, gamma*t7, t6, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
-            t10 = (t5*t5)
-            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t10, delta*t5)
-            t10 = t10*xp.exp(-t6)*fall(xp, gamma*t10, delta*t5, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t7 = late_roots(xp, alpha, beta, whole_part(xp, d), t7, t10, t1, t2, t3, t0, 2.0*t10 - t0 + 2.0*t7)
-            return t7, stable(xp, t7, alpha, beta, gamma, delta)
+            t8 = gamma*t7
+            t9 = delta*t6
+            half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, t8, t9)
+            t10 = rise(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+            t11 = (t5*t5)
+            t12 = gamma*t11
+            t13 = delta*t5
+            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t12, t13)
+            t14 = t11*fall(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t15 = kick(xp, t12, t13, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
+            t16 = rise(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t16 = late_roots(xp, alpha, beta, whole_part(xp, d), t10*t7, t14*xp.exp(-t9), t1, t2, t3, t0, delta*(t6*t6*t6)*apart(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t5*t5*t5)*apart(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t10*t11*t16*t8 - t14*t9*decay(xp, t9) - 2.0*t15*t5*t6*kick(xp, t8, t9, half, total2, root, whole, root_low, total3, q, q_low) + t7*(t12*t16 + t13*t15)*fall(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low))
+            return t16, stable(xp, t16, alpha, beta, gamma, delta)
 
         return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_, beta, d, delta, fall_, gamma, rise_, t0, t2, t3), no, (alpha, beta, d, delta, gamma, t0, t2, t3))
 
@@ -4301,7 +4392,7 @@ def stability_boundary(theta, gamma, delta, d):
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), 2.0*delta*decay(xp, delta), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
     t4, t5, t13, nyquist_ = elementwise(xp, plant, gamma, delta)
@@ -4347,22 +4438,27 @@ def stability_boundary(theta, gamma, delta, d):
             off, cosine, sine = next_angle(xp, t22, theta)
             t23 = sin_next(xp, t22, theta, off, cosine, sine)
             t24 = some_part(xp, d)
-            t25 = (t24*t24)
-            t26 = 1.0 - t24
-            t27 = delta*t26
-            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t25, delta*t24)
-            t25 = 2.0*t25*xp.exp(-t27)*fall(xp, gamma*t25, delta*t24, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t26 = (t26*t26)
-            half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, gamma*t26, t27)
-            t26 = 2.0*t26*rise(xp, gamma*t26, t27, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
-            t27 = t26 - t25
-            t10 = -t10 - t8*(t25 + t26 - t4)
-            t9 = 1.0/((t27*t27)*t9 + (t10*t10))
-            t26 = t13*t10 - t7*t27
-            t16 = t7*t10 + t16*t27
+            t25 = 1.0 - t24
+            t26 = delta*t25
+            t27 = (t24*t24)
+            t28 = gamma*t27
+            t29 = delta*t24
+            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t28, t29)
+            t30 = t27*fall(xp, t28, t29, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t31 = (t25*t25)
+            t32 = gamma*t31
+            half_3, total2_3, lost2_3, root_3, whole_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, t32, t26)
+            t33 = rise(xp, t32, t26, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
+            t34 = 2.0*t31*t33 - 2.0*t30*xp.exp(-t26)
+            t35 = kick(xp, t28, t29, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
+            t36 = rise(xp, t28, t29, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t36 = -t10 - t8*(delta*(t25*t25*t25)*apart(xp, t32, t26, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t24*t24*t24)*apart(xp, t28, t29, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) - 2.0*t24*t25*t35*kick(xp, t32, t26, half_3, total2_3, root_3, whole_3, root_low_3, total3_3, q_3, q_low_3) - t26*t30*decay(xp, t26) + t27*t32*t33*t36 + t31*(t28*t36 + t29*t35)*fall(xp, t32, t26, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3))
+            t9 = 1.0/((t34*t34)*t9 + (t36*t36))
+            t35 = t13*t36 - t7*t34
+            t16 = t7*t36 + t16*t34
             t22 = t9*cos_next(xp, t22, theta, off, cosine, sine)
-            t19 = -t19*t23*t9*t16 - 0.5*t26*t22
-            return t2*t23*t1*t9*t26 - t21*t19 - t16*t22, t19
+            t19 = -t19*t23*t9*t16 - 0.5*t35*t22
+            return t2*t23*t1*t9*t35 - t21*t19 - t16*t22, t19
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, gamma, nyquist_, t13, t4, t5, theta), no, (d, delta, gamma, nyquist_, t13, t4, theta))
 
@@ -4380,7 +4476,7 @@ def max_stable_stiffness(gamma, delta, d):
     xp, gamma, delta, d = arrays(gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
 
     t0, t2, t3, t4, rise_, fall_ = elementwise(xp, plant, gamma, delta)
@@ -4416,33 +4512,38 @@ def max_stable_stiffness(gamma, delta, d):
             t23 = some_part(xp, d)
             t24 = 1.0 - t23
             t25 = (t24*t24)
-            t24 = delta*t24
-            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t25, t24)
-            t25 = t25*rise(xp, gamma*t25, t24, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
-            t28 = (t23*t23)
-            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t28, delta*t23)
-            t28 = t28*xp.exp(-t24)*fall(xp, gamma*t28, delta*t23, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t24 = 2.0*t28
-            t31 = 2.0*t25
-            t32 = t24 - t0 + t31
-            t25 = stiffest_angle(xp, gamma, delta, d, t22, t23, t25, t28, t1, t2, t3, t0, t32)
-            t28 = 0.5*t25
-            t23 = xp.sin(t28)
-            t28 = xp.cos(t28)
-            off_3, cosine_3, sine_3 = next_angle(xp, t22, t25)
-            t37 = sin_next(xp, t22, t25, off_3, cosine_3, sine_3)
-            t31 = t31 - t24
-            t24 = (t28*t28)
-            t40 = (t23*t23)
-            t41 = t24*t40
-            t32 = t0*t24 - t32*t40
-            t43 = 1.0/((t31*t31)*t41 + (t32*t32))
-            t24 = t1*t24 - t2*t40
-            t1 = t16*t32 - t31*t24
-            t24 = t16*t31*t41 + t32*t24
-            t22 = t43*cos_next(xp, t22, t25, off_3, cosine_3, sine_3)
-            t16 = -t37*t43*t24/xp.sin(t25) - 0.5*t1*t22
-            return t23*t28*t37*t43*t1 - 2.0*t40*t16 - t24*t22, t16, t25
+            t26 = gamma*t25
+            t27 = delta*t24
+            half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, t26, t27)
+            t28 = rise(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+            t29 = t25*t28
+            t30 = (t23*t23)
+            t31 = gamma*t30
+            t32 = delta*t23
+            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t31, t32)
+            t33 = t30*fall(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t34 = t33*xp.exp(-t27)
+            t35 = kick(xp, t31, t32, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
+            t36 = rise(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t36 = delta*(t24*t24*t24)*apart(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t23*t23*t23)*apart(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) - 2.0*t23*t24*t35*kick(xp, t26, t27, half, total2, root, whole, root_low, total3, q, q_low) + t25*(t31*t36 + t32*t35)*fall(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) + t26*t28*t30*t36 - t27*t33*decay(xp, t27)
+            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, t2, t3, t0, t36)
+            t35 = 0.5*t23
+            t33 = xp.sin(t35)
+            t35 = xp.cos(t35)
+            off_3, cosine_3, sine_3 = next_angle(xp, t22, t23)
+            t32 = sin_next(xp, t22, t23, off_3, cosine_3, sine_3)
+            t34 = 2.0*t29 - 2.0*t34
+            t29 = (t35*t35)
+            t31 = (t33*t33)
+            t30 = t29*t31
+            t36 = t0*t29 - t36*t31
+            t28 = 1.0/((t34*t34)*t30 + (t36*t36))
+            t29 = t1*t29 - t2*t31
+            t1 = t16*t36 - t34*t29
+            t29 = t16*t34*t30 + t36*t29
+            t22 = t28*cos_next(xp, t22, t23, off_3, cosine_3, sine_3)
+            t16 = -t32*t28*t29/xp.sin(t23) - 0.5*t1*t22
+            return t33*t35*t32*t28*t1 - 2.0*t31*t16 - t29*t22, t16, t23
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, fall_, gamma, rise_, t0, t2, t3, t4), no, (d, delta, gamma, t0, t2, t3))
 
