@@ -64,7 +64,7 @@ def test_a_wrong_exact_value_is_noticed(monkeypatch):
     functions.truth.cache_clear()
 
 
-@pytest.mark.parametrize("name", list(functions.EXACT))
+@pytest.mark.parametrize("name", list(functions.FUNCTIONS))
 def test_the_exact_values_are_those_of_another_road(name):
     for which in functions.SETS:
         confirm(form(name), [a[:3] for a in chosen(form(name), which, 40)])

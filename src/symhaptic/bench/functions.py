@@ -26,6 +26,11 @@ from symhaptic.model.stable import Form
 
 SETS = ("ordinary", "hard")
 
+_LONG = ("discretize_late", "passivity_margin", "max_stable_stiffness")
+"""Of fractions of a period, or searched for: in balls they take seconds a point."""
+
+FUNCTIONS = tuple(name for name in EXACT if name not in _LONG)
+
 
 class WrongExact(RuntimeError):
     """An exact value that another road contradicts; the message is one line."""
@@ -43,7 +48,7 @@ class Effort:
     """Elements of the arrays that are timed."""
 
 
-def measured(effort: Effort, names: Sequence[str] = tuple(EXACT)) -> Iterator[dict[str, Any]]:
+def measured(effort: Effort, names: Sequence[str] = FUNCTIONS) -> Iterator[dict[str, Any]]:
     """One row for each function, set of parameters and way."""
     for form in request.chosen(names):
         sets = {which: chosen(form, which, effort.points) for which in SETS}
@@ -63,8 +68,10 @@ def measured(effort: Effort, names: Sequence[str] = tuple(EXACT)) -> Iterator[di
 def chosen(form: Form, which: str, count: int) -> list[Array]:
     """Arguments of a form: inside the paper's (23), or hard ones."""
     rng = np.random.default_rng(23)
-    if which == "hard":
-        return points.columns(form, rng, count)
+    if which == "hard":  # whole delays, for which the paper's forms are meant
+        arrays = points.columns(form, rng, count)
+        pairs = zip(form.arguments, arrays, strict=True)
+        return [np.floor(a) if s.name == "d" else a for s, a in pairs]
     curve = form.name == "passivity_boundary"  # one point without delay
     delay = rng.integers(curve, 9, count).astype(float)
     most = np.pi / (delay + 1) if curve else np.pi

@@ -17,7 +17,7 @@ from typing import Any
 
 from symhaptic import __version__
 from symhaptic.bench import functions, models, peers, tracing, verdicts
-from symhaptic.bench.exact import EXACT
+from symhaptic.bench.functions import FUNCTIONS
 from symhaptic.bench.timing import METHOD
 
 SCHEMA = 1
@@ -65,7 +65,7 @@ class Size:
     most: int
     loops: int
     asked: int
-    names: tuple[str, ...] = tuple(EXACT)
+    names: tuple[str, ...] = FUNCTIONS
 
 
 QUICK = Size(

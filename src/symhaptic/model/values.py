@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, cast
 
 import mpmath
@@ -11,6 +11,7 @@ import sympy as sp
 from mpmath import mpf
 from sympy import Expr, Symbol
 
+from symhaptic.model.counted import late_outside, outside
 from symhaptic.model.entire import (
     C,
     Chord,
@@ -26,6 +27,7 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.model.searched import Searched
 from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.slopes import NEW
 
@@ -80,8 +82,29 @@ def _digits(at: dict[Symbol, mpf], digits: int) -> int:
 @cache
 def _compiled(expr: Expr, names: tuple[Symbol, ...]) -> Callable[..., mpf]:
     used = {type(f) for f in expr.atoms(sp.Function)}
-    modules = [{name: numeric(cls) for name, cls in ALL.items() if cls in used}, "mpmath"]
-    return cast(Callable[..., mpf], sp.lambdify(names, expr, modules, cse=True))
+    own = {name: numeric(cls) for name, cls in ALL.items() if cls in used}
+    own |= {cls.__name__: _found(cls.exact) for cls in used if issubclass(cls, Searched)}
+    own |= {name: _found(count) for name, count in _COUNTS.items()}
+    # what is shared is computed first, also where a choice does not need it
+    shared = not expr.has(sp.Piecewise)
+    return cast(Callable[..., mpf], sp.lambdify(names, expr, [own, "mpmath"], cse=shared))
+
+
+def _found(exact: Callable[..., mpf]) -> Callable[..., mpf]:
+    """A function that is searched for, each value once."""
+
+    @lru_cache(maxsize=256)
+    def at(bits: int, *args: mpf) -> mpf:
+        return exact(*args)
+
+    return lambda *args: at(mpmath.mp.prec, *args)
+
+
+_COUNTS: dict[str, Callable[..., mpf]] = {
+    "UnstableRoots": outside,
+    "LateRoots": late_outside,
+    "Stable": lambda roots, *_: mpf(roots == 0),
+}
 
 
 @cache
