@@ -93,13 +93,12 @@ def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Pa
         found = whole(do)
         return replace(found, **{low: 0 * getattr(found, low)})
 
-    monkeypatch.setattr(device, "motion", mutant)
+    (form,) = request.chosen(["discretize"])
     library.known.cache_clear()
-    try:
-        (form,) = request.chosen(["discretize"])
+    with monkeypatch.context() as patch:
+        patch.setattr(device, "motion", mutant)
         run = error.compiled(form, tmp_path, precision)
-    finally:
-        library.known.cache_clear()
+    library.known.cache_clear()
     arrays = columns(form, np.random.default_rng(2), COUNT, precision)
     found = error.compare(form, arrays, run(arrays), precision)
     assert max(off for off, _ in found.values()) > MEASURED[precision]["discretize"].error

@@ -60,13 +60,15 @@ def test_single_arrays_stay_single_without_a_warning():
     exec(compile(files["haptic.py"], "haptic.py", "exec"), space)
     gamma, delta = np.array(hard(SINGLE), dtype=np.float32).T
     given = {"gamma": gamma, "delta": delta, "alpha": 0.2, "beta": 0.1, "d": 3.0, "theta": 0.5}
+    given["epsilon"] = 0.25
     for form in forms:
         with np.errstate(divide="raise", over="raise", invalid="raise"):
             found = space[form.name](*(given[s.name] for s in form.arguments))
         for value in found if isinstance(found, tuple) else (found,):
             if np.shape(value):
                 assert value.dtype == np.float32, form.name
-                assert np.isfinite(value).all(), form.name
+                nowhere = form.name == "max_stable_stiffness"  # NaN outside its domain
+                assert nowhere or np.isfinite(value).all(), form.name
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=str)
