@@ -50,7 +50,7 @@ def some(scene):
         names = "discretize", "stability_boundary", "stability_conditions"
         return [asked(name, parts) for name in names]
     few = [asked("discretize"), asked("passivity_margin", by=("alpha",))]
-    return [*few, asked("stability_boundary", by=("theta",))]
+    return [*few, asked("stability_boundary", by=("gamma", "d"))]
 
 
 CASES = [(name, "everything") for name in TARGETS]

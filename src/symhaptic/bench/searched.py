@@ -118,19 +118,27 @@ def worst(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
 
 
 def crossing(f: Callable[[Any], Any], low: Any, high: Any, digits: int = 30) -> Any:
-    """The root of f between two numbers where it has different signs; NaN if it has not."""
+    """The root of f between two numbers where it has different signs; NaN if it has not.
+
+    The Illinois method, with a bisection now and then.
+    """
     at_low, at_high = f(low), f(high)
     if not (at_low > 0) ^ (at_high > 0):
         return arb("nan")
+    side = 0
     for step in range(200):
         new = arb((low - at_low * (high - low) / (at_high - at_low)).mid())
-        if step % 4 == 3 or not low < new < high:
+        if step % 8 == 7 or not low < new < high:
             new = arb(((low + high) / 2).mid())
         value = f(new)
+        if value == 0:
+            return new
         if (value > 0) == (at_low > 0):
-            low, at_low, at_high = new, value, at_high / 2
+            at_high = at_high / 2 if side > 0 else at_high
+            low, at_low, side = new, value, 1
         else:
-            high, at_high, at_low = new, value, at_low / 2
+            at_low = at_low / 2 if side < 0 else at_low
+            high, at_high, side = new, value, -1
         if float(high - low) <= 10.0**-digits * abs(float(new)):
             return new
     return arb("nan")

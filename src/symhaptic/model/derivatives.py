@@ -10,7 +10,7 @@ has at this angle held still (envelope theorem).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -19,7 +19,20 @@ from sympy import Expr, Symbol, exp, sin
 
 from symhaptic.model import delayed, worst
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
-from symhaptic.model.entire import Chord, CosNext, Decay, Entire, Fade, Gap, Lag, S, Sinc, SinNext
+from symhaptic.model.entire import (
+    C,
+    Chord,
+    CosNext,
+    Decay,
+    Entire,
+    Fade,
+    Gap,
+    Lag,
+    S,
+    Sinc,
+    SinNext,
+    at_numbers,
+)
 from symhaptic.model.entire_device import Apart, Fall, Together
 from symhaptic.model.searched import (
     LargestNeed,
@@ -32,30 +45,45 @@ from symhaptic.model.searched import (
     StiffestAngle,
     WholePart,
 )
-from symhaptic.model.slopes import STABLE, ApartDrop, Echo, Kick, Ripple
+from symhaptic.model.slopes import STABLE, ApartDrop, Coast, Echo, Kick, Ripple
 from symhaptic.model.stable import Form, NoForm
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, psi
 from symhaptic.scene import FULL, Parts
 
 
 def _stretched() -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
-    """m2 and m0 of the device behind a fraction: by it they change as after a unit impulse."""
-    rest = 1 - epsilon
-    still = FULL.without("stiffness")
-    impulses: dict[Parts, Callable[[Expr], Expr]] = {
-        FULL: lambda t: Kick(gamma * t**2, delta * t),
-        still: lambda t: Decay(delta * t),
-        FULL.without("damping"): lambda t: S(-gamma * t**2),
-    }
-    for parts, impulse in impulses.items():
-        first, last = delayed.ends(parts)
-        kept = exp(-delta * rest) if parts.damping else sp.S.One
-        factor = 1 if parts.damping else 2  # without the half before S(..)^2
-        yield factor * first, {epsilon: -factor * rest * impulse(rest)}
-        yield factor * last, {epsilon: factor * kept * epsilon * impulse(epsilon)}
+    """What moves in a part of a period: by its length, as it moves at its end; longest first."""
+    still, loose = FULL.without("stiffness"), FULL.without("damping")
+    for parts in (FULL, still, loose):
+        for time, way in ((1 - epsilon, -1), (epsilon, 1)):
+            yield from _moved(parts, time, way)
 
 
-_WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
+def _moved(parts: Parts, time: Expr, way: int) -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
+    x = delayed.brief(parts, time)
+    scaled = gamma * time**2, delta * time
+    if not parts.damping:  # without the half before S(..)^2
+        yield 2 * x.rise, {epsilon: 2 * way * x.kick}
+        yield x.kick, {epsilon: way * C(-scaled[0])}
+        return
+    yield exp(-delta * (1 - time)) * x.fall, {epsilon: way * exp(-delta * (1 - time)) * x.kick}
+    turned = {epsilon: way * delta * x.fall}
+    if parts.stiffness:
+        turned |= {gamma: -delta * time**5 * ApartDrop(*scaled),
+                   delta: time**3 * (Fall(*scaled) - 2 * Echo(*scaled))}  # fmt: skip
+        speed = Coast(*scaled)
+    else:
+        turned |= {delta: time**3 * (Fade(scaled[1]) - 2 * Lag(scaled[1]))}
+        speed = exp(-scaled[1])
+    yield x.apart, turned
+    yield x.rise, {epsilon: way * x.kick}
+    yield x.fall, {epsilon: way * (x.kick - delta * x.fall)}
+    kept = exp(-scaled[1])
+    yield x.loss, {delta: time * kept, epsilon: way * delta * kept}
+    yield x.kick, {epsilon: way * speed}
+
+
+WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
     (
         gamma * Together(gamma, delta),
         {gamma: Kick(gamma, delta), delta: -gamma * Fall(gamma, delta)},
@@ -73,7 +101,7 @@ _WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
     *_stretched(),
 )
 """Products and their derivatives: 1 - a + e, n1 - n0, 1 - e, these without spring or damper, and
-the device behind a fraction of a period."""
+the device after a part of a period."""
 
 
 class _By:
@@ -82,7 +110,7 @@ class _By:
     def __init__(self, by: Symbol) -> None:
         self.by = by
         self.known: dict[Expr, Expr] = {by: sp.S.One}
-        self.whole = [(whole, slopes[by]) for whole, slopes in _WHOLE if by in slopes]
+        self.whole = [(whole, slopes[by]) for whole, slopes in WHOLE if by in slopes]
 
     def __call__(self, expr: Expr) -> Expr:
         """The derivative of an expression."""
@@ -111,10 +139,12 @@ class _By:
     def _either(self, expr: sp.Piecewise) -> Expr:
         """Of a form for whole delays and another one for those with a fraction."""
         (whole, condition), (late, _) = expr.args
-        if self.by != d:
-            return sp.Piecewise((self(whole), condition), (self(late), True))
-        slope = self.inside(late.xreplace({SomePart(d): epsilon, WholePart(d): l}))
-        right = slope.xreplace({epsilon: sp.S.Zero, l: d})
+        by = self.inside if self.by == d else self
+        slope = by(late.xreplace({SomePart(d): epsilon, WholePart(d): l}))
+        if self.by == d:
+            right = at_numbers(slope.xreplace({epsilon: sp.S.Zero, l: d}))
+        else:
+            right = self(whole)
         back = slope.xreplace({epsilon: SomePart(d), l: WholePart(d)})
         return sp.Piecewise((right, condition), (back, True))
 
@@ -153,8 +183,11 @@ class _By:
             if times >= 1:
                 rest, times = expr / whole ** int(times), int(times)
                 return whole ** (times - 1) * (times * slope * rest + whole * self(rest))
-        first, *others = expr.args
+        first, *others = sorted(expr.args, key=lambda factor: not _below(factor))
         rest = sp.Mul(*others)
+        if _below(first):  # the square of what is below would leave the range of numbers
+            base, power = first.args
+            return first * (self(rest) + power * rest / base * self(base))
         return self(first) * rest + first * self(rest)
 
     def _waves(self, expr: Expr) -> Iterator[tuple[Expr, Expr]]:
@@ -166,6 +199,11 @@ class _By:
                 yield wave / sin(x), self(k) * x * turned / sin(x) + self(x) * Ripple(k, x)
                 flat = (wave * Gap(x) - x * Chord(k, x) / 2) / Sinc(x)
                 yield wave / x, self(k) * turned + self(x) * flat
+
+
+def _below(factor: Expr) -> bool:
+    """Whether a factor is one below the line."""
+    return bool(factor.is_Pow and factor.exp.is_number and factor.exp < 0)
 
 
 def _times(power: Expr, whole: Expr) -> Expr:

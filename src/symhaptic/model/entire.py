@@ -8,6 +8,8 @@ are those of one variable, and those of an angle and a delay.
 
 from __future__ import annotations
 
+from functools import partial
+
 import sympy as sp
 from sympy import Expr, Function, cosh, exp, factorial, sinh, sqrt
 
@@ -47,6 +49,18 @@ class Entire(Function):  # type: ignore[misc]
         symbols = [sp.Dummy() for _ in self.args]
         slope = sp.diff(self.definition(*symbols), symbols[argindex - 1])
         return slope.xreplace(dict(zip(symbols, self.args, strict=True)))
+
+
+def at_numbers(expr: Expr) -> Expr:
+    """An expression with the values of the entire functions in it that depend on mere numbers.
+
+    >>> x = sp.Symbol("x")
+    >>> at_numbers(x + Decay(sp.S.Zero) + Sinc(sp.pi / 2))
+    x + 2/pi + 1
+    """
+    fixed = (f for f in expr.atoms(Entire) if f.is_number)
+    values = {f: (f.definition if any(f.args) else partial(f.term, 0))(*f.args) for f in fixed}
+    return expr.xreplace(values)
 
 
 class C(Entire):

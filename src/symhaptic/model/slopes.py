@@ -298,6 +298,7 @@ SLOPES: dict[Any, tuple[Callable[..., Expr], ...]] = {
     Together: (lambda g, d: -RiseDrop(g, d) - FallDrop(g, d), lambda g, d: -Fall(g, d)),
     Swing: (lambda g, d: -Kick(g, d), lambda g, d: -Coast(g, d)),
     Nyquist: (lambda g, d: -Kick(g, d), lambda g, d: -Coast(g, d) - exp(-d)),
+    Kick: (lambda g, d: -Echo(g, d), lambda g, d: g * FallDrop(g, d) - Fall(g, d)),
     S: (lambda w: Bend(w),),
     Decay: (lambda x: -Fade(x),),
     Creep: (lambda x: -Lag(x),),

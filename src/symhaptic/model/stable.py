@@ -28,6 +28,7 @@ from symhaptic.model.entire import (
     Sinc,
     SinNext,
     Spread,
+    at_numbers,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
 from symhaptic.model.searched import (
@@ -400,7 +401,7 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
     stiffness = 2 * delta * sp.tan(quarter)
     angle = pi * share / 2
     damping = delta * (2 / (pi * Sinc(angle)) - sp.tan(quarter))
-    whole = [_undelayed(parts, expr) for expr in (stiffness, damping, angle)]
+    whole = [at_numbers(_undelayed(parts, expr)) for expr in (stiffness, damping, angle)]
     exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
     equal = tuple(zip(whole[:2], exact, strict=True))
     names = "alpha", "beta", "theta"
