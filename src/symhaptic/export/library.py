@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import chain, count
@@ -23,7 +23,7 @@ from symhaptic.export import (
 )
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Step, choose, expm1
-from symhaptic.export.target import Refused, Target, calls, code_name, operations
+from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
 from symhaptic.model.entire import CosNext, Entire, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
 from symhaptic.model.stable import Form
@@ -40,12 +40,43 @@ class Library:
     public: tuple[Routine, ...]
 
 
+class Known(Mapping[str, Routine]):
+    """All routines by name, each made when it is first asked for."""
+
+    def __init__(self, precision: Precision) -> None:
+        self.precision = precision
+        self.made: dict[str, Routine] = {}
+
+    def __getitem__(self, name: str) -> Routine:
+        """The routine of that name: its maker has the name that it has in source code."""
+        if name not in self.made:
+            try:
+                make, precise = _makers()[code_name(name)]
+            except KeyError:
+                raise KeyError(name) from None
+            self.made[name] = make(self.precision) if precise else make()
+        return self.made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        """Their names, in the order of their files."""
+        return map(routine_name, _makers())
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(_makers())
+
+
 @cache
-def known(precision: Precision = DOUBLE) -> dict[str, Routine]:
+def known(precision: Precision = DOUBLE) -> Mapping[str, Routine]:
     """All routines by name."""
-    made = [f() for module in _MODULES for f in module.ROUTINES]
-    made += [f(precision) for module in _MODULES for f in module.PRECISE]
-    return {r.name: r for r in made}
+    return Known(precision)
+
+
+@cache
+def _makers() -> dict[str, tuple[Callable[..., Routine], bool]]:
+    """What makes each routine, and whether that depends on the precision."""
+    made = {f.__name__: (f, False) for module in _MODULES for f in module.ROUTINES}
+    return made | {f.__name__: (f, True) for module in _MODULES for f in module.PRECISE}
 
 
 _MODULES = (
@@ -168,16 +199,17 @@ def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Lib
     routines = known(target.precision)
     if target.shares:
         public = tuple(shared(one, routines) for one in public)
+    own = {}
     if target.operations["ProductError"].startswith("product_error("):
-        routines = routines | {"ProductError": elementary.product_error(target.precision)}
+        own["ProductError"] = elementary.product_error(target.precision)
     ordered: dict[str, Routine] = {}
 
     def add(wanted: Routine) -> None:
-        needed = calls(wanted) | (operations(wanted) & set(routines))
-        for other in sorted(needed):
+        for other in sorted(calls(wanted) | (operations(wanted) & set(own))):
             if other not in ordered:
-                add(routines[other])
-                ordered[other] = routines[other]
+                found = own.get(other) or routines[other]
+                add(found)
+                ordered[other] = found
 
     for one in public:
         add(one)

@@ -267,6 +267,7 @@ class Return:
 Block = tuple[Assign | Repeat | Choice | Join | Set | Return, ...]
 
 
+@cache
 def lazy(routine: Routine) -> Block:
     """The routine with each step done only where its value is used.
 
@@ -320,16 +321,16 @@ class _Lazy:
                 left = [s for s in left if s not in ready[0].states]
                 done |= set(ready[0].states)
                 continue
-            plain = [s for s in left if s in exprs
-                     and not self._branches(exprs[s], exprs, always | done)
-                     and not (exprs[s].free_symbols & set(left))]  # fmt: skip
-            if plain:
-                written.append(Assign(plain[0], exprs[plain[0]]))
-                left.remove(plain[0])
-                done.add(plain[0])
+            waiting = set(left)
+            idle = (s for s in left if s in exprs and waiting.isdisjoint(_free(exprs[s])))
+            plain = next((s for s in idle if not self._branches(exprs[s], always | done)), None)
+            if plain is not None:
+                written.append(Assign(plain, exprs[plain]))
+                left.remove(plain)
+                done.add(plain)
                 continue
             split = [s for s in left if s in exprs
-                     and not (self._closure((exprs[s],), done) & set(left))]  # fmt: skip
+                     and waiting.isdisjoint(self._closure((exprs[s],), done))]  # fmt: skip
             condition = parted(exprs[split[0]])[0]
             together = tuple(s for s in split if parted(exprs[s])[0] == condition)
             yes, no = (
@@ -386,7 +387,7 @@ class _Lazy:
     ) -> set[Symbol]:
         """Steps that the expressions need whichever branch is taken inside them."""
         found: set[Symbol] = set()
-        left = [s for e in wanted for s in e.free_symbols]
+        left = [s for e in wanted for s in _free(e)]
         while left:
             symbol = left.pop()
             if symbol in found or symbol in done:
@@ -400,7 +401,7 @@ class _Lazy:
             found.add(symbol)
             expr = exprs[symbol]
             heavy = isinstance(expr, Piecewise) and self._heavy(expr, done)
-            left += (parted(expr)[0] if heavy else expr).free_symbols
+            left += _free(parted(expr)[0] if heavy else expr)
         return found
 
     def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:
@@ -410,7 +411,7 @@ class _Lazy:
             self._closure((yes,), done) != self._closure((no,), done)
         )
 
-    def _branches(self, expr: Expr, exprs: dict[Symbol, Expr], there: set[Symbol]) -> bool:
+    def _branches(self, expr: Expr, there: set[Symbol]) -> bool:
         """Whether a choice that is worth a branch has steps that are not done anyway."""
         if not isinstance(expr, Piecewise):
             return False

@@ -65,12 +65,22 @@ def code_name(name: str) -> str:
     return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower())
 
 
+def routine_name(name: str) -> str:
+    """The name of a routine, from that in source code.
+
+    >>> routine_name("fall_series"), routine_name("cosh_root")
+    ('FallSeries', 'C')
+    """
+    special = {code: own for own, code in _CODE_NAMES.items()}
+    return special.get(name) or "".join(part.capitalize() for part in name.split("_"))
+
+
 @cache
 def _taken() -> frozenset[str]:
     """The names of all routines."""
     from symhaptic.export.library import known
 
-    return frozenset(code_name(name) for name in known(DOUBLE))
+    return frozenset(map(code_name, known()))
 
 
 class Printing(CodePrinter):  # type: ignore[misc]

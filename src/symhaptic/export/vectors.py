@@ -96,6 +96,9 @@ def points(form: Form, precision: Precision = DOUBLE) -> list[tuple[float, ...]]
 _DIGITS = 60
 """Of each entire function; what a stable form loses beyond is its largest term's last place."""
 
+_FOUND = 32
+"""Of what is searched for: twice those of a float."""
+
 _PLAIN = {
     sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan, sp.Abs: abs,
 }  # fmt: skip
@@ -193,7 +196,8 @@ def _entire(cls: Any, args: tuple[mpf, ...]) -> mpf:
 
 @cache
 def _searched(cls: Any, args: tuple[mpf, ...]) -> mpf:
-    found: mpf = cls.exact(*args)
+    with mpmath.workdps(_FOUND):
+        found: mpf = cls.exact(*args)
     return found
 
 

@@ -286,14 +286,14 @@ class StiffestAngle(Searched):
             return q.real - q.imag * mpmath.tan(theta / 2)
 
         turn = mpmath.pi / (d + 1)
-        with mpmath.workdps(50):
+        with mpmath.workdps(20):
             grid = [turn * (i + mpf(1) / 2) / _TRIED for i in range(_TRIED)]
             values = [stiffness(theta) for theta in grid]
         tops = (i for i in range(1, _TRIED - 1) if values[i - 1] < values[i] > values[i + 1])
         top = next(tops, None)
         if top is None:
             raise ArithmeticError("no first maximum")
-        with mpmath.workdps(70):
+        with mpmath.extradps(10):
             slope = lambda x: mpmath.diff(stiffness, x)  # noqa: E731
             ends = grid[top - 1], grid[top + 1]
             theta = mpmath.findroot(slope, ends, solver="anderson", verify=False)
