@@ -10,18 +10,10 @@ from sympy import Max, Piecewise
 from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export import device
+from symhaptic.export.branches import Assign, Choice, Join, Set, lazy
 from symhaptic.export.library import known
 from symhaptic.export.precision import PRECISIONS
-from symhaptic.export.routine import (
-    Assign,
-    Choice,
-    Join,
-    ProductError,
-    Repeat,
-    Set,
-    lazy,
-    names,
-)
+from symhaptic.export.routine import ProductError, Repeat, names
 from symhaptic.export.sizes import size as largest_term
 from symhaptic.export.target import OPERATIONS, code_name
 from symhaptic.model import values

@@ -13,10 +13,11 @@ from types import MappingProxyType
 from sympy import Expr, Symbol
 
 from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFTEST
-from symhaptic.export.array_scope import ArrayPrinter, Scope, functional
+from symhaptic.export.array_scope import ArrayPrinter, Scope
+from symhaptic.export.branches import functional, lazy
 from symhaptic.export.library import Library, known
 from symhaptic.export.precision import SINGLE
-from symhaptic.export.routine import Repeat, Routine, Step, lazy
+from symhaptic.export.routine import Repeat, Routine, Step
 from symhaptic.export.stages import Begun, begun, staged
 from symhaptic.export.target import Target, called, describe, vocabulary
 

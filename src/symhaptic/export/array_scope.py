@@ -8,17 +8,16 @@ import sympy as sp
 from sympy import Expr, Piecewise, Symbol
 from sympy.printing.pycode import PythonCodePrinter
 
-from symhaptic.export.routine import (
+from symhaptic.export.branches import (
     Assign,
     Block,
     Choice,
     Join,
-    ProductError,
-    Repeat,
     Return,
-    Routine,
-    Set,
+    expressions,
+    inputs,
 )
+from symhaptic.export.routine import ProductError, Repeat, Routine
 from symhaptic.export.stages import Begun
 from symhaptic.export.target import Printing, Target, calls
 
@@ -94,7 +93,7 @@ class Scope:
         often, last = self._often(), self._last_uses()
         idle: dict[str, list[str]] = {}
         for i, statement in enumerate(self.block):
-            shown = _expressions(statement)
+            shown = expressions(statement)
             for expr in shown:
                 lines += [pad + line for line in self._before(expr, often)]
             if isinstance(statement, Assign):
@@ -131,7 +130,7 @@ class Scope:
         lines, given = [], []
         condition = self.condition(choice.condition)
         for name, block in (("yes", choice.yes), ("no", choice.no)):
-            wanted = _free(block) or _first(choice.condition)
+            wanted = inputs(block) or _first(choice.condition)
             inside = Scope(self.target, block, self.starts)
             lines += ["", *self._function(name, inside, wanted, depth)]
             given.append(_listed(self.named(wanted)))
@@ -150,7 +149,7 @@ class Scope:
             "over": (Return((loop.done,)),),
             "step": (*(Assign(*s) for s in loop.steps), Return(loop.next)),
         }
-        outer = sorted({s for b in bodies.values() for s in _free(b)} - set(loop.states), key=str)
+        outer = sorted({s for b in bodies.values() for s in inputs(b)} - set(loop.states), key=str)
         for name, block in bodies.items():
             inside = Scope(self.target, block, self.starts)
             lines += ["", *self._function(name, inside, [*loop.states, *outer], depth)]
@@ -168,8 +167,8 @@ class Scope:
         own = {s.name for s in self.block if isinstance(s, Assign)}
         last: dict[Symbol, int] = {}
         for i, statement in enumerate(self.block):
-            used = set(_free((statement,)))
-            for expr in _expressions(statement):
+            used = set(inputs((statement,)))
+            for expr in expressions(statement):
                 for error in expr.atoms(ProductError):
                     if product := self._product(*error.args):
                         used.add(product)
@@ -185,7 +184,7 @@ class Scope:
         """Conditions that occur more than once."""
         count: dict[Expr, int] = {}
         for statement in self.block:
-            for expr in _expressions(statement):
+            for expr in expressions(statement):
                 for part in sp.preorder_traversal(expr):
                     if isinstance(part, Piecewise):
                         for _, condition in part.args[:-1]:
@@ -263,46 +262,6 @@ class Scope:
         return self.named(expr.free_symbols)
 
 
-Statement = Assign | Repeat | Choice | Join | Set | Return
-
-
-def _expressions(statement: Statement) -> tuple[Expr, ...]:
-    """What a statement computes itself, the conditions of a choice included."""
-    if isinstance(statement, (Assign, Set)):
-        return (statement.expr,)
-    if isinstance(statement, Repeat):
-        return statement.start
-    return statement.results if isinstance(statement, Return) else (statement.condition,)
-
-
-def functional(block: Block) -> Block:
-    """The same with sides that return the values of the names that are set in them."""
-    found: list[Statement] = []
-    for statement in block:
-        if isinstance(statement, Set):
-            found.append(Assign(statement.name, statement.expr))
-        elif isinstance(statement, Join):
-            names = statement.names or _set_in(statement.yes)
-            yes, no = ((*functional(side), Return(names)) for side in (statement.yes, statement.no))
-            found.append(Join(names, statement.condition, yes, no))
-        elif isinstance(statement, Choice):
-            sides = functional(statement.yes), functional(statement.no)
-            found.append(Choice(statement.condition, *sides))
-        else:
-            found.append(statement)
-    return tuple(found)
-
-
-def _set_in(block: Block) -> tuple[Symbol, ...]:
-    names: list[Symbol] = []
-    for statement in block:
-        if isinstance(statement, Set):
-            names.append(statement.name)
-        elif isinstance(statement, Join) and not statement.names:
-            names += _set_in(statement.yes)
-    return tuple(names)
-
-
 def _first(condition: Expr) -> list[Symbol]:
     return sorted(condition.free_symbols, key=str)[:1]
 
@@ -318,30 +277,6 @@ def _plain(block: Block) -> Expr | None:
         return None
     (only,) = first.results
     return None if calls(Routine("", "", (), (), (("", only),))) else only
-
-
-def _free(block: Block) -> list[Symbol]:
-    """What a block needs to be given, by name."""
-    needed: set[Symbol] = set()
-    done: set[Symbol] = set()
-    for statement in block:
-        for expr in _expressions(statement):
-            needed |= expr.free_symbols - done
-        if isinstance(statement, (Choice, Join)):
-            needed |= {s for b in (statement.yes, statement.no) for s in _free(b)} - done
-        elif isinstance(statement, Repeat):
-            needed |= statement.free_symbols - done
-        done |= set(_made(statement))
-    return sorted(needed, key=str)
-
-
-def _made(statement: Statement) -> tuple[Symbol, ...]:
-    """The names that a statement makes known."""
-    if isinstance(statement, Repeat):
-        return statement.states
-    if isinstance(statement, Join):
-        return statement.names
-    return (statement.name,) if isinstance(statement, (Assign, Set)) else ()
 
 
 def _base(symbol: Symbol) -> str:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from sympy.printing.c import C99CodePrinter
 
+from symhaptic.export.branches import Assign, Block, Choice, Join, Set, lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.routine import Assign, Block, Choice, Join, Repeat, Routine, Set, lazy
+from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]

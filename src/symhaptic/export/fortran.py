@@ -7,9 +7,10 @@ from types import MappingProxyType
 
 from sympy.printing.fortran import FCodePrinter
 
+from symhaptic.export.branches import Assign, Block, Choice, Join, Set, lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.routine import Assign, Block, Choice, Join, Repeat, Routine, Set, lazy
+from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 

@@ -6,9 +6,10 @@ from types import MappingProxyType
 
 from sympy.printing.jscode import JavascriptCodePrinter
 
+from symhaptic.export.branches import lazy
 from symhaptic.export.c import braces
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Routine, lazy
+from symhaptic.export.routine import Routine
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 

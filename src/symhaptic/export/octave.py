@@ -6,8 +6,9 @@ from types import MappingProxyType
 
 from sympy.printing.octave import OctaveCodePrinter
 
+from symhaptic.export.branches import Assign, Block, Choice, Join, Set, lazy
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Assign, Block, Choice, Join, Repeat, Routine, Set, lazy
+from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 

@@ -8,9 +8,10 @@ from sympy import And, Expr, Max, Or, atan2, pi, sqrt
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.export.search import crossing
-from symhaptic.model import stable, stiffest
+from symhaptic.model import stiffest
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.searched import STIFFEST_ARGUMENTS, STIFFEST_SPRING
+from symhaptic.model.stability_forms import curve
 
 gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together, apart = (
     STIFFEST_ARGUMENTS
@@ -72,7 +73,7 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     root = crossing(do, slope, low, high, precision.close, inner_maximum)
     early = sp.Function("UndelayedAngle")(at_one, at_minus_one, loss, together, apart)
     theta = do("theta", choose(at_once, early, choose(inner_maximum, root, sp.nan)))
-    stiffness, damping = do.common(*stable.curve(*numbers[:-1], 2 * across, theta, steps))
+    stiffness, damping = do.common(*curve(*numbers[:-1], 2 * across, theta, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
     inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))

@@ -1,0 +1,310 @@
+"""The order of work: which steps of a routine are done in which branch.
+
+Each step is done only where its value is used, so that what a condition rules out costs nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+
+import sympy as sp
+from sympy import Expr, Function, Piecewise, Symbol
+from sympy.logic.boolalg import Boolean
+
+from symhaptic.export.routine import Repeat, Routine, names
+
+
+@dataclass(frozen=True)
+class Assign:
+    """``name = expr``."""
+
+    name: Symbol
+    expr: Expr
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One block where a condition holds, another one where it does not."""
+
+    condition: Boolean
+    yes: Block
+    no: Block
+
+
+@dataclass(frozen=True)
+class Join:
+    """The same, after which the names have values and the work goes on."""
+
+    names: tuple[Symbol, ...]
+    condition: Boolean
+    yes: Block
+    no: Block
+
+
+@dataclass(frozen=True)
+class Set:
+    """A name of the join around it gets its value."""
+
+    name: Symbol
+    expr: Expr
+
+
+@dataclass(frozen=True)
+class Return:
+    """The results, which end the routine."""
+
+    results: tuple[Expr, ...]
+
+
+Block = tuple[Assign | Repeat | Choice | Join | Set | Return, ...]
+
+
+@cache
+def lazy(routine: Routine) -> Block:
+    """The routine with each step done only where its value is used.
+
+    Steps that choose by the same condition share one branch, and guards that the condition has
+    decided are left out.
+    """
+    return _Lazy(routine).returned(tuple(e for _, e in routine.results), set(), {})
+
+
+Facts = dict[Expr, Boolean]
+
+
+class _Lazy:
+    """Puts steps into the branches that need them."""
+
+    def __init__(self, routine: Routine) -> None:
+        self.known = dict(step for step in routine.steps if not isinstance(step, Repeat))
+        self.loops = {s: r for r in routine.steps if isinstance(r, Repeat) for s in r.states}
+        self.order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
+
+    def returned(self, results: tuple[Expr, ...], done: set[Symbol], facts: Facts) -> Block:
+        """What leads to the results and returns them."""
+        results = tuple(e.xreplace(facts) for e in results)
+        if not _chosen_alike(results):
+            steps, _ = self._steps(results, done, facts)
+            return (*steps, Return(results))
+        condition = parted(results[0])[0]
+        steps, done = self._steps((condition,), done, facts)
+        yes, no = (
+            self.returned(tuple(parted(r)[side] for r in results), done,
+                          facts | _decided(condition, value))
+            for side, value in ((1, sp.true), (2, sp.false))
+        )  # fmt: skip
+        return (*steps, Choice(condition, yes, no))
+
+    def _steps(
+        self, wanted: Iterable[Expr], done: set[Symbol], facts: Facts
+    ) -> tuple[Block, set[Symbol]]:
+        """All steps that the expressions always need, and what is done then."""
+        needed = self._closure(wanted, done)
+        exprs = {s: self.known[s].xreplace(facts) for s in needed if s in self.known}
+        always = self._always(wanted, exprs, done)
+        left = sorted(always, key=self.order.__getitem__)
+        written: list[Assign | Repeat | Choice | Join | Set | Return] = []
+        done = set(done)
+        while left:
+            loops = [self.loops[s] for s in left if s in self.loops]
+            ready = [r for r in loops if not r.free_symbols & set(left)]
+            if ready:
+                written.append(ready[0])
+                left = [s for s in left if s not in ready[0].states]
+                done |= set(ready[0].states)
+                continue
+            waiting = set(left)
+            idle = (s for s in left if s in exprs and waiting.isdisjoint(_free(exprs[s])))
+            plain = next((s for s in idle if not self._branches(exprs[s], always | done)), None)
+            if plain is not None:
+                written.append(Assign(plain, exprs[plain]))
+                left.remove(plain)
+                done.add(plain)
+                continue
+            split = [s for s in left if s in exprs
+                     and waiting.isdisjoint(self._closure((exprs[s],), done))]  # fmt: skip
+            condition = parted(exprs[split[0]])[0]
+            together = tuple(s for s in split if parted(exprs[s])[0] == condition)
+            yes, no = (
+                self._arm([(s, parted(exprs[s])[side]) for s in together], done,
+                          facts | _decided(condition, value))
+                for side, value in ((1, sp.true), (2, sp.false))
+            )  # fmt: skip
+            written.append(Join(together, condition, yes, no))
+            left = [s for s in left if s not in together]
+            done |= set(together)
+        return tuple(written), done
+
+    def _arm(self, values: list[tuple[Symbol, Expr]], done: set[Symbol], facts: Facts) -> Block:
+        """One side of a join; values that choose again by one condition share that branch."""
+        values = [(s, e.xreplace(facts)) for s, e in values]
+        chosen = [e for _, e in values if isinstance(e, Piecewise) and self._heavy(e, done)]
+        plain = [(s, e) for s, e in values if e not in chosen]
+        steps, done = self._steps([e for _, e in plain], done, facts)
+        written = [*steps, *(Set(s, e) for s, e in plain)]
+        while chosen:
+            condition = parted(chosen[0])[0]
+            group = [(s, e) for s, e in values if e in chosen and parted(e)[0] == condition]
+            more, done = self._steps((condition,), done, facts)
+            sides = [
+                self._arm(
+                    [(s, parted(e)[side]) for s, e in group],
+                    done,
+                    facts | _decided(condition, value),
+                )
+                for side, value in ((1, sp.true), (2, sp.false))
+            ]
+            written += [*more, Join((), condition, *sides)]
+            chosen = [e for e in chosen if parted(e)[0] != condition]
+        return tuple(written)
+
+    def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
+        """Steps that the expressions may need."""
+        found: set[Symbol] = set()
+        left = [s for e in wanted for s in _free(e)]
+        while left:
+            symbol = left.pop()
+            if symbol in found or symbol in done:
+                continue
+            if symbol in self.known:
+                found.add(symbol)
+                left += _free(self.known[symbol])
+            elif symbol in self.loops:
+                found |= set(self.loops[symbol].states)
+                left += self.loops[symbol].free_symbols
+        return found
+
+    def _always(
+        self, wanted: Iterable[Expr], exprs: dict[Symbol, Expr], done: set[Symbol]
+    ) -> set[Symbol]:
+        """Steps that the expressions need whichever branch is taken inside them."""
+        found: set[Symbol] = set()
+        left = [s for e in wanted for s in _free(e)]
+        while left:
+            symbol = left.pop()
+            if symbol in found or symbol in done:
+                continue
+            if symbol in self.loops:
+                found |= set(self.loops[symbol].states)
+                left += self.loops[symbol].free_symbols
+                continue
+            if symbol not in exprs:
+                continue
+            found.add(symbol)
+            expr = exprs[symbol]
+            heavy = isinstance(expr, Piecewise) and self._heavy(expr, done)
+            left += _free(parted(expr)[0] if heavy else expr)
+        return found
+
+    def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:
+        """Whether a choice has work in it: steps of its own, or calls."""
+        _, yes, no = parted(expr)
+        return any(map(_calls, (yes, no))) or (
+            self._closure((yes,), done) != self._closure((no,), done)
+        )
+
+    def _branches(self, expr: Expr, there: set[Symbol]) -> bool:
+        """Whether a choice that is worth a branch has steps that are not done anyway."""
+        if not isinstance(expr, Piecewise):
+            return False
+        _, yes, no = parted(expr)
+        own = self._closure((yes, no), there)
+        calls = any(map(_calls, (yes, no)))
+        return bool(own) or calls
+
+
+@cache
+def _free(expr: Expr) -> frozenset[Symbol]:
+    """Its symbols, looked for once."""
+    return frozenset(expr.free_symbols)
+
+
+@cache
+def _calls(expr: Expr) -> bool:
+    """Whether a function of ours or of the library is in it."""
+    return bool(expr.atoms(Function) - expr.atoms(Piecewise, sp.Abs))
+
+
+def _chosen_alike(results: tuple[Expr, ...]) -> bool:
+    """Whether all results choose by the same condition first."""
+    return all(isinstance(r, Piecewise) for r in results) and (
+        len({parted(r)[0] for r in results}) == 1
+    )
+
+
+def _decided(condition: Boolean, value: Boolean) -> Facts:
+    return {condition: value, sp.Not(condition): sp.Not(value)}
+
+
+def parted(expr: Piecewise) -> tuple[Boolean, Expr, Expr]:
+    """The first condition of a choice, the value there, and what holds else."""
+    (yes, condition), *others = expr.args
+    return condition, yes, (Piecewise(*others) if len(others) > 1 else others[0][0])
+
+
+# -- what a block is made of ------------------------------------------------------------
+
+Statement = Assign | Repeat | Choice | Join | Set | Return
+
+
+def expressions(statement: Statement) -> tuple[Expr, ...]:
+    """What a statement computes itself, the conditions of a choice included."""
+    if isinstance(statement, (Assign, Set)):
+        return (statement.expr,)
+    if isinstance(statement, Repeat):
+        return statement.start
+    return statement.results if isinstance(statement, Return) else (statement.condition,)
+
+
+def functional(block: Block) -> Block:
+    """The same with sides that return the values of the names that are set in them."""
+    found: list[Statement] = []
+    for statement in block:
+        if isinstance(statement, Set):
+            found.append(Assign(statement.name, statement.expr))
+        elif isinstance(statement, Join):
+            names = statement.names or _set_in(statement.yes)
+            yes, no = ((*functional(side), Return(names)) for side in (statement.yes, statement.no))
+            found.append(Join(names, statement.condition, yes, no))
+        elif isinstance(statement, Choice):
+            sides = functional(statement.yes), functional(statement.no)
+            found.append(Choice(statement.condition, *sides))
+        else:
+            found.append(statement)
+    return tuple(found)
+
+
+def _set_in(block: Block) -> tuple[Symbol, ...]:
+    names: list[Symbol] = []
+    for statement in block:
+        if isinstance(statement, Set):
+            names.append(statement.name)
+        elif isinstance(statement, Join) and not statement.names:
+            names += _set_in(statement.yes)
+    return tuple(names)
+
+
+def inputs(block: Block) -> list[Symbol]:
+    """What a block needs to be given, by name."""
+    needed: set[Symbol] = set()
+    done: set[Symbol] = set()
+    for statement in block:
+        for expr in expressions(statement):
+            needed |= expr.free_symbols - done
+        if isinstance(statement, (Choice, Join)):
+            needed |= {s for b in (statement.yes, statement.no) for s in inputs(b)} - done
+        elif isinstance(statement, Repeat):
+            needed |= statement.free_symbols - done
+        done |= set(made(statement))
+    return sorted(needed, key=str)
+
+
+def made(statement: Statement) -> tuple[Symbol, ...]:
+    """The names that a statement makes known."""
+    if isinstance(statement, Repeat):
+        return statement.states
+    if isinstance(statement, Join):
+        return statement.names
+    return (statement.name,) if isinstance(statement, (Assign, Set)) else ()

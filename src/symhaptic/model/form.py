@@ -1,0 +1,90 @@
+"""What a stable form is, and what all of them share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy import Expr, Rational, Symbol
+
+from symhaptic.model.searched import LatePart, SomePart, WholePart
+from symhaptic.notation import beta, d, delta, epsilon, gamma, l, theta
+from symhaptic.scene import Parts
+
+HALF = Rational(1, 2)
+
+
+class NoForm(ValueError):
+    """The scene lacks what the form is about; the message says what."""
+
+
+@dataclass(frozen=True)
+class Form:
+    """One function to compute."""
+
+    name: str
+    title: str
+    """What it gives, in a line of plain text."""
+    arguments: tuple[Symbol, ...]
+    results: tuple[tuple[str, Expr], ...]
+    """Each result's name and its stable form."""
+    equal: tuple[tuple[Expr, Expr], ...]
+    """Pairs, stable and derived from first principles, that together make it the same formula."""
+    domain: tuple[str, ...]
+    """Where it is meant, one condition each."""
+    held: tuple[str, ...] = ()
+    """Results that are largest at an angle that is searched for; the others are found there."""
+    plain: Form | None = None
+    """The form without the derivatives that are among the results."""
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """The stable forms alone."""
+        return tuple(expr for _, expr in self.results)
+
+
+def present(parts: Parts, *symbols: Symbol) -> tuple[Symbol, ...]:
+    """Those of the symbols that the scene has."""
+    missing = {
+        gamma: not parts.stiffness,
+        delta: not parts.damping,
+        beta: not parts.virtual_damping,
+        d: not parts.delay,
+    }
+    return tuple(s for s in symbols if not missing.get(s, False))
+
+
+_RANGES = {
+    gamma: "gamma >= 0",
+    delta: "delta >= 0",
+    d: "d >= 0",
+    epsilon: "0 <= epsilon < 1",
+    theta: "0 < theta < pi",
+}
+
+
+def domain(symbols: tuple[Symbol, ...], *more: str) -> tuple[str, ...]:
+    """Where these symbols may be, and more conditions."""
+    return (*(_RANGES[s] for s in symbols if s in _RANGES), *more)
+
+
+def either(whole: Expr, late: Expr) -> Expr:
+    """One form for whole delays, another one for those with a fraction."""
+    found = late.xreplace({epsilon: SomePart(d), l: WholePart(d)})
+    return sp.Piecewise((whole, sp.Eq(LatePart(d), 0)), (found, True))
+
+
+def undelayed(parts: Parts, expr: Expr) -> Expr:
+    """Without the delay that the scene has not."""
+    return expr if parts.delay else expr.subs(d, 0)
+
+
+def steps_of(parts: Parts, delay: int | None, name: str) -> int:
+    """The periods that a form for one delay is made for."""
+    if not parts.delay:
+        if delay:
+            raise NoForm(f"{name}: the scene has no delay, and {delay} periods are asked for")
+        return 0
+    if delay is None:
+        raise NoForm(f"{name}: is made for one whole delay, which has to be given")
+    return delay

@@ -1,0 +1,196 @@
+"""Stable forms of stability: its boundary, the stiffest stable wall, and verdicts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+from sympy import Expr, cos, sin
+
+from symhaptic.model import boundary, delayed, jury, loop, plant, stiffest
+from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
+from symhaptic.model.device_forms import ANY, Device, device_of, late_of, made_of, same_device
+from symhaptic.model.entire import (
+    CosNext,
+    SinNext,
+)
+from symhaptic.model.form import Form, NoForm, domain, either, present, steps_of, undelayed
+from symhaptic.model.searched import (
+    StiffestAngle,
+)
+from symhaptic.notation import (
+    alpha,
+    beta,
+    d,
+    delta,
+    epsilon,
+    gamma,
+    l,
+    m_0,
+    m_1,
+    m_2,
+    n_0,
+    n_1,
+    theta,
+    z,
+)
+from symhaptic.scene import FULL, Parts
+
+
+def stability_boundary(parts: Parts = FULL) -> Form:
+    """The wall that puts a root at exp(j theta), for every real delay.
+
+    A and M on the circle from their values at 1 and -1, so that no cosines are subtracted: with
+    cosine c and sine s of theta/2, A/z = A(1) c^2 - A(-1) s^2 + 2 j s c (1 - e), and for a whole
+    delay M = (n1 + n0) c^2 - (n1 - n0) s^2 + 2 j s c n1.  A fraction leaves m2 - m0 in place of n1
+    and m2 - m1 + m0 in place of n1 - n0.
+    """
+    if not parts.virtual_damping:
+        raise NoForm("stability_boundary: a scene without virtual damping has no such curve")
+    symbols = present(parts, theta, gamma, delta, d)
+    delay = d if parts.delay else None
+    named = _boundary(made_of(ANY), 2 * n_1, delay)
+    exact = (undelayed(parts, side) for side in boundary.wall(ANY))
+    device = device_of(parts)
+    curve = _boundary(device, device.together + device.apart, delay)
+    equal = (*zip(named, exact, strict=True), *same_device(parts))
+    if parts.delay:
+        first, last = delayed.ends(parts)
+        late = _boundary(late_of(parts), 2 * (first - last), l)
+        curve = tuple(either(*both) for both in zip(curve, late, strict=True))
+        any_late = replace(made_of(ANY), together=m_2 + m_1 + m_0, apart=m_2 - m_1 + m_0)
+        named = _boundary(any_late, 2 * (m_2 - m_0), l)
+        equal += (*zip(named, delayed.wall(), strict=True), *delayed.derived(parts))
+    return Form(
+        "stability_boundary",
+        "the wall (alpha, beta) that puts a characteristic root at z = exp(j theta)",
+        symbols,
+        tuple(zip(("alpha", "beta"), curve, strict=True)),
+        equal,
+        domain(symbols),
+    )
+
+
+def _boundary(x: Device, across: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
+    """With 2 n1, or 2 (m2 - m0), as ``across``."""
+    return curve(x.at_one, x.at_minus_one, x.loss, x.together, x.apart, across, theta, delay)
+
+
+def curve(
+    at_one: Expr,
+    at_minus_one: Expr,
+    loss: Expr,
+    together: Expr,
+    apart: Expr,
+    across: Expr,
+    angle: Expr,
+    delay: Expr | None,
+) -> tuple[Expr, Expr]:
+    """The wall that puts a root at exp(j angle)."""
+    c, s = cos(angle / 2), sin(angle / 2)
+    above, above_j = at_one * c**2 - at_minus_one * s**2, 2 * loss
+    below = together * c**2 - apart * s**2
+    flat = (s * c) ** 2  # the imaginary parts are without s c
+    size = below**2 + flat * across**2
+    ratio = (above * below + flat * above_j * across) / size
+    ratio_j = (above_j * below - above * across) / size
+    if delay is not None:
+        cosine, sine = CosNext(delay, angle), SinNext(delay, angle)
+        fan = sine / sin(angle)
+    else:
+        cosine, sine, fan = cos(angle), sin(angle), sp.S.One
+    damping = -(ratio_j * cosine / 2 + ratio * fan)
+    return s * c * ratio_j * sine - ratio * cosine - 2 * s**2 * damping, damping
+
+
+def max_stable_stiffness(parts: Parts = FULL) -> Form:
+    """The first maximum of alpha on the explicit boundary, with its beta and angle.
+
+    Proved are the curve and its slope, whose zero is searched for; that this is the farthest
+    point of the stable region rests on comparison with whole regions.
+    """
+    if not parts.virtual_damping:
+        raise NoForm("max_stable_stiffness: a scene without virtual damping has no such curve")
+    symbols = present(parts, gamma, delta, d)
+    given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
+    x, steps = device_of(parts), d if parts.delay else sp.S.Zero
+    values = x.at_one, x.at_minus_one, x.loss, x.together
+    angle = StiffestAngle(*given, steps, steps, sp.S.Zero, x.n1, x.n0, *values, x.apart)
+    delay = d if parts.delay else None
+    results = (*curve(*values, x.apart, x.together + x.apart, angle, delay), angle)
+    equal = same_device(parts)
+    if parts.delay:
+        first, last = delayed.ends(parts)
+        apart = late_of(parts).apart
+        angle = StiffestAngle(*given, d, l, epsilon, first, last, *values, apart)
+        late = (*curve(*values, apart, 2 * (first - last), angle, l), angle)
+        results = tuple(either(*both) for both in zip(results, late, strict=True))
+        equal += delayed.derived(parts)
+    if parts == FULL:  # the same for every device
+        equal += stiffest.derived()
+    return Form(
+        "max_stable_stiffness",
+        "the wall of largest stable stiffness, a limit that is not stable itself, and the angle "
+        "theta = omega T of its roots on the unit circle",
+        symbols,
+        tuple(zip(("alpha", "beta", "theta"), results, strict=True)),
+        equal,
+        domain(
+            symbols,
+            *(("gamma <= 9.8",) * parts.stiffness),
+            *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
+            "NaN elsewhere and where no wall is stable",
+        ),
+        held=("alpha",),
+    )
+
+
+def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
+    """Jury's inequalities for one whole delay, in numbers that stay small for a slow device.
+
+    Made of 1 - e and of 1 - a + e instead of e and a, so that what cancels has cancelled already.
+    """
+    steps = steps_of(parts, delay, "stability_conditions")
+    loss, at_one = sp.symbols("L q")
+    named = plant.Sampled(n_1, n_0, 2 - loss - at_one, 1 - loss)
+    polynomial = sp.Poly(loop.closing(named, parts).subs(d, steps), z)
+    device = device_of(parts)
+    known = {n_1: device.n1, n_0: device.n0, loss: device.loss, at_one: device.at_one}
+    found = [c.xreplace(known) for c in jury.criterion(polynomial.all_coeffs()).expressions]
+    found = [c for c in found if not (c.is_number and c > 0)]
+    same = same_device(parts)
+    return Form(
+        "stability_conditions",
+        f"numbers that are all positive exactly where the loop is stable, d = {steps}",
+        tuple(s for s in (alpha, beta, gamma, delta) if any(c.has(s) for c in found)),
+        tuple((f"c{i}", c) for i, c in enumerate(found)),
+        (*same[:2], same[4], same[6]),
+        domain(present(parts, gamma, delta)),
+    )
+
+
+def is_stable(parts: Parts = FULL) -> Form:
+    """Roots outside the unit circle, and whether the loop is stable, for every real delay."""
+    wall = alpha, beta if parts.virtual_damping else sp.S.Zero
+    symbols = present(parts, alpha, beta, gamma, delta, d)
+    given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
+    x = device_of(parts)
+    numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
+    count = UnstableRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)
+    results = count, Stable(count, *wall, *given)
+    equal = same_device(parts)
+    if parts.delay:
+        x = late_of(parts)
+        numbers = *delayed.ends(parts), *numbers[2:-1], x.apart
+        count = LateRoots(*wall, l, *numbers)
+        late = count, Stable(count, *wall, *given)
+        results = tuple(either(*both) for both in zip(results, late, strict=True))
+        equal += delayed.derived(parts)
+    return Form(
+        "is_stable",
+        "roots outside the unit circle, and 1 where the loop is stable, else 0",
+        symbols,
+        tuple(zip(("outside", "stable"), results, strict=True)),
+        equal,
+        domain(symbols),
+    )
