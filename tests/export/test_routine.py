@@ -9,7 +9,7 @@ from mpmath import mpf
 from sympy import Max, Piecewise
 from sympy.codegen.cfunctions import expm1
 
-from symhaptic.export import device
+from symhaptic.export import device, device_series
 from symhaptic.export.branches import Assign, Choice, Join, Set, lazy
 from symhaptic.export.library import known
 from symhaptic.export.precision import PRECISIONS
@@ -132,11 +132,11 @@ def test_every_branch_reaches_the_last_digit_of_a_float(name):
 @pytest.mark.parametrize("name", ["RiseSeries", "FallSeries"])
 def test_the_series_have_enough_terms(name, precision):
     """The next term of the divided difference of exp at three nodes of the largest size."""
-    assert device.STIFF <= device.NEAR**2
+    assert device.STIFF <= device_series.NEAR**2
     result = known(precision)[name].results[0][1]
     steps = dict(known(precision)[name].steps)
     sizes = []
-    for (value, _), size in zip(result.args, (device.TINY, device.NEAR), strict=True):
+    for (value, _), size in zip(result.args, (device_series.TINY, device_series.NEAR), strict=True):
         used, left = set(), set(value.free_symbols)
         while left:
             symbol = left.pop()

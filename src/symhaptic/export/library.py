@@ -12,8 +12,10 @@ from sympy import Expr, Piecewise, Symbol
 from sympy.core.function import AppliedUndef
 
 from symhaptic.export import (
+    angle_slopes,
     counting,
     device,
+    device_series,
     elementary,
     late_counting,
     pairs,
@@ -80,7 +82,8 @@ def _makers() -> dict[str, tuple[Callable[..., Routine], bool]]:
 
 
 _MODULES = (
-    elementary, pairs, device, slopes, counting, late_counting, passive, stiffest,
+    elementary, pairs, device, device_series, slopes, angle_slopes, counting, late_counting,
+    passive, stiffest,
 )  # fmt: skip
 
 

@@ -17,21 +17,16 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import And, Expr, Max, binomial, cos, exp, factorial, sin
 
-from symhaptic.export.device import Motion, h, motion, w
-from symhaptic.export.elementary import k, x
+from symhaptic.export.device import Motion, motion
+from symhaptic.export.device_series import h, w
+from symhaptic.export.elementary import x
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.model.entire import (
-    Chord,
-    CosNext,
     Creep,
     Decay,
     Fade,
-    Gap,
     Lag,
-    Sinc,
-    SinNext,
-    Spread,
 )
 from symhaptic.model.entire_device import Fall, Rise
 from symhaptic.model.slopes import Echo, FallDrop, Kick, RiseDrop
@@ -45,9 +40,6 @@ RISE, FALL, APART = sp.Integer(4), sp.Rational(5, 2), sp.Integer(5)
 
 BENT = sp.Integer(4)
 """Up to this |w| Bend is a series."""
-
-TURN = sp.Rational(3, 2)
-"""Up to this angle (k + 1) x the functions of an angle are series, as in elementary."""
 
 
 @dataclass(frozen=True)
@@ -238,7 +230,7 @@ def bend() -> Routine:
 
 def bend_series(precision: Precision = DOUBLE) -> Routine:
     """Derivative of sinh(sqrt w)/sqrt w."""
-    return _powers("BendSeries", "derivative of sinh(sqrt(w))/sqrt(w)", w, w, BENT, precision,
+    return powers("BendSeries", "derivative of sinh(sqrt(w))/sqrt(w)", w, w, BENT, precision,
                    lambda i: (i + 1) / factorial(2 * i + 3))  # fmt: skip
 
 
@@ -253,11 +245,11 @@ def wane() -> Routine:
 
 def wane_series(precision: Precision = DOUBLE) -> Routine:
     """2/3! + 2 x/4! + ..."""
-    return _powers("WaneSeries", "sum of 2 x^k/(k+3)!", x, x, sp.Integer(3), precision,
+    return powers("WaneSeries", "sum of 2 x^k/(k+3)!", x, x, sp.Integer(3), precision,
                    lambda i: 2 / factorial(i + 3))  # fmt: skip
 
 
-def _powers(
+def powers(
     name: str,
     about: str,
     symbol: Expr,
@@ -277,88 +269,7 @@ def _powers(
     return do.routine(name, about, (symbol,), total)
 
 
-# -- of an angle and a delay --------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class _Turn:
-    """(k + 1), (k + 1) x, and x and that angle, which are 0 where the angle is not small."""
-
-    n: Expr
-    turn: Expr
-    near: Expr
-    angle: Expr
-    some: Expr
-    """x, or 1 where the angle is small."""
-
-
-def _turn(do: Steps) -> _Turn:
-    n = do("n", k + 1)
-    turn = do("turn", n * x)
-    near, angle = (do("near", choose(turn >= TURN, 0, v)) for v in (x, turn))
-    return _Turn(n, turn, near, angle, do("some", choose(turn < TURN, 1, x)))
-
-
-def ripple() -> Routine:
-    """From Chord, where the angle is small."""
-    do = Steps()
-    t = _turn(do)
-    wave = Sinc(t.near)
-    near = SinNext(k, x) / (2 * cos(t.near / 2) ** 2) - t.near * Chord(k, x) / (2 * wave * wave)
-    own = do("own", choose(t.turn < TURN, 1, sin(x)))
-    far = (t.n * CosNext(k, x) - SinNext(k, x) * cos(x) / own) / own
-    return do.routine("Ripple", "derivative of sin((k + 1) x)/sin(x) by x", (k, x),
-                      choose(t.turn < TURN, near, far))  # fmt: skip
-
-
-def spread_slope() -> Routine:
-    """Differences of sines, or of the slopes of x - sin(x)."""
-    do = Steps()
-    t = _turn(do)
-    order, square = do("order", 2 * t.n), do("square", 4 * t.n * t.n)
-    slope = sp.Function("GapSlopeSeries")
-    near = -order * t.near * (square * square * slope(2 * t.angle) - slope(t.near))
-    wave, half = do("wave", SinNext(k, x)), do("half", sin(x / 2))
-    far = 2 * order * (wave * wave - half * half) / (t.some * t.some) - 3 * Spread(k, x)
-    return do.routine("SpreadSlope", "derivative of Spread by x", (k, x),
-                      choose(t.turn < TURN, near, far / t.some))  # fmt: skip
-
-
-def chord_slope() -> Routine:
-    """The same for Chord."""
-    do = Steps()
-    t = _turn(do)
-    square = do("square", t.n * t.n)
-    first = 4 * square * square * sp.Function("CurlSeries")(-t.angle * t.angle)
-    rest = sp.Function("GapSlopeSeries")(t.near) * CosNext(k, x)
-    inner = first + rest + square * Gap(t.near) * Sinc(t.angle)
-    near = -2 * t.n * t.near * inner
-    half = do("half", sin(x / 2))
-    turned = 2 * half * half * CosNext(k, x) + t.n * sin(x) * SinNext(k, x)
-    far = 2 * t.n * turned / (t.some * t.some) - 3 * Chord(k, x)
-    return do.routine("ChordSlope", "derivative of Chord by x", (k, x),
-                      choose(t.turn < TURN, near, far / t.some))  # fmt: skip
-
-
-def gap_slope_series(precision: Precision = DOUBLE) -> Routine:
-    """(2 x + x cos(x) - 3 sin(x))/x^5."""
-    return _powers("GapSlopeSeries", "(2 x + x cos(x) - 3 sin(x))/x^5", x, -x * x,
-                   (2 * TURN) ** 2, precision,
-                   lambda i: 2 * (i + 1) / factorial(2 * i + 5))  # fmt: skip
-
-
-def curl_series(precision: Precision = DOUBLE) -> Routine:
-    """Second derivative of sinh(sqrt w)/sqrt w."""
-    return _powers("CurlSeries", "second derivative of sinh(sqrt(w))/sqrt(w)", w, w, TURN**2,
-                   precision,
-                   lambda i: (i + 1) * (i + 2) / factorial(2 * i + 5))  # fmt: skip
-
-
 ROUTINES = (
-    kick, coast, echo, ebb, rise_drop, fall_drop, apart_drop, bend, wane, ripple, spread_slope,
-    chord_slope,
+    kick, coast, echo, ebb, rise_drop, fall_drop, apart_drop, bend, wane,
 )  # fmt: skip
-PRECISE = (drop_series, lean_series, bend_series, wane_series, gap_slope_series, curl_series)
-SERIES = (
-    "DropSeries", "LeanSeries", "BendSeries", "WaneSeries", "GapSlopeSeries", "CurlSeries",
-)  # fmt: skip
+PRECISE = (drop_series, lean_series, bend_series, wane_series)
