@@ -186,11 +186,12 @@ def is_stable(parts: Parts = FULL) -> Form:
         late = count, Stable(count, *wall, *given)
         results = tuple(either(*both) for both in zip(results, late, strict=True))
         equal += delayed.derived(parts)
+    hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
     return Form(
         "is_stable",
         "roots outside the unit circle, and 1 where the loop is stable, else 0",
         symbols,
         tuple(zip(("outside", "stable"), results, strict=True)),
         equal,
-        domain(symbols),
+        domain(symbols, *hidden * (parts.stiffness and parts.damping)),
     )
