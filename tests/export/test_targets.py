@@ -71,8 +71,8 @@ def test_single_arrays_stay_single_without_a_warning():
                 assert nowhere or np.isfinite(value).all(), form.name
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=str)
 @pytest.mark.parametrize("language", TARGETS)
+@pytest.mark.parametrize("scene", SCENES, ids=str)  # outside: its vectors are the same for all
 def test_the_self_test_of_every_target_passes(language, scene, tmp_path):
     target, parts = TARGETS[language], SCENES[scene]
     delay = 2 if parts.delay else None

@@ -30,7 +30,7 @@ GUARDED = [(0.0, 0.0), (0.0, 3.0), (1.0, 2.0), (25.0, 10.0), (3.0, 0.0)]
 @cache
 def known(name, precision=DOUBLE):
     """Columns of arguments, and rows of expected results and of how far off these may be."""
-    rows = np.array(list(vectors(FORMS[name], precision)))
+    rows = np.array(vectors(FORMS[name], precision))
     count = len(FORMS[name].arguments)
     return rows[:, :count].T, rows[:, count::2].T, rows[:, count + 1 :: 2].T
 

@@ -219,11 +219,16 @@ def _swing(expr: Expr, args: list[mpf]) -> mpf:
     return (1 if isinstance(expr, Rise) else decayed) / g
 
 
-def vectors(form: Form, precision: Precision = DOUBLE) -> Iterator[list[float]]:
+@cache
+def vectors(form: Form, precision: Precision = DOUBLE) -> tuple[tuple[float, ...], ...]:
     """For each point: the arguments, then each result's exact value, rounded, and its tolerance.
 
     Points where a result is no number, or too small or large for a float, are left out.
     """
+    return tuple(_rows(form, precision))
+
+
+def _rows(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
     for point in points(form, precision):
         with mpmath.workdps(_DIGITS):
             at = {s: (mpf(v), abs(mpf(v))) for s, v in zip(form.arguments, point, strict=True)}
@@ -240,7 +245,7 @@ def vectors(form: Form, precision: Precision = DOUBLE) -> Iterator[list[float]]:
             row = list(point)
             for exact, size in found:
                 row += [precision.nearest(exact), allowed(form) * precision.ulp(float(size))]
-        yield row
+        yield tuple(row)
 
 
 def _swings_on(at: Mapping[Expr, mpf], precision: Precision) -> bool:

@@ -9,6 +9,7 @@ damping, at critical damping, or at a vanishing angle.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cache
 
 from symhaptic.model.device_forms import characteristic_polynomial, discretize, discretize_late
 from symhaptic.model.form import Form, NoForm
@@ -59,6 +60,7 @@ FOR_ONE_DELAY = ("characteristic_polynomial", "stability_conditions")
 """Forms that are made for one whole delay."""
 
 
+@cache
 def form(name: str, parts: Parts = FULL, delay: int | None = None) -> Form:
     """The form of one function, for one scene and, where it needs one, for one whole delay.
 
