@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from sympy.printing.c import C99CodePrinter
 
-from symhaptic.export.branches import Assign, Block, Choice, Join, Set, lazy
+from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.routine import Repeat, Routine
+from symhaptic.export.routine import Routine
+from symhaptic.export.statements import braces
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
@@ -24,54 +25,6 @@ class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
 
     def __init__(self) -> None:
         super().__init__({"math_macros": {}})
-
-
-def braces(
-    target: Target, block: Block, ends: list[str], declare: str, depth: int = 1
-) -> list[str]:
-    """Statements in a language with braces; ``ends`` are the lines that return the results."""
-    printer, pad, lines = target.printing(), "    " * depth, []
-    for statement in block:
-        if isinstance(statement, Assign):
-            name = target.rename(statement.name.name)
-            lines.append(f"{pad}{declare} {name} = {printer.doprint(statement.expr)};")
-        elif isinstance(statement, Repeat):
-            lines += [pad + line for line in _repeated(target, statement, declare)]
-        elif isinstance(statement, Choice):
-            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
-            lines += braces(target, statement.yes, ends, declare, depth + 1)
-            lines += [f"{pad}}}", *braces(target, statement.no, ends, declare, depth)]
-        elif isinstance(statement, Join):
-            lines += [f"{pad}{target.late} {target.rename(n.name)};" for n in statement.names]
-            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
-            lines += braces(target, statement.yes, ends, declare, depth + 1)
-            lines.append(f"{pad}}} else {{")
-            lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
-        elif isinstance(statement, Set):
-            name = target.rename(statement.name.name)
-            lines.append(f"{pad}{name} = {printer.doprint(statement.expr)};")
-        else:
-            shown = [printer.doprint(r) for r in statement.results]
-            lines += [pad + end.format(*shown) for end in ends]
-    return lines
-
-
-def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
-    printer = target.printing()
-    states = [target.rename(s.name) for s in loop.states]
-    count = f"count_{states[0]}"
-    lines = [
-        f"{target.changing or target.real} {name} = {printer.doprint(first)};"
-        for name, first in zip(states, loop.start, strict=True)
-    ]
-    lines.append(target.times.format(count, loop.most))
-    inner = [f"if ({printer.doprint(loop.done)}) {{ break; }}"]
-    inner += [f"{declare} {target.rename(n.name)} = {printer.doprint(e)};" for n, e in loop.steps]
-    inner += [
-        f"{name} = {target.rename(after.name)};"
-        for name, after in zip(states, loop.next, strict=True)
-    ]
-    return [*lines, *(f"    {line}" for line in inner), "}"]
 
 
 class C(Target):

@@ -5,10 +5,11 @@ from __future__ import annotations
 from sympy.printing.cxx import CXX17CodePrinter
 
 from symhaptic.export.branches import lazy
-from symhaptic.export.c import FLAGS, KEYWORDS, braces
+from symhaptic.export.c import FLAGS, KEYWORDS
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Routine
+from symhaptic.export.statements import braces
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 

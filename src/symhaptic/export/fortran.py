@@ -11,6 +11,7 @@ from symhaptic.export.branches import Assign, Block, Choice, Join, Set, lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Repeat, Routine
+from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
@@ -19,6 +20,17 @@ class _Printer(Printing, FCodePrinter):  # type: ignore[misc]
 
     def __init__(self) -> None:
         super().__init__({"standard": 2008, "source_format": "free"})
+
+
+_WORDS = Words(
+    end="",
+    when="if ({}) then",
+    otherwise="else",
+    decided="end if",
+    loop="do count_ = 1, {1}",
+    leave=("if ({}) exit",),
+    looped="end do",
+)
 
 
 class Fortran(Target):
@@ -107,36 +119,13 @@ class Fortran(Target):
         declared += kinds + ([f"    real(wp) :: {', '.join(locals_)}"] if locals_ else [])
         if any(isinstance(step, Repeat) for step in routine.steps):
             declared.append("    integer :: count_")
-        lines = [head, *declared, *self._body(block, results, 2), f"  end {tail} {name}"]
+        lines = [
+            head,
+            *declared,
+            *worded(self, block, results, _WORDS, "  ", 2),
+            f"  end {tail} {name}",
+        ]
         return [part for line in lines for part in _folded(line)]
-
-    def _body(self, block: Block, results: list[str], depth: int) -> list[str]:
-        printer, pad, lines = self.printing(), "  " * depth, []
-        for statement in block:
-            if isinstance(statement, (Assign, Set)):
-                value = printer.doprint(statement.expr)
-                lines.append(f"{pad}{self.rename(statement.name.name)} = {value}")
-            elif isinstance(statement, Repeat):
-                lines += [pad + line for line in self._repeated(statement)]
-            elif isinstance(statement, (Choice, Join)):
-                lines.append(f"{pad}if ({printer.doprint(statement.condition)}) then")
-                lines += self._body(statement.yes, results, depth + 1)
-                lines += [f"{pad}else", *self._body(statement.no, results, depth + 1)]
-                lines.append(f"{pad}end if")
-            else:
-                for name, value in zip(results, statement.results, strict=True):
-                    lines.append(f"{pad}{name} = {printer.doprint(value)}")
-        return lines
-
-    def _repeated(self, loop: Repeat) -> list[str]:
-        printer = self.printing()
-        states = [self.rename(s.name) for s in loop.states]
-        begin = zip(states, loop.start, strict=True)
-        lines = [f"{name} = {printer.doprint(first)}" for name, first in begin]
-        lines += [f"do count_ = 1, {loop.most}", f"  if ({printer.doprint(loop.done)}) exit"]
-        lines += [f"  {self.rename(n.name)} = {printer.doprint(e)}" for n, e in loop.steps]
-        after = zip(states, loop.next, strict=True)
-        return [*lines, *(f"  {name} = {self.rename(n.name)}" for name, n in after), "end do"]
 
     def usage(self, library: Library) -> str:
         """A use of the first function."""

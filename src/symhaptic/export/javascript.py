@@ -7,9 +7,9 @@ from types import MappingProxyType
 from sympy.printing.jscode import JavascriptCodePrinter
 
 from symhaptic.export.branches import lazy
-from symhaptic.export.c import braces
 from symhaptic.export.library import Library
 from symhaptic.export.routine import Routine
+from symhaptic.export.statements import braces
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 

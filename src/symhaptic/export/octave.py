@@ -6,14 +6,26 @@ from types import MappingProxyType
 
 from sympy.printing.octave import OctaveCodePrinter
 
-from symhaptic.export.branches import Assign, Block, Choice, Join, Set, lazy
+from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
-from symhaptic.export.routine import Repeat, Routine
+from symhaptic.export.routine import Routine
+from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
 
 class _Printer(Printing, OctaveCodePrinter):  # type: ignore[misc]
     """SymPy's, with the shared operations."""
+
+
+_WORDS = Words(
+    end=";",
+    when="if {}",
+    otherwise="else",
+    decided="end",
+    loop="for count_{0} = 1:{1}",
+    leave=("if {}", "  break;", "end"),
+    looped="end",
+)
 
 
 class Octave(Target):
@@ -39,49 +51,27 @@ class Octave(Target):
         files = {}
         for form, routine in zip(library.forms, library.public, strict=True):
             lines = [self._head(routine), *(f"  % {line}" for line in describe(form))]
-            lines += [*self._body(lazy(routine), self._results(routine), 1), "end", ""]
+            lines += [*self._body(routine), "end", ""]
             for helper in library.helpers:
                 lines += [f"% {helper.about}", self._head(helper)]
-                lines += [*self._body(lazy(helper), self._results(helper), 1), "end", ""]
+                lines += [
+                    *self._body(helper),
+                    "end",
+                    "",
+                ]
             files[f"+{library.name}/{routine.name}.m"] = "\n".join([*lines, _PICK])
         return files
 
     def _results(self, routine: Routine) -> list[str]:
         return [f"{self.rename(name)}_out" for name, _ in routine.results]
 
+    def _body(self, routine: Routine) -> list[str]:
+        return worded(self, lazy(routine), self._results(routine), _WORDS, "  ")
+
     def _head(self, routine: Routine) -> str:
         args = ", ".join(self.rename(s.name) for s in routine.arguments)
         results = ", ".join(self._results(routine))
         return f"function [{results}] = {self.call(routine.name)}({args})"
-
-    def _body(self, block: Block, results: list[str], depth: int) -> list[str]:
-        printer, pad, lines = self.printing(), "  " * depth, []
-        for statement in block:
-            if isinstance(statement, (Assign, Set)):
-                value = printer.doprint(statement.expr)
-                lines.append(f"{pad}{self.rename(statement.name.name)} = {value};")
-            elif isinstance(statement, Repeat):
-                lines += [pad + line for line in self._repeated(statement)]
-            elif isinstance(statement, (Choice, Join)):
-                lines.append(f"{pad}if {printer.doprint(statement.condition)}")
-                lines += self._body(statement.yes, results, depth + 1)
-                lines += [f"{pad}else", *self._body(statement.no, results, depth + 1)]
-                lines.append(f"{pad}end")
-            else:
-                for name, value in zip(results, statement.results, strict=True):
-                    lines.append(f"{pad}{name} = {printer.doprint(value)};")
-        return lines
-
-    def _repeated(self, loop: Repeat) -> list[str]:
-        printer = self.printing()
-        states = [self.rename(s.name) for s in loop.states]
-        begin = zip(states, loop.start, strict=True)
-        lines = [f"{name} = {printer.doprint(first)};" for name, first in begin]
-        lines += [f"for count_{states[0]} = 1:{loop.most}", f"  if {printer.doprint(loop.done)}"]
-        lines += ["    break;", "  end"]
-        lines += [f"  {self.rename(n.name)} = {printer.doprint(e)};" for n, e in loop.steps]
-        after = zip(states, loop.next, strict=True)
-        return [*lines, *(f"  {name} = {self.rename(n.name)};" for name, n in after), "end"]
 
     def usage(self, library: Library) -> str:
         """A call of the first function."""

@@ -7,10 +7,10 @@ from types import MappingProxyType
 from sympy.printing.rust import RustCodePrinter
 
 from symhaptic.export.branches import lazy
-from symhaptic.export.c import braces
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Routine
+from symhaptic.export.statements import braces
 from symhaptic.export.target import Printing, Target, describe, vocabulary
 
 

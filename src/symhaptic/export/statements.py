@@ -1,0 +1,109 @@
+"""Blocks of statements, in languages with braces and in languages with words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symhaptic.export.branches import Assign, Block, Choice, Join, Set
+from symhaptic.export.routine import Repeat
+from symhaptic.export.target import Target
+
+
+def braces(
+    target: Target, block: Block, ends: list[str], declare: str, depth: int = 1
+) -> list[str]:
+    """Statements in a language with braces; ``ends`` are the lines that return the results."""
+    printer, pad, lines = target.printing(), "    " * depth, []
+    for statement in block:
+        if isinstance(statement, Assign):
+            name = target.rename(statement.name.name)
+            lines.append(f"{pad}{declare} {name} = {printer.doprint(statement.expr)};")
+        elif isinstance(statement, Repeat):
+            lines += [pad + line for line in _repeated(target, statement, declare)]
+        elif isinstance(statement, Choice):
+            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
+            lines += braces(target, statement.yes, ends, declare, depth + 1)
+            lines += [f"{pad}}}", *braces(target, statement.no, ends, declare, depth)]
+        elif isinstance(statement, Join):
+            lines += [f"{pad}{target.late} {target.rename(n.name)};" for n in statement.names]
+            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
+            lines += braces(target, statement.yes, ends, declare, depth + 1)
+            lines.append(f"{pad}}} else {{")
+            lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
+        elif isinstance(statement, Set):
+            name = target.rename(statement.name.name)
+            lines.append(f"{pad}{name} = {printer.doprint(statement.expr)};")
+        else:
+            shown = [printer.doprint(r) for r in statement.results]
+            lines += [pad + end.format(*shown) for end in ends]
+    return lines
+
+
+def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
+    printer = target.printing()
+    states = [target.rename(s.name) for s in loop.states]
+    count = f"count_{states[0]}"
+    lines = [
+        f"{target.changing or target.real} {name} = {printer.doprint(first)};"
+        for name, first in zip(states, loop.start, strict=True)
+    ]
+    lines.append(target.times.format(count, loop.most))
+    inner = [f"if ({printer.doprint(loop.done)}) {{ break; }}"]
+    inner += [f"{declare} {target.rename(n.name)} = {printer.doprint(e)};" for n, e in loop.steps]
+    inner += [
+        f"{name} = {target.rename(after.name)};"
+        for name, after in zip(states, loop.next, strict=True)
+    ]
+    return [*lines, *(f"    {line}" for line in inner), "}"]
+
+
+@dataclass(frozen=True)
+class Words:
+    """How a language without braces writes what a block is made of."""
+
+    end: str
+    """Behind an assignment."""
+    when: str
+    otherwise: str
+    decided: str
+    loop: str
+    """With the first state and the number of turns."""
+    leave: tuple[str, ...]
+    """With the condition."""
+    looped: str
+
+
+def worded(
+    target: Target, block: Block, results: list[str], words: Words, pad: str, depth: int = 1
+) -> list[str]:
+    """Statements in such a language; the results are variables."""
+    printer, before, lines = target.printing(), pad * depth, []
+    for statement in block:
+        if isinstance(statement, (Assign, Set)):
+            value = printer.doprint(statement.expr)
+            lines.append(f"{before}{target.rename(statement.name.name)} = {value}{words.end}")
+        elif isinstance(statement, Repeat):
+            lines += [before + line for line in _turned(target, statement, words)]
+        elif isinstance(statement, (Choice, Join)):
+            lines.append(before + words.when.format(printer.doprint(statement.condition)))
+            lines += worded(target, statement.yes, results, words, pad, depth + 1)
+            lines.append(before + words.otherwise)
+            lines += worded(target, statement.no, results, words, pad, depth + 1)
+            lines.append(before + words.decided)
+        else:
+            for name, value in zip(results, statement.results, strict=True):
+                lines.append(f"{before}{name} = {printer.doprint(value)}{words.end}")
+    return lines
+
+
+def _turned(target: Target, loop: Repeat, words: Words) -> list[str]:
+    printer = target.printing()
+    states = [target.rename(s.name) for s in loop.states]
+    begin = zip(states, loop.start, strict=True)
+    lines = [f"{name} = {printer.doprint(first)}{words.end}" for name, first in begin]
+    lines.append(words.loop.format(states[0], loop.most))
+    lines += ["  " + line.format(printer.doprint(loop.done)) for line in words.leave]
+    done = [(target.rename(n.name), printer.doprint(e)) for n, e in loop.steps]
+    done += [(name, target.rename(n.name)) for name, n in zip(states, loop.next, strict=True)]
+    lines += [f"  {name} = {value}{words.end}" for name, value in done]
+    return [*lines, words.looped]
