@@ -114,6 +114,25 @@ def test_vectors_of_jax_compiled():
         hold(found, expected, tolerance)
 
 
+@pytest.mark.parametrize("name", FORMS)
+def test_every_function_can_be_traced(name):
+    """No number is looked at: shapes alone come out, of what no compiler has seen."""
+    make, jax = jax_numpy().asarray, pytest.importorskip("jax")
+    columns, expected, _ = known(name)
+    found = jax.eval_shape(getattr(haptic, name), *(make(c) for c in columns))
+    found = found if isinstance(found, tuple) else (found,)
+    assert [v.shape for v in found] == [row.shape for row in expected]
+
+
+def test_vectors_of_a_traced_search_step_by_step(monkeypatch):
+    """As `jax.jit` has it, searches and all, but without the minute of its compiler."""
+    make, jax = jax_numpy().asarray, pytest.importorskip("jax")
+    monkeypatch.setattr(haptic, "_at_hand", lambda _: False)
+    columns, expected, tolerance = known("max_stable_stiffness")
+    with jax.disable_jit():
+        hold(haptic.max_stable_stiffness(*(make(c) for c in columns)), expected, tolerance)
+
+
 def test_jax_without_x64_stays_single():
     jax_numpy()
     jax = pytest.importorskip("jax")

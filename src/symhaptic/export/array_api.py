@@ -33,7 +33,8 @@ class ArrayApi(Target):
         "finally for from global if import in is lambda nonlocal not or pass raise return try "
         "while with yield match case xp np numpy selftest math sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
-        "select repeat over step is_jax_array halves square_root product_error plant work yes no"
+        "functools select repeat over step is_jax_array by_value halves square_root product_error "
+        "plant work yes no"
     )
     operations = single = called(
         "xp.",
@@ -87,7 +88,8 @@ class ArrayApi(Target):
 
     def _public(self, routine: Routine, about: list[str], starts: Mapping[str, Begun]) -> list[str]:
         names = self._named(routine.arguments)
-        lines = [f"def {self.call(routine.name)}({', '.join(names)}):", f'    """{about[0]}']
+        head = f"def {self.call(routine.name)}({', '.join(names)}):"
+        lines = ["@by_value", head, f'    """{about[0]}']
         lines += ["", *(f"    {line}" for line in about[1:]), '    """'] if about[1:] else []
         if not about[1:]:
             lines[-1] += '"""'

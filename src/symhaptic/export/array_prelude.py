@@ -1,6 +1,7 @@
 """What every Python export begins with: how functions of numbers become functions of arrays."""
 
-PRELUDE = '''import math
+PRELUDE = '''import functools
+import math
 import sys
 
 import numpy
@@ -16,6 +17,35 @@ from array_api_compat import (
 
 BLOCK = 8192
 """Elements of NumPy arrays worked on at a time: so many fit the caches."""
+
+
+def by_value(function):
+    """The function, with the numbers of JAX arrays in a processor's memory worked on by NumPy.
+
+    XLA would compile every search anew.  Traced arrays and those elsewhere are not touched.
+    """
+
+    @functools.wraps(function)
+    def called(*values, **named):
+        given = [v for v in (*values, *named.values()) if is_jax_array(v)]
+        if not given or not all(map(_at_hand, given)):
+            return function(*values, **named)
+        named = {name: _numbers(v) for name, v in named.items()}
+        results = function(*map(_numbers, values), **named)
+        place = functools.partial(sys.modules["jax"].device_put, device=device(given[0]))
+        return tuple(map(place, results)) if isinstance(results, tuple) else place(results)
+
+    return called
+
+
+def _at_hand(x):
+    if isinstance(x, sys.modules["jax"].core.Tracer) or x.dtype.kind not in "fiu":
+        return False
+    return {place.platform for place in x.devices()} == {"cpu"} and len(x.devices()) == 1
+
+
+def _numbers(x):
+    return numpy.asarray(x) if is_jax_array(x) else x
 
 
 def arrays(*values):

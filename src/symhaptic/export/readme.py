@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+from functools import cache
 from itertools import islice
 
 import sympy as sp
@@ -94,6 +95,14 @@ def _measured(form: Form, precision: Precision) -> float | None:
     return None if worst is None else worst.error
 
 
+@cache
+def _formulas(form: Form) -> list[str]:
+    """In plain text and as LaTeX; long ones take SymPy a second."""
+    plain = [line for name, expr in form.results for line in (f"    {name} = {expr}", "")]
+    shown = [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in form.results]
+    return [*plain, *shown]
+
+
 def _function(form: Form, precision: Precision) -> list[str]:
     lines = [f"## {form.name}", "", f"{form.title[0].upper()}{form.title[1:]}.", ""]
     if form.arguments:
@@ -105,9 +114,7 @@ def _function(form: Form, precision: Precision) -> list[str]:
     if form.domain:
         lines += [f"Domain: {', '.join(form.domain)}.", ""]
     plain = form.plain or form
-    for name, expr in plain.results:
-        lines += [f"    {name} = {expr}", ""]
-    lines += [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in plain.results]
+    lines += _formulas(plain)
     if form.plain is not None:
         lines += _derivatives(form, form.results[len(plain.results) :])
     error = _measured(form, precision)

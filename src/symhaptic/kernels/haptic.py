@@ -1,6 +1,7 @@
 # Written by `symhaptic kernels` from the stable forms; do not edit.
 """Passivity and stability of haptic walls."""
 
+import functools
 import math
 import sys
 
@@ -17,6 +18,35 @@ from array_api_compat import (
 
 BLOCK = 8192
 """Elements of NumPy arrays worked on at a time: so many fit the caches."""
+
+
+def by_value(function):
+    """The function, with the numbers of JAX arrays in a processor's memory worked on by NumPy.
+
+    XLA would compile every search anew.  Traced arrays and those elsewhere are not touched.
+    """
+
+    @functools.wraps(function)
+    def called(*values, **named):
+        given = [v for v in (*values, *named.values()) if is_jax_array(v)]
+        if not given or not all(map(_at_hand, given)):
+            return function(*values, **named)
+        named = {name: _numbers(v) for name, v in named.items()}
+        results = function(*map(_numbers, values), **named)
+        place = functools.partial(sys.modules["jax"].device_put, device=device(given[0]))
+        return tuple(map(place, results)) if isinstance(results, tuple) else place(results)
+
+    return called
+
+
+def _at_hand(x):
+    if isinstance(x, sys.modules["jax"].core.Tracer) or x.dtype.kind not in "fiu":
+        return False
+    return {place.platform for place in x.devices()} == {"cpu"} and len(x.devices()) == 1
+
+
+def _numbers(x):
+    return numpy.asarray(x) if is_jax_array(x) else x
 
 
 def arrays(*values):
@@ -4285,6 +4315,7 @@ def passive_angle(xp, l, epsilon):
     return 2.0*root
 
 
+@by_value
 def discretize(gamma, delta):
     """the sampled device, P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m.
 
@@ -4301,6 +4332,7 @@ def discretize(gamma, delta):
     return elementwise(xp, work, gamma, delta)
 
 
+@by_value
 def discretize_late(gamma, delta, epsilon):
     """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m.
 
@@ -4331,6 +4363,7 @@ def discretize_late(gamma, delta, epsilon):
     return elementwise(xp, work, gamma, delta, epsilon, together_, swing_)
 
 
+@by_value
 def is_stable(alpha, beta, gamma, delta, d):
     """roots outside the unit circle, and 1 where the loop is stable, else 0.
 
@@ -4380,6 +4413,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     return elementwise(xp, work, alpha, beta, gamma, delta, d, t0, t2, t3, rise_, fall_, apart_)
 
 
+@by_value
 def stability_boundary(theta, gamma, delta, d):
     """the wall (alpha, beta) that puts a characteristic root at z = exp(j theta).
 
@@ -4465,6 +4499,7 @@ def stability_boundary(theta, gamma, delta, d):
     return elementwise(xp, work, theta, gamma, delta, d, t4, t5, t13, nyquist_)
 
 
+@by_value
 def max_stable_stiffness(gamma, delta, d):
     """the wall of largest stable stiffness, a limit that is not stable itself, and the angle theta = omega T of its roots on the unit circle.
 
@@ -4550,6 +4585,7 @@ def max_stable_stiffness(gamma, delta, d):
     return elementwise(xp, work, gamma, delta, d, t0, t2, t3, t4, rise_, fall_)
 
 
+@by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
     """physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is passive where it is positive at every angle.
 
@@ -4571,6 +4607,7 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
     return elementwise(xp, work, theta, alpha, beta, delta, d)
 
 
+@by_value
 def passivity_margin(alpha, beta, delta, d):
     """physical damping minus the damping that the wall needs at its worst angle; the wall is passive where it is not negative.
 
@@ -4588,6 +4625,7 @@ def passivity_margin(alpha, beta, delta, d):
     return elementwise(xp, work, alpha, beta, delta, d)
 
 
+@by_value
 def passivity_boundary(theta, delta, d):
     """the wall that is just passive and whose worst angle is theta = omega T.
 
@@ -4644,6 +4682,7 @@ def passivity_boundary(theta, delta, d):
     return elementwise(xp, work, theta, delta, d)
 
 
+@by_value
 def max_passive_stiffness(delta, d):
     """the passive wall of largest stiffness, and its worst angle theta = omega T.
 
@@ -4697,6 +4736,7 @@ def max_passive_stiffness(delta, d):
     return elementwise(xp, work, delta, d)
 
 
+@by_value
 def linear_limit(beta, delta, d):
     """the stiffness alpha at which the linear condition is an equality.
 
