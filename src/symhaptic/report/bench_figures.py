@@ -9,7 +9,7 @@ import numpy as np
 
 from symhaptic.bench.tables import words
 from symhaptic.report.figures import COLOURS
-from symhaptic.report.labels import place
+from symhaptic.report.labels import Panel, place, place_all
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -66,6 +66,7 @@ _CHOSEN = ("discretize", "stability_boundary", "passivity_boundary")
 
 
 def _functions(record: dict[str, Any], names: list[str], panels: Any) -> None:
+    placed: list[Panel] = []
     for line, name in zip(np.atleast_2d(panels), names, strict=True):
         rows = [r for r in record["functions"] if r["function"] == name and _shown(r)]
         times = [r["seconds"] for r in rows]
@@ -78,7 +79,8 @@ def _functions(record: dict[str, Any], names: list[str], panels: Any) -> None:
             axes.set_ylabel("error of largest term")
             for last in _DIGITS.values():
                 axes.axhline(last, color=GREY, linewidth=0.3, zorder=0)
-            _ways(axes, [r for r in rows if r["set"] == which])
+            placed.append(_ways(axes, [r for r in rows if r["set"] == which]))
+    place_all(placed)
 
 
 def _shown(row: dict[str, Any]) -> bool:
@@ -86,7 +88,7 @@ def _shown(row: dict[str, Any]) -> bool:
     return row["worst"] is not None and (row["way"] != "derived" or row["precision"] == "float64")
 
 
-def _ways(axes: Axes, rows: list[dict[str, Any]]) -> None:
+def _ways(axes: Axes, rows: list[dict[str, Any]]) -> Panel:
     names, bars = [], []
     for row in rows:
         worst, middle = (
@@ -99,13 +101,14 @@ def _ways(axes: Axes, rows: list[dict[str, Any]]) -> None:
         missing = f" ({100 * row['missing']:.0f} % NaN)" if row["missing"] else ""
         names.append((at, worst, row["way"] + missing, colour))
         bars.append(([at, at], [middle, worst]))
-    place(axes, names, bars)
+    return axes, names, bars
 
 
 def _boundary(record: dict[str, Any], panels: Any) -> None:
     rows = record["boundary"]
     delays = [min(r["delay"] for r in rows), max(r["delay"] for r in rows)]
     times = [r["seconds"] for r in rows]
+    placed: list[Panel] = []
     for axes, delay in zip(panels, delays, strict=True):
         axes.set(xscale="log", yscale="log", ylim=(1e-19, 1e-1))
         axes.set_xlim(min(times) / 3, max(times) * 10)
@@ -120,7 +123,8 @@ def _boundary(record: dict[str, Any], panels: Any) -> None:
             axes.plot(x, y, "o-", color=colour, markersize=2.6, linewidth=0.8)
             names.append((x[-1], y[-1], method, colour))
             lines.append((x, y))
-        place(axes, names, lines)
+        placed.append((axes, names, lines))
+    place_all(placed)
 
 
 def _stability(record: dict[str, Any], panels: Any) -> None:
@@ -139,7 +143,7 @@ def _stability(record: dict[str, Any], panels: Any) -> None:
         left.plot(x, y, "o-", color=_COLOURS[method], markersize=2.6, linewidth=0.8)
         names.append((x[-1], y[-1], method, _COLOURS[method]))
         lines.append((x, y))
-    place(left, names, lines)
+    placed: list[Panel] = [(left, names, lines)]
     right.set(xscale="log", xlim=(3e-3, 3e-16), ylim=(-4, 64))
     right.set_xlabel("relative distance from the boundary")
     right.set_ylabel("wrong verdicts in %")
@@ -158,7 +162,7 @@ def _stability(record: dict[str, Any], panels: Any) -> None:
         last = y
         top = len(x) - 1 if max(y) else len(x) // 2
         names.append((x[top], y[top], method, _COLOURS[method]))
-    place(right, names, lines)
+    place_all([*placed, (right, names, lines)])
 
 
 def _models(record: dict[str, Any], axes: Axes) -> None:

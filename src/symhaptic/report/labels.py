@@ -23,16 +23,28 @@ Named = tuple[float, float, str, Any]
 """Where a point is, its name and its colour."""
 
 
+Panel = tuple["Axes", Sequence[Named], Sequence[tuple[Any, Any]]]
+"""Axes, the names in them, and lines, of which each has its x and y."""
+
+
 def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] = ()) -> None:
-    """Write each name beside its point, clear of all ``lines``, of which each has its x and y.
+    """The same in the one panel of a figure."""
+    place_all([(axes, names, lines)])
+
+
+def place_all(panels: Sequence[Panel]) -> None:
+    """Write each name beside its point, clear of all lines, in panels of one figure.
 
     A name that had to go far is joined to its point by a thin line.  The limits of the axes must
     be set.
     """
-    from matplotlib.transforms import Bbox
-
-    figure: Any = axes.figure
+    figure: Any = panels[0][0].figure
     figure.draw_without_rendering()  # a layout that moves axes has moved them
+    for axes, names, lines in panels:
+        _place(figure, axes, names, lines)
+
+
+def _place(figure: Any, axes: Axes, names: Sequence[Named], lines: Any) -> None:
     scale = figure.dpi / 72
     renderer = figure.canvas.get_renderer()
     points = axes.transData.transform([(x, y) for x, y, *_ in names])
@@ -42,8 +54,10 @@ def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] =
         steps = np.linspace(0, len(ends) - 1, 40 * len(ends))
         along = [np.interp(steps, range(len(ends)), ends[:, k]) for k in (0, 1)]
         crowd += [(p, 1.0) for p in np.column_stack(along)]
-    taken = [Bbox.from_extents(*(p - radius * scale), *(p + radius * scale)) for p, radius in crowd]
-    inside = axes.get_window_extent(renderer)
+    centres = np.array([p for p, _ in crowd])
+    radii = scale * np.array([[radius] for _, radius in crowd])
+    low, high = centres - radii, centres + radii  # corners of what must not be written over
+    floor, roof = (np.array(c) for c in axes.get_window_extent(renderer).get_points())
     for (x, y, name, colour), at in zip(names, points, strict=True):
         text = axes.annotate(
             name, (x, y), (0, 0), textcoords="offset points", fontsize=7, color=colour
@@ -57,14 +71,13 @@ def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] =
         for away, (right, up) in product(_AWAY, _SIDES):
             corner = at + scale * away * np.array([right, up])
             corner -= np.array([(1 - right) / 2 * size.width, size.height / 2])
-            box = Bbox([corner, corner + extent])
-            out = box.x0 < inside.x0 + 2 or box.x1 > inside.x1 + 2
-            out = out or box.y0 < inside.y0 + 2 or box.y1 > inside.y1 + 2
-            hit = sum(box.overlaps(other) for other in taken) + 100 * out
+            out = (corner < floor + 2).any() or (corner + extent > roof - 2).any()
+            hit = int(np.all((corner <= high) & (low <= corner + extent), axis=1).sum()) + 100 * out
             if away > _NEAR:  # nor may the line that joins it cross a name
-                end = np.clip(at, box.min, box.max)
-                way = at + np.linspace(0, 1, 30)[:, None] * (end - at)
-                hit += sum(other.count_contains(way) > 0 for other in taken[len(crowd) :])
+                end = np.clip(at, corner, corner + extent)
+                way = (at + np.linspace(0, 1, 30)[:, None] * (end - at))[:, None]
+                crossed = np.all((low[len(crowd) :] < way) & (way < high[len(crowd) :]), axis=2)
+                hit += int(crossed.any(axis=0).sum())
             if hit < least:
                 best, least = (corner, away), hit
             if not hit:
@@ -72,10 +85,9 @@ def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] =
         corner, away = best
         shift = (corner - at) / scale
         text.set_position((shift[0], shift[1] - drop / scale))
-        box = Bbox([corner, corner + extent])
-        taken.append(box)
+        low, high = np.vstack([low, corner]), np.vstack([high, corner + extent])
         if away > _NEAR:
-            end = np.clip(at, box.min, box.max)
+            end = np.clip(at, corner, corner + extent)
             axes.plot(
                 *axes.transData.inverted().transform([at, end]).T,
                 color=colour,
