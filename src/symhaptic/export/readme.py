@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+from collections.abc import Sequence
 from functools import cache
 from itertools import islice
 
@@ -15,9 +16,10 @@ from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.target import Target
 from symhaptic.export.vectors import allowed
+from symhaptic.model.searched import LatePart, SomePart, WholePart
 from symhaptic.model.stable import Form
 from symhaptic.model.values import ALL
-from symhaptic.notation import SYMBOLS
+from symhaptic.notation import SYMBOLS, d, epsilon, l
 
 MARK = "Written by `symhaptic export`; do not edit."
 
@@ -83,8 +85,9 @@ def _derivatives(form: Form, results: tuple[tuple[str, Expr], ...]) -> list[str]
     lines += ["singularities like the rest:", ""]
     for name, expr in results:
         result, _, argument = name.rpartition("_by_")
-        short = len(list(islice(sp.preorder_traversal(expr), _LONG))) < _LONG
-        lines.append(f"    {name} = {expr}" if short else f"    {name} = d {result}/d {argument}")
+        lines.append(
+            f"    {name} = {expr}" if _short(expr) else f"    {name} = d {result}/d {argument}"
+        )
     return lines
 
 
@@ -97,10 +100,27 @@ def _measured(form: Form, precision: Precision) -> float | None:
 
 @cache
 def _formulas(form: Form) -> list[str]:
-    """In plain text and as LaTeX; long ones take SymPy a second."""
-    plain = [line for name, expr in form.results for line in (f"    {name} = {expr}", "")]
-    shown = [f"$${sp.latex(sp.Symbol(name))} = {sp.latex(expr)}$$" for name, expr in form.results]
-    return [*plain, *shown]
+    """In plain text and as LaTeX; long ones in steps, each with a name."""
+    if not all(isinstance(expr, sp.Piecewise) for expr in form.expressions):
+        return _written(form.results)
+    whole = [(name, expr.args[0].expr) for name, expr in form.results]
+    parted = {WholePart(d): l, SomePart(d): epsilon, LatePart(d): epsilon}
+    late = [(name, expr.args[1].expr.xreplace(parted)) for name, expr in form.results]
+    return ["For whole delays:", "", *_written(whole), "",
+            "Behind a fraction of a period, d = l + epsilon:", "", *_written(late)]  # fmt: skip
+
+
+def _written(results: Sequence[tuple[str, sp.Expr]]) -> list[str]:
+    if not all(_short(expr) for _, expr in results):
+        steps, found = sp.cse([expr for _, expr in results], order="canonical")
+        named = [*steps, *zip((name for name, _ in results), found, strict=True)]
+        return [f"    {name} = {expr}" for name, expr in named]
+    plain = [line for name, expr in results for line in (f"    {name} = {expr}", "")]
+    return [*plain, *(f"$${sp.latex(sp.Symbol(n))} = {sp.latex(expr)}$$" for n, expr in results)]
+
+
+def _short(expr: sp.Expr) -> bool:
+    return len(list(islice(sp.preorder_traversal(expr), _LONG))) < _LONG
 
 
 def _function(form: Form, precision: Precision) -> list[str]:
