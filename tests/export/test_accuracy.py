@@ -68,19 +68,23 @@ def test_every_function_of_numbers_is_measured(precision):
 
 @every
 def test_what_is_recorded_is_within_its_goal(precision, name):
-    """Two last places for the device, four for passivity, eight for boundaries."""
+    """Two last places for the device, four for passivity, eight for boundaries and extremes."""
     assert MEASURED[precision][name].error <= GOALS[name] or name in ABOVE
 
 
 def test_a_goal_is_missed_only_where_it_is_said():
-    """What is above its goal: the angle of a flat maximum, and alpha far behind a delay."""
+    """What is above its goal: the angle of a flat maximum, and two far behind a delay."""
     missed = {
         (name, record.result)
         for names in MEASURED.values()
         for name, record in names.items()
         if record.error > GOALS[name]
     }
-    assert missed == {("max_stable_stiffness", "theta"), ("stability_boundary", "alpha")}
+    assert missed == {
+        ("max_stable_stiffness", "theta"),
+        ("stability_boundary", "alpha"),
+        ("max_passive_stiffness", "beta"),
+    }
     assert set(ABOVE) == {name for name, _ in missed}
 
 

@@ -26,7 +26,7 @@ GOALS: Mapping[str, float] = {
     "passivity_margin_at": 4,
     "passivity_margin": 4,
     "passivity_boundary": 8,
-    "max_passive_stiffness": 4,
+    "max_passive_stiffness": 8,
     "linear_limit": 4,
 }
 """Above this no record may be, but for those of ABOVE."""
@@ -34,6 +34,8 @@ GOALS: Mapping[str, float] = {
 ABOVE: Mapping[str, str] = {
     "stability_boundary": "the worst of 100 000 points in double precision: what numerator "
     "and denominator lose adds up",
+    "max_passive_stiffness": "in double precision, behind a delay of many periods with a fraction: "
+    "its angle is known to its last place, which beta there feels",
     "max_stable_stiffness": "theta of a flat maximum next to pi, behind a small fraction: at "
     "gamma = 2.25 and delta = 3, where the maximum without delay leaves pi, and d = 0.001",
 }
@@ -65,16 +67,16 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
             ),
         ),
         "passivity_boundary": Worst(
-            4.21, "beta", (2.9938496688493257e-06, 0.0004034187611970319, 242.0)
+            5.19, "alpha", (0.0013399884305492836, 0.0015255772684772565, 21.16680014993377)
         ),
-        "max_passive_stiffness": Worst(3.8, "alpha", (5.6664209269964765, 1.5)),
+        "max_passive_stiffness": Worst(8.52, "beta", (5.931899220832995, 1424.8892469860532)),
         "linear_limit": Worst(
             2.07, "alpha", (6.914257587776434e-05, 9.307974292748303e-12, 0.6950657871742972)
         ),
         "passivity_margin": Worst(
-            1.81,
+            1.94,
             "margin",
-            (0.00010695880693508924, 1.1419318362680973e-06, 2.500818369760855e-10, 0.5),
+            (0.4570479406847814, 3.723081191525364e-05, 0.005872870935564926, 96.05400743175716),
         ),
         "max_stable_stiffness": Worst(62.75, "theta", (2.25, 3.0, 0.001)),
     },
@@ -105,22 +107,25 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
             ),
         ),
         "passivity_boundary": Worst(
-            3.64, "alpha", (0.002075831638649106, 0.0010831975378096104, 16.37788200378418)
+            5.93, "beta", (0.010557831265032291, 6.075566265362209e-12, 100.0)
         ),
-        "max_passive_stiffness": Worst(2.87, "alpha", (5.356430530548096, 33.400001525878906)),
+        "max_passive_stiffness": Worst(7.13, "beta", (8.998711498175993e-11, 27.05644416809082)),
         "linear_limit": Worst(
             2.07, "alpha", (0.5071318745613098, 1.933349994942546e-05, 3.668694257736206)
         ),
         "passivity_margin": Worst(
-            2.05,
+            3.09,
             "margin",
-            (0.014820418320596218, 1.8654457330703735, 2.8807237845152045e-11, 240.69859313964844),
+            (0.000462411786429584, 0.11287442594766617, 0.01654542051255703, 692.1644287109375),
         ),
-        "max_stable_stiffness": Worst(26.84, "theta", (2.25, 3.0, 0.0010000000474974513)),
+        "max_stable_stiffness": Worst(
+            42.34, "theta", (7.552922248840332, 1.4621795415878296, 0.0010000000474974513)
+        ),
     },
 }
-"""The worst results of 100 000 points a function, of those that touch a searched angle 30 000, of
-what is searched for 10 000; those of earlier records among them."""
+"""The worst results of 100 000 points a function; of those that touch a searched angle 20 000 in
+double and 50 000 in single precision, of what is searched for 4000 and 20 000; those of earlier
+records among them."""
 
 DERIVATIVES: Mapping[str, float] = {
     "discretize_and_derivatives": 7.31,  # n0_by_gamma; n1_by_gamma 4.85, others 4.11

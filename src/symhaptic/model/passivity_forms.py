@@ -133,6 +133,8 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     below = Spread(d, theta)
     curve = 2 * delta * push / below, delta * (Chord(d, theta) - push) / below
     exact = tuple(_normalised(parts, side) for side in passivity.envelope())
+    close = ["behind a fraction of a period no number within 64 last places of that end"]
+    close = close if parts.delay else []
     return Form(
         "passivity_boundary",
         "the wall that is just passive and whose worst angle is theta = omega T",
@@ -142,7 +144,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
             for name, *both in zip(("alpha", "beta"), curve, late, strict=True)
         ),
         (*zip(curve, exact, strict=True), *worst.derived()),
-        domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing"),
+        domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing", *close),
     )
 
 
