@@ -23,7 +23,7 @@ class TraceFormat(StrEnum):
 @app.command()
 def bench(
     quick: Annotated[
-        bool, typer.Option("--quick", help="Fewer points and delays; under a minute.")
+        bool, typer.Option("--quick", help="Fewer points and delays; some two minutes.")
     ] = False,
     output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the record.")] = Path(
         "reports/bench"
