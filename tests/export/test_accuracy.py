@@ -13,6 +13,7 @@ from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns
 from symhaptic.export import device, library, request
 from symhaptic.export.accuracy import ABOVE, GOALS, MEASURED
+from symhaptic.export.precision import SINGLE
 
 needs_gcc = pytest.mark.skipif(
     shutil.which("gcc") is None, reason="no gcc here: exported C is not measured"
@@ -108,3 +109,15 @@ def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Pa
     arrays = columns(form, np.random.default_rng(2), COUNT, precision)
     found = error.compare(form, arrays, run(arrays), precision)
     assert max(off for off, _ in found.values()) > MEASURED[precision]["discretize"].error
+
+
+def test_nothing_is_no_error_only_next_to_the_end_of_a_curve():
+    """Where balls find no wall one last place ahead; NaN anywhere else is infinitely wrong."""
+    (form,) = request.chosen(["passivity_boundary"])
+    for theta, expected in ((0.001858695293776691, 0.0), (0.0015, np.inf)):
+        arrays = [
+            np.array([x], dtype=np.float32) for x in (theta, 2.18916916847229, 1689.2138671875)
+        ]
+        nothing = np.full((2, 1), np.nan, dtype=np.float32)
+        found = error.compare(form, arrays, nothing, SINGLE)
+        assert [off for off, _ in found.values()] == [expected, expected]

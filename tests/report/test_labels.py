@@ -16,7 +16,7 @@ def test_names_of_a_crowd_do_not_collide():
     axes.set(xscale="log", yscale="log", xlim=(1e-8, 1e-1), ylim=(1e-20, 1e3))
     rng = np.random.default_rng(3)
     points = 10.0 ** np.column_stack([rng.uniform(-6, -3, 10), rng.uniform(-15, -2, 10)])
-    place(axes, [(x, y, f"name {i}", "black") for i, (x, y) in enumerate(points)])
+    place((axes, [(x, y, f"name {i}", "black") for i, (x, y) in enumerate(points)], ()))
     renderer = figure.canvas.get_renderer()
     boxes = [text.get_window_extent(renderer) for text in axes.texts]
     assert len(boxes) == 10

@@ -88,7 +88,4 @@ def columns(
     ]
     if precision is SINGLE and "theta" in {s.name for s in form.arguments}:
         np.minimum(arrays[0], precision.below_pi, out=arrays[0])
-    if form.name == "passivity_boundary":  # next to its end no float tells whether there is a wall
-        end: Array = np.pi / (1 + arrays[2].astype(float)) * (1 - 64 * precision.ulp(1.0))
-        np.minimum(arrays[0], end.astype(precision.kind), out=arrays[0])
     return arrays

@@ -32,10 +32,8 @@ GOALS: Mapping[str, float] = {
 """Above this no record may be, but for those of ABOVE."""
 
 ABOVE: Mapping[str, str] = {
-    "stability_boundary": "the worst of 100 000 points in double precision: what numerator "
-    "and denominator lose adds up",
-    "max_passive_stiffness": "in double precision, behind a delay of many periods with a fraction: "
-    "its angle is known to its last place, which beta there feels",
+    "stability_boundary": "alpha at the worst of 100 000 points in double precision, d = 5165",
+    "max_passive_stiffness": "beta at the worst of 20 000 points in double precision, d = 1424.9",
     "max_stable_stiffness": "theta of a flat maximum next to pi, behind a small fraction: at "
     "gamma = 2.25 and delta = 3, where the maximum without delay leaves pi, and d = 0.001",
 }

@@ -4632,7 +4632,7 @@ def passivity_boundary(theta, delta, d):
     theta: angle on the unit circle, omega T [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: 0 < theta < pi, delta >= 0, d >= 0, theta <= pi/(d + 1), beyond which it bounds nothing, behind a fraction of a period no number within 64 last places of that end.
+    Domain: 0 < theta < pi, delta >= 0, d >= 0, theta <= pi/(d + 1), beyond which it bounds nothing, behind a fraction of a period it ends before, where alpha is 0.
     """
     xp, theta, delta, d = arrays(theta, delta, d)
 

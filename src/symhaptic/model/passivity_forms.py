@@ -133,8 +133,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     below = Spread(d, theta)
     curve = 2 * delta * push / below, delta * (Chord(d, theta) - push) / below
     exact = tuple(_normalised(parts, side) for side in passivity.envelope())
-    close = ["behind a fraction of a period no number within 64 last places of that end"]
-    close = close if parts.delay else []
+    ends = ["behind a fraction of a period it ends before, where alpha is 0"] * parts.delay
     return Form(
         "passivity_boundary",
         "the wall that is just passive and whose worst angle is theta = omega T",
@@ -144,7 +143,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
             for name, *both in zip(("alpha", "beta"), curve, late, strict=True)
         ),
         (*zip(curve, exact, strict=True), *worst.derived()),
-        domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing", *close),
+        domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing", *ends),
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from symhaptic.bench.tables import words
 from symhaptic.report.figures import COLOURS
-from symhaptic.report.labels import Panel, place, place_all
+from symhaptic.report.labels import Panel, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -80,7 +80,7 @@ def _functions(record: dict[str, Any], names: list[str], panels: Any) -> None:
             for last in _DIGITS.values():
                 axes.axhline(last, color=GREY, linewidth=0.3, zorder=0)
             placed.append(_ways(axes, [r for r in rows if r["set"] == which]))
-    place_all(placed)
+    place(*placed)
 
 
 def _shown(row: dict[str, Any]) -> bool:
@@ -124,7 +124,7 @@ def _boundary(record: dict[str, Any], panels: Any) -> None:
             names.append((x[-1], y[-1], method, colour))
             lines.append((x, y))
         placed.append((axes, names, lines))
-    place_all(placed)
+    place(*placed)
 
 
 def _stability(record: dict[str, Any], panels: Any) -> None:
@@ -143,7 +143,7 @@ def _stability(record: dict[str, Any], panels: Any) -> None:
         left.plot(x, y, "o-", color=_COLOURS[method], markersize=2.6, linewidth=0.8)
         names.append((x[-1], y[-1], method, _COLOURS[method]))
         lines.append((x, y))
-    placed: list[Panel] = [(left, names, lines)]
+    left_panel: Panel = (left, names, lines)
     right.set(xscale="log", xlim=(3e-3, 3e-16), ylim=(-4, 64))
     right.set_xlabel("relative distance from the boundary")
     right.set_ylabel("wrong verdicts in %")
@@ -162,7 +162,7 @@ def _stability(record: dict[str, Any], panels: Any) -> None:
         last = y
         top = len(x) - 1 if max(y) else len(x) // 2
         names.append((x[top], y[top], method, _COLOURS[method]))
-    place_all([*placed, (right, names, lines)])
+    place(left_panel, (right, names, lines))
 
 
 def _models(record: dict[str, Any], axes: Axes) -> None:
@@ -182,4 +182,4 @@ def _models(record: dict[str, Any], axes: Axes) -> None:
         colour = _COLOURS[row["model"]]
         axes.plot(row["seconds"], row["median"], "o", color=colour, markersize=3.2)
         names.append((row["seconds"], row["median"], f"{row['model']}, $d={row['delay']}$", colour))
-    place(axes, names)
+    place((axes, names, ()))

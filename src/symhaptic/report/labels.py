@@ -27,12 +27,7 @@ Panel = tuple["Axes", Sequence[Named], Sequence[tuple[Any, Any]]]
 """Axes, the names in them, and lines, of which each has its x and y."""
 
 
-def place(axes: Axes, names: Sequence[Named], lines: Sequence[tuple[Any, Any]] = ()) -> None:
-    """The same in the one panel of a figure."""
-    place_all([(axes, names, lines)])
-
-
-def place_all(panels: Sequence[Panel]) -> None:
+def place(*panels: Panel) -> None:
     """Write each name beside its point, clear of all lines, in panels of one figure.
 
     A name that had to go far is joined to its point by a thin line.  The limits of the axes must
