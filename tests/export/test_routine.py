@@ -10,7 +10,8 @@ from sympy import Max, Piecewise
 from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export import device, device_series
-from symhaptic.export.branches import Assign, Choice, Join, Set, lazy
+from symhaptic.export.blocks import Assign, Choice, Join, Set
+from symhaptic.export.branches import lazy
 from symhaptic.export.library import known
 from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.routine import ProductError, Repeat, names

@@ -14,7 +14,8 @@ from sympy import Expr, Symbol
 
 from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFTEST
 from symhaptic.export.array_scope import ArrayPrinter, Scope
-from symhaptic.export.branches import functional, lazy
+from symhaptic.export.blocks import functional
+from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library, known
 from symhaptic.export.precision import SINGLE
 from symhaptic.export.routine import Repeat, Routine, Step

@@ -8,7 +8,7 @@ import sympy as sp
 from sympy import Expr, Piecewise, Symbol
 from sympy.printing.pycode import PythonCodePrinter
 
-from symhaptic.export.branches import (
+from symhaptic.export.blocks import (
     Assign,
     Block,
     Choice,

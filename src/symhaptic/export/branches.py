@@ -6,59 +6,14 @@ Each step is done only where its value is used, so that what a condition rules o
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
 from sympy import Expr, Function, Piecewise, Symbol
 from sympy.logic.boolalg import Boolean
 
+from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, Statement
 from symhaptic.export.routine import Repeat, Routine, names
-
-
-@dataclass(frozen=True)
-class Assign:
-    """``name = expr``."""
-
-    name: Symbol
-    expr: Expr
-
-
-@dataclass(frozen=True)
-class Choice:
-    """One block where a condition holds, another one where it does not."""
-
-    condition: Boolean
-    yes: Block
-    no: Block
-
-
-@dataclass(frozen=True)
-class Join:
-    """The same, after which the names have values and the work goes on."""
-
-    names: tuple[Symbol, ...]
-    condition: Boolean
-    yes: Block
-    no: Block
-
-
-@dataclass(frozen=True)
-class Set:
-    """A name of the join around it gets its value."""
-
-    name: Symbol
-    expr: Expr
-
-
-@dataclass(frozen=True)
-class Return:
-    """The results, which end the routine."""
-
-    results: tuple[Expr, ...]
-
-
-Block = tuple[Assign | Repeat | Choice | Join | Set | Return, ...]
 
 
 @cache
@@ -105,7 +60,7 @@ class _Lazy:
         exprs = {s: self.known[s].xreplace(facts) for s in needed if s in self.known}
         always = self._always(wanted, exprs, done)
         left = sorted(always, key=self.order.__getitem__)
-        written: list[Assign | Repeat | Choice | Join | Set | Return] = []
+        written: list[Statement] = []
         done = set(done)
         while left:
             loops = [self.loops[s] for s in left if s in self.loops]
@@ -242,69 +197,3 @@ def parted(expr: Piecewise) -> tuple[Boolean, Expr, Expr]:
     """The first condition of a choice, the value there, and what holds else."""
     (yes, condition), *others = expr.args
     return condition, yes, (Piecewise(*others) if len(others) > 1 else others[0][0])
-
-
-# -- what a block is made of ------------------------------------------------------------
-
-Statement = Assign | Repeat | Choice | Join | Set | Return
-
-
-def expressions(statement: Statement) -> tuple[Expr, ...]:
-    """What a statement computes itself, the conditions of a choice included."""
-    if isinstance(statement, (Assign, Set)):
-        return (statement.expr,)
-    if isinstance(statement, Repeat):
-        return statement.start
-    return statement.results if isinstance(statement, Return) else (statement.condition,)
-
-
-def functional(block: Block) -> Block:
-    """The same with sides that return the values of the names that are set in them."""
-    found: list[Statement] = []
-    for statement in block:
-        if isinstance(statement, Set):
-            found.append(Assign(statement.name, statement.expr))
-        elif isinstance(statement, Join):
-            names = statement.names or _set_in(statement.yes)
-            yes, no = ((*functional(side), Return(names)) for side in (statement.yes, statement.no))
-            found.append(Join(names, statement.condition, yes, no))
-        elif isinstance(statement, Choice):
-            sides = functional(statement.yes), functional(statement.no)
-            found.append(Choice(statement.condition, *sides))
-        else:
-            found.append(statement)
-    return tuple(found)
-
-
-def _set_in(block: Block) -> tuple[Symbol, ...]:
-    names: list[Symbol] = []
-    for statement in block:
-        if isinstance(statement, Set):
-            names.append(statement.name)
-        elif isinstance(statement, Join) and not statement.names:
-            names += _set_in(statement.yes)
-    return tuple(names)
-
-
-def inputs(block: Block) -> list[Symbol]:
-    """What a block needs to be given, by name."""
-    needed: set[Symbol] = set()
-    done: set[Symbol] = set()
-    for statement in block:
-        for expr in expressions(statement):
-            needed |= expr.free_symbols - done
-        if isinstance(statement, (Choice, Join)):
-            needed |= {s for b in (statement.yes, statement.no) for s in inputs(b)} - done
-        elif isinstance(statement, Repeat):
-            needed |= statement.free_symbols - done
-        done |= set(made(statement))
-    return sorted(needed, key=str)
-
-
-def made(statement: Statement) -> tuple[Symbol, ...]:
-    """The names that a statement makes known."""
-    if isinstance(statement, Repeat):
-        return statement.states
-    if isinstance(statement, Join):
-        return statement.names
-    return (statement.name,) if isinstance(statement, (Assign, Set)) else ()

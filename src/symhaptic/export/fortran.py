@@ -7,7 +7,8 @@ from types import MappingProxyType
 
 from sympy.printing.fortran import FCodePrinter
 
-from symhaptic.export.branches import Assign, Block, Choice, Join, Set, lazy
+from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
+from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Repeat, Routine

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from symhaptic.export.branches import Assign, Block, Choice, Join, Set
+from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
 from symhaptic.export.routine import Repeat
 from symhaptic.export.target import Target
 

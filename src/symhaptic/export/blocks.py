@@ -1,0 +1,117 @@
+"""What a routine's order of work is made of: blocks of statements, some with blocks inside."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sympy import Expr, Symbol
+from sympy.logic.boolalg import Boolean
+
+from symhaptic.export.routine import Repeat
+
+
+@dataclass(frozen=True)
+class Assign:
+    """``name = expr``."""
+
+    name: Symbol
+    expr: Expr
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One block where a condition holds, another one where it does not."""
+
+    condition: Boolean
+    yes: Block
+    no: Block
+
+
+@dataclass(frozen=True)
+class Join:
+    """The same, after which the names have values and the work goes on."""
+
+    names: tuple[Symbol, ...]
+    condition: Boolean
+    yes: Block
+    no: Block
+
+
+@dataclass(frozen=True)
+class Set:
+    """A name of the join around it gets its value."""
+
+    name: Symbol
+    expr: Expr
+
+
+@dataclass(frozen=True)
+class Return:
+    """The results, which end the routine."""
+
+    results: tuple[Expr, ...]
+
+
+Statement = Assign | Repeat | Choice | Join | Set | Return
+Block = tuple[Statement, ...]
+
+
+def expressions(statement: Statement) -> tuple[Expr, ...]:
+    """What a statement computes itself, the conditions of a choice included."""
+    if isinstance(statement, (Assign, Set)):
+        return (statement.expr,)
+    if isinstance(statement, Repeat):
+        return statement.start
+    return statement.results if isinstance(statement, Return) else (statement.condition,)
+
+
+def functional(block: Block) -> Block:
+    """The same with sides that return the values of the names that are set in them."""
+    found: list[Statement] = []
+    for statement in block:
+        if isinstance(statement, Set):
+            found.append(Assign(statement.name, statement.expr))
+        elif isinstance(statement, Join):
+            names = statement.names or _set_in(statement.yes)
+            yes, no = ((*functional(side), Return(names)) for side in (statement.yes, statement.no))
+            found.append(Join(names, statement.condition, yes, no))
+        elif isinstance(statement, Choice):
+            sides = functional(statement.yes), functional(statement.no)
+            found.append(Choice(statement.condition, *sides))
+        else:
+            found.append(statement)
+    return tuple(found)
+
+
+def _set_in(block: Block) -> tuple[Symbol, ...]:
+    names: list[Symbol] = []
+    for statement in block:
+        if isinstance(statement, Set):
+            names.append(statement.name)
+        elif isinstance(statement, Join) and not statement.names:
+            names += _set_in(statement.yes)
+    return tuple(names)
+
+
+def inputs(block: Block) -> list[Symbol]:
+    """What a block needs to be given, by name."""
+    needed: set[Symbol] = set()
+    done: set[Symbol] = set()
+    for statement in block:
+        for expr in expressions(statement):
+            needed |= expr.free_symbols - done
+        if isinstance(statement, (Choice, Join)):
+            needed |= {s for b in (statement.yes, statement.no) for s in inputs(b)} - done
+        elif isinstance(statement, Repeat):
+            needed |= statement.free_symbols - done
+        done |= set(made(statement))
+    return sorted(needed, key=str)
+
+
+def made(statement: Statement) -> tuple[Symbol, ...]:
+    """The names that a statement makes known."""
+    if isinstance(statement, Repeat):
+        return statement.states
+    if isinstance(statement, Join):
+        return statement.names
+    return (statement.name,) if isinstance(statement, (Assign, Set)) else ()
