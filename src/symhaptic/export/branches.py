@@ -13,7 +13,7 @@ from sympy import Expr, Function, Piecewise, Symbol
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, Statement
-from symhaptic.export.routine import Repeat, Routine, names
+from symhaptic.export.routine import ProductError, Repeat, Routine, names
 
 
 @cache
@@ -81,7 +81,8 @@ class _Lazy:
             split = [s for s in left if s in exprs
                      and waiting.isdisjoint(self._closure((exprs[s],), done))]  # fmt: skip
             condition = parted(exprs[split[0]])[0]
-            together = tuple(s for s in split if parted(exprs[s])[0] == condition)
+            group = [s for s in split if parted(exprs[s])[0] == condition]
+            together = tuple(self._joined(group, condition, exprs, done, waiting))
             yes, no = (
                 self._arm([(s, parted(exprs[s])[side]) for s in together], done,
                           facts | _decided(condition, value))
@@ -92,17 +93,51 @@ class _Lazy:
             done |= set(together)
         return tuple(written), done
 
+    def _joined(
+        self,
+        group: list[Symbol],
+        condition: Boolean,
+        exprs: dict[Symbol, Expr],
+        done: set[Symbol],
+        waiting: set[Symbol],
+    ) -> list[Symbol]:
+        """The group, and what some branch will ask for later by the same condition.
+
+        Only where that calls what the group calls anyway, and nothing else: else an exponential
+        would be found anew in each of these branches.
+        """
+        sides = [[parted(exprs[s])[side] for s in group] for side in (1, 2)]
+        called = [self._called(side, done) for side in sides]
+        joined = list(group)
+        for s, expr in exprs.items():
+            asks = isinstance(expr, Piecewise) and parted(expr)[0] == condition
+            if s in done or s in joined or not asks:
+                continue
+            arms = parted(expr)[1:]
+            if not (waiting - set(group)).isdisjoint(self._closure(arms, done)):
+                continue
+            own = [self._called((arm,), done) for arm in arms]
+            if any(map(_calls, arms)) or not all(map(set.issuperset, called, own)):
+                continue
+            if any(own):
+                joined.append(s)
+        return sorted(joined, key=self.order.__getitem__)
+
+    def _called(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
+        """The steps among all that the expressions may need that call something costly."""
+        return {s for s in self._closure(wanted, done)
+                if s in self.known and _costs(self.known[s])}  # fmt: skip
+
     def _arm(self, values: list[tuple[Symbol, Expr]], done: set[Symbol], facts: Facts) -> Block:
         """One side of a join; values that choose again by one condition share that branch."""
         values = [(s, e.xreplace(facts)) for s, e in values]
         chosen = [e for _, e in values if isinstance(e, Piecewise) and self._heavy(e, done)]
         plain = [(s, e) for s, e in values if e not in chosen]
-        steps, done = self._steps([e for _, e in plain], done, facts)
+        steps, done = self._steps([e for _, e in values], done, facts)
         written = [*steps, *(Set(s, e) for s, e in plain)]
         while chosen:
             condition = parted(chosen[0])[0]
             group = [(s, e) for s, e in values if e in chosen and parted(e)[0] == condition]
-            more, done = self._steps((condition,), done, facts)
             sides = [
                 self._arm(
                     [(s, parted(e)[side]) for s, e in group],
@@ -111,7 +146,7 @@ class _Lazy:
                 )
                 for side, value in ((1, sp.true), (2, sp.false))
             ]
-            written += [*more, Join((), condition, *sides)]
+            written.append(Join((), condition, *sides))
             chosen = [e for e in chosen if parted(e)[0] != condition]
         return tuple(written)
 
@@ -136,22 +171,35 @@ class _Lazy:
     ) -> set[Symbol]:
         """Steps that the expressions need whichever branch is taken inside them."""
         found: set[Symbol] = set()
-        left = [s for e in wanted for s in _free(e)]
+        left = list(wanted)
         while left:
-            symbol = left.pop()
-            if symbol in found or symbol in done:
+            expr = left.pop()
+            if isinstance(expr, Piecewise) and self._heavy(expr, done):
+                condition, *arms = parted(expr)
+                left.append(condition)
+                yes, no = (self._always((arm,), exprs, done | found) for arm in arms)
+                found |= (yes & no) - self._asking(yes & no, condition, done)
                 continue
-            if symbol in self.loops:
-                found |= set(self.loops[symbol].states)
-                left += self.loops[symbol].free_symbols
-                continue
-            if symbol not in exprs:
-                continue
-            found.add(symbol)
-            expr = exprs[symbol]
-            heavy = isinstance(expr, Piecewise) and self._heavy(expr, done)
-            left += _free(parted(expr)[0] if heavy else expr)
+            for symbol in _free(expr) - done - found:
+                if symbol in self.loops:
+                    found |= set(self.loops[symbol].states)
+                    left += self.loops[symbol].free_symbols
+                elif symbol in exprs:
+                    found.add(symbol)
+                    left.append(exprs[symbol])
         return found
+
+    def _asking(self, steps: set[Symbol], condition: Boolean, done: set[Symbol]) -> set[Symbol]:
+        """Those of the steps that are others where the condition is decided."""
+        asking: set[Symbol] = set()
+        for s in sorted(self._closure(steps, done), key=self.order.__getitem__):
+            expr = self.known.get(s)
+            if expr is not None and (
+                (isinstance(expr, Piecewise) and parted(expr)[0] == condition)
+                or not asking.isdisjoint(_free(expr))
+            ):
+                asking.add(s)
+        return asking
 
     def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:
         """Whether a choice has work in it: steps of its own, or calls."""
@@ -182,6 +230,13 @@ def _calls(expr: Expr) -> bool:
     return bool(expr.atoms(Function) - expr.atoms(Piecewise, sp.Abs))
 
 
+@cache
+def _costs(expr: Expr) -> bool:
+    """Whether a function is in it that takes longer than a power series."""
+    called = expr.atoms(Function) - expr.atoms(Piecewise, sp.Abs, ProductError)
+    return any(not type(call).__name__.endswith("Series") for call in called)
+
+
 def _chosen_alike(results: tuple[Expr, ...]) -> bool:
     """Whether all results choose by the same condition first."""
     return all(isinstance(r, Piecewise) for r in results) and (
@@ -193,6 +248,7 @@ def _decided(condition: Boolean, value: Boolean) -> Facts:
     return {condition: value, sp.Not(condition): sp.Not(value)}
 
 
+@cache
 def parted(expr: Piecewise) -> tuple[Boolean, Expr, Expr]:
     """The first condition of a choice, the value there, and what holds else."""
     (yes, condition), *others = expr.args

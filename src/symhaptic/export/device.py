@@ -216,9 +216,8 @@ def nyquist() -> Routine:
     grown, turned = _halved(do, m, v, cos)
     c = _creeping(do, m)
     ends = do("ends", 1 + exp(-delta))
-    swing = choose(
-        v.even > 0, ends + 2 * v.envelope * (v.even + v.even_low), 4 * (grown**2 + turned)
-    )
+    even = do("even", v.even + v.even_low)
+    swing = choose(even > 0, ends + 2 * v.envelope * even, 4 * (grown**2 + turned))
     creep = (1 + c.slow.fall) * (1 + c.slow.fall * c.apart.fall)
     return do.routine("Nyquist", "1 + a + e", (gamma, delta), choose(m.w < 0, swing, creep))
 

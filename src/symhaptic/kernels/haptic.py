@@ -1860,40 +1860,40 @@ def apart_single(xp, gamma, delta):
             return lost24 + total25
 
         def no(delta, gamma, half, rest2, root, size, total, total2, total3):
-            whole2 = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole2
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back2 = total3 - half
+            lost2 = root - back2
+            p_low = lost2 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
             rate = q
             rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+            whole = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
 
-            def yes(gamma, half, q, rest2, root, size, total, total2, total3, whole2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back2 = total3 - half
-                lost2 = root - back2
-                p_low = lost2 + root_low
-                off = gamma - q*whole2
-                whole2_halves = halves(xp, whole2)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole2*q, whole2_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole2
+            def yes(q, q_low):
                 given = q
                 total4 = 1.0 - 0.5*given
-                back2 = total4 - 1.0
-                lost2 = -back2 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
                 curved = (given*given)*decay_series(xp, given)
                 total5 = curved + total4
-                back2 = total5 - total4
-                lost5 = curved - back2
-                mean_low = lost2 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
                 total4 = given*total5
                 total4 = 1.0 - total4
                 fall_ = total4
@@ -1901,66 +1901,39 @@ def apart_single(xp, gamma, delta):
                 mean_low = mean_low
                 return fall_, mean, mean_low
 
-            def no(gamma, half, q, rest2, root, size, total, total2, total3, whole2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back2 = total3 - half
-                lost2 = root - back2
-                p_low = lost2 + root_low
-                off = gamma - q*whole2
-                whole2_halves = halves(xp, whole2)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole2*q, whole2_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole2
+            def no(q, q_low):
                 sunk = xp.exp(-q)
                 sunk_low = -q_low*sunk
                 total8 = 1.0 - sunk
-                back2 = total8 - 1.0
-                lost2 = -back2 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
                 bottom = q
                 total9 = total8/bottom
-                left = total8 - bottom*total9
+                left4 = total8 - bottom*total9
                 total9_halves = halves(xp, total9)
                 bottom_halves = halves(xp, bottom)
-                left = left - product_error(total9*bottom, total9_halves, bottom_halves)
-                left = left + lost2 - q_low*total9 - sunk_low
-                lost2 = left/bottom
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
                 fall_ = sunk
                 mean = total9
-                mean_low2 = lost2
+                mean_low2 = lost8
                 return fall_, mean, mean_low2
 
-            fall_, mean, mean_low2 = select(xp, rate < 0.75, yes, (gamma, half, q, rest2, root, size, total, total2, total3, whole2), no, (gamma, half, q, rest2, root, size, total, total2, total3, whole2))
+            fall_, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
 
             twice = 2.0*fall_
 
-            def yes(rest2, root, size, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
+            def yes(root, root_low):
                 given2 = 2.0*root
                 total10 = 1.0 - 0.5*given2
-                back2 = total10 - 1.0
-                lost2 = -back2 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
                 curved2 = (given2*given2)*decay_series(xp, given2)
                 total11 = curved2 + total10
-                back2 = total11 - total10
-                lost11 = curved2 - back2
-                mean_low3 = lost2 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
                 total10 = given2*total11
                 total10 = 1.0 - total10
                 fall2 = total10
@@ -1968,54 +1941,45 @@ def apart_single(xp, gamma, delta):
                 mean_low3 = mean_low3
                 return fall2, mean2, mean_low3
 
-            def no(rest2, root, size, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
+            def no(root, root_low):
                 sunk2 = xp.exp(-2.0*root)
                 sunk_low2 = -2.0*root_low*sunk2
                 total14 = 1.0 - sunk2
-                back2 = total14 - 1.0
-                lost2 = -back2 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
                 bottom2 = 2.0*root
                 total15 = total14/bottom2
-                left = total14 - bottom2*total15
+                left7 = total14 - bottom2*total15
                 total15_halves = halves(xp, total15)
                 bottom2_halves = halves(xp, bottom2)
-                left = left - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left = left + lost2 - 2.0*root_low*total15 - sunk_low2
-                lost2 = left/bottom2
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
                 fall2 = sunk2
                 mean2 = total15
-                mean_low4 = lost2
+                mean_low4 = lost14
                 return fall2, mean2, mean_low4
 
-            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (rest2, root, size, total, total2), no, (rest2, root, size, total, total2))
+            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
             fast = fall_*fall2
             total16 = mean2*twice
             twice_halves = halves(xp, twice)
             mean2_halves = halves(xp, mean2)
-            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            lost2 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
             total17 = mean - total16
-            back12 = total17 - mean
-            rest3 = total17 - back12
+            back2 = total17 - mean
+            rest3 = total17 - back2
             one2 = mean - rest3
-            two2 = -back12 - total16
+            two2 = -back2 - total16
             lost17 = one2 + two2
             total16 = fast*mean
             fast_halves = halves(xp, fast)
             mean_halves = halves(xp, mean)
             lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
             top = total17 + total16
-            low = lost17 - lost16 + lost18 + mean_low2
-            return (low + top)/whole3
+            low = lost17 - lost2 + lost18 + mean_low2
+            return (low + top)/whole
 
         return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, rest2, root, size, total, total2, total3))
 
@@ -2397,47 +2361,35 @@ def nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_
 
     def yes(delta, half, lost2, root, root_low, total2):
 
-        def yes(total2):
+        def yes(lost2, total2):
             given = total2
             total4 = 0.5*given + 1.0
+            back4 = total4 - 1.0
+            lost4 = 0.5*given - back4
             curved = (given*given)*cos_series(xp, given)
-            total4 = curved + total4
-            even = total4
-            return even
+            total5 = curved + total4
+            back4 = total5 - total4
+            lost5 = curved - back4
+            even_low = 0.5*lost2 + lost4 + lost5
+            even = total5
+            even_low = even_low
+            return even, even_low
 
-        def no(root):
+        def no(root, root_low):
+            sine = xp.sin(root)
             cosine = xp.cos(root)
             even = cosine
-            return even
+            even_low2 = -root_low*sine
+            return even, even_low2
 
-        even = select(xp, total2 > -1.5, yes, (total2,), no, (root,))
+        even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
 
+        even2 = even + even_low2
 
-        def yes(delta, even, half, lost2, root, root_low, total2):
+        def yes(delta, even2, half):
             envelope = xp.exp(-half)
             ends = 1.0 + xp.exp(-delta)
-
-            def yes(lost2, total2):
-                given = total2
-                total4 = 0.5*given + 1.0
-                back4 = total4 - 1.0
-                lost4 = 0.5*given - back4
-                curved = (given*given)*cos_series(xp, given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                even_low = 0.5*lost2 + lost4 + lost5
-                even_low = even_low
-                return even_low
-
-            def no(root, root_low):
-                sine = xp.sin(root)
-                even_low2 = -root_low*sine
-                return even_low2
-
-            even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
-
-            return ends + 2.0*envelope*(even + even_low2)
+            return ends + 2.0*envelope*even2
 
         def no(half, root, root_low):
             envelope = xp.exp(-half)
@@ -2447,7 +2399,7 @@ def nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_
             wave = wave - 0.5*root_low*xp.sin(angle)
             return 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
 
-        return select(xp, even > 0.0, yes, (delta, even, half, lost2, root, root_low, total2), no, (half, root, root_low))
+        return select(xp, even2 > 0.0, yes, (delta, even2, half), no, (half, root, root_low))
 
     def no(q, root):
         rate = q
@@ -2577,7 +2529,6 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
 
 
     def yes(alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far):
-        late2 = d + 2.0
 
         def yes(disc4, near0, near1, square):
             positive = disc4
@@ -2644,47 +2595,6 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             return low, high
 
         low, high = select(xp, near1 >= 0.0, yes, (disc4, near0, near1, square), no, (disc4, near0, near1, square))
-
-
-        def yes(disc4, own0, own1):
-            positive = disc4
-            root = square_root(xp, positive)
-            q2 = -0.5*own1 - 0.5*root
-
-            def yes(q2):
-                two2 = -1.0
-                return two2
-
-            def no(own0, q2):
-                own3 = q2
-                two2 = own0/own3
-                return two2
-
-            two2 = select(xp, q2 == 0.0, yes, (q2,), no, (own0, q2))
-
-            high2 = two2
-            return high2
-
-        def no(disc4, own1, own2):
-
-            def yes(own2):
-                one2 = -1.0
-                return one2
-
-            def no(disc4, own1, own2):
-                positive = disc4
-                root = square_root(xp, positive)
-                q2 = 0.5*root - 0.5*own1
-                lead2 = own2
-                one2 = q2/lead2
-                return one2
-
-            one2 = select(xp, own2 == 0.0, yes, (own2,), no, (disc4, own1, own2))
-
-            high2 = one2
-            return high2
-
-        high2 = select(xp, own1 >= 0.0, yes, (disc4, own0, own1), no, (disc4, own1, own2))
 
 
         def yes(disc4, far0, far1, square):
@@ -2754,10 +2664,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
         low3, high3 = select(xp, far1 >= 0.0, yes, (disc4, far0, far1, square), no, (disc4, far0, far1, square))
 
         edge = xp.where(high3 > low, low, high3)
-        case1 = high < low3
-        edge2 = xp.where(case1, high, low3)
-        away2 = xp.where((beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge2 > xp.abs(high2)), high2, xp.where(case1, high - center, beyond - low3))
-        x4 = away2*(-2.0*e - 2.0)
+        edge2 = xp.where(high < low3, high, low3)
 
         def yes(alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far):
             late = d + 2.0
@@ -2834,59 +2741,104 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             even = xp.floor(0.5*halves3)
             left = 0.5*halves3 - even
             turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
-            total = 2.0*turns
-            return total
+            found = 2.0*turns
+            return found
 
         def no(edge):
-            total = 0.0
-            return total
+            found = 0.0
+            return found
 
-        total = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far), no, (edge,))
+        found = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far), no, (edge,))
 
+        total = found
 
-        def yes(beyond, center, edge2, high, high2, low3):
+        def yes(alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far):
+            late2 = d + 2.0
+
+            def yes(disc4, own0, own1):
+                positive = disc4
+                root = square_root(xp, positive)
+                q2 = -0.5*own1 - 0.5*root
+
+                def yes(q2):
+                    two2 = -1.0
+                    return two2
+
+                def no(own0, q2):
+                    own3 = q2
+                    two2 = own0/own3
+                    return two2
+
+                two2 = select(xp, q2 == 0.0, yes, (q2,), no, (own0, q2))
+
+                high2 = two2
+                return high2
+
+            def no(disc4, own1, own2):
+
+                def yes(own2):
+                    one2 = -1.0
+                    return one2
+
+                def no(disc4, own1, own2):
+                    positive = disc4
+                    root = square_root(xp, positive)
+                    q2 = 0.5*root - 0.5*own1
+                    lead2 = own2
+                    one2 = q2/lead2
+                    return one2
+
+                one2 = select(xp, own2 == 0.0, yes, (own2,), no, (disc4, own1, own2))
+
+                high2 = one2
+                return high2
+
+            high2 = select(xp, own1 >= 0.0, yes, (disc4, own0, own1), no, (disc4, own1, own2))
+
             case1 = high < low3
             case2 = (beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge2 > xp.abs(high2))
             at4 = xp.where(case2, center + high2, xp.where(case1, high, 4.0 - low3))
             still4 = xp.where(case2, beyond - high2, xp.where(case1, 4.0 - high, low3))
+            away2 = xp.where(case2, high2, xp.where(case1, high - center, beyond - low3))
             at4 = at4
             still4 = still4
-            return at4, still4
+            at4 = xp.where(0.0 > at4, 0.0, at4)
+            still4 = xp.where(0.0 > still4, 0.0, still4)
+            sine3 = 2.0*square_root(xp, at4*still4)
+            x4 = away2*(-2.0*e - 2.0)
+            y4 = loss*sine3
+            case3 = x4 < 0.0
+            halves5 = xp.where(case3, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
+            turned4 = xp.atan2(xp.where(case3, -y4, y4), xp.abs(x4))
+            x4 = still4*together_ - apart_*at4
+            y4 = n1*sine3
+            case4 = x4 < 0.0
+            halves6 = xp.where(case4, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
+            turned5 = xp.atan2(xp.where(case4, -y4, y4), xp.abs(x4))
+            x4 = alpha*still4 - at4*wall_far
+            y4 = sine3*slope
+            case5 = x4 < 0.0
+            halves7 = xp.where(case5, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
+            turned6 = xp.atan2(xp.where(case5, -y4, y4), xp.abs(x4))
+            case6 = at4 > 2.0
+            half2 = xp.atan2(xp.where(case6, square_root(xp, still4), square_root(xp, at4)), xp.where(case6, square_root(xp, at4), square_root(xp, still4)))
+            halves7 = halves6 - halves5 + halves7 - xp.where(case6, late2, 0.0)
+            share2 = 0.5*(turned5 - late2*xp.where(case6, -2.0*half2, 2.0*half2) - turned4 + turned6)/3.141592653589793
+            even2 = xp.floor(0.5*halves7)
+            left2 = 0.5*halves7 - even2
+            turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0, xp.floor(left2 + share2 + 0.5))
+            found2 = -2.0*turns2
+            return found2
 
         def no(edge2):
-            at5 = 2.0
-            still5 = 2.0
-            return at5, still5
+            found2 = 0.0
+            return found2
 
-        at5, still5 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes, (beyond, center, edge2, high, high2, low3), no, (edge2,))
+        found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far), no, (edge2,))
 
-        at6 = xp.where(0.0 > at5, 0.0, at5)
-        still6 = xp.where(0.0 > still5, 0.0, still5)
-        sine3 = 2.0*square_root(xp, at6*still6)
-        y4 = loss*sine3
-        case2 = x4 < 0.0
-        halves5 = xp.where(case2, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
-        turned4 = xp.atan2(xp.where(case2, -y4, y4), xp.abs(x4))
-        x4 = still6*together_ - apart_*at6
-        y4 = n1*sine3
-        case3 = x4 < 0.0
-        halves6 = xp.where(case3, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
-        turned5 = xp.atan2(xp.where(case3, -y4, y4), xp.abs(x4))
-        x4 = alpha*still6 - at6*wall_far
-        y4 = sine3*slope
-        case4 = x4 < 0.0
-        halves7 = xp.where(case4, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
-        turned6 = xp.atan2(xp.where(case4, -y4, y4), xp.abs(x4))
-        case5 = at6 > 2.0
-        half2 = xp.atan2(xp.where(case5, square_root(xp, still6), square_root(xp, at6)), xp.where(case5, square_root(xp, at6), square_root(xp, still6)))
-        halves7 = halves6 - halves5 + halves7 - xp.where(case5, late2, 0.0)
-        share2 = 0.5*(turned5 - late2*xp.where(case5, -2.0*half2, 2.0*half2) - turned4 + turned6)/3.141592653589793
-        even2 = xp.floor(0.5*halves7)
-        left2 = 0.5*halves7 - even2
-        turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0, xp.floor(left2 + share2 + 0.5))
-        total2 = total + xp.where((edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), -2.0*turns2, 0.0)
-        total2 = total2
-        return total2
+        total = found2 + total
+        total = total
+        return total
 
     def no(disc4):
         total3 = 0.0
@@ -2925,182 +2877,108 @@ def cos_next_single(xp, k, x):
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
 
     def yes(angle, count, k, quarters, turn_, x):
+        before = count - 1.0
+        missed = k - before
+        left = angle - 1.5707963705062866*quarters
+        quarters_halves = halves(xp, quarters)
+        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        back = total - left
+        rest = total - back
+        one = left - rest
+        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        lost = one + two
+        total2 = 4.371138828673793e-08*quarters + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = 4.371138828673793e-08*quarters - back
+        lost2 = one + two
+        count_halves = halves(xp, count)
+        x_halves = halves(xp, x)
+        total = total2 + product_error(count*x, count_halves, x_halves)
+        back = total - total2
+        rest = total - back
+        one = total2 - rest
+        two = product_error(count*x, count_halves, x_halves) - back
+        lost3 = one + two
+        total2 = missed*x + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = missed*x - back
+        lost4 = one + two
+        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        missed_halves = halves(xp, missed)
+        low = low + product_error(missed*x, missed_halves, x_halves)
+        wave = xp.sin(total2)
+        still = xp.cos(total2)
 
-        def yes(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            sine = low*still + wave
+        def yes(low2, still, wave):
+            sine = low2*still + wave
             value = sine
             return value
 
-        def no(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            cosine = still - low*wave
+        def no(low2, still, wave):
+            cosine = still - low2*wave
             value = cosine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
 
         return -value
 
     def no(angle, count, k, quarters, turn_, x):
+        before = count - 1.0
+        missed = k - before
+        left = angle - 1.5707963705062866*quarters
+        quarters_halves = halves(xp, quarters)
+        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        back = total - left
+        rest = total - back
+        one = left - rest
+        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        lost = one + two
+        total2 = 4.371138828673793e-08*quarters + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = 4.371138828673793e-08*quarters - back
+        lost2 = one + two
+        count_halves = halves(xp, count)
+        x_halves = halves(xp, x)
+        total = total2 + product_error(count*x, count_halves, x_halves)
+        back = total - total2
+        rest = total - back
+        one = total2 - rest
+        two = product_error(count*x, count_halves, x_halves) - back
+        lost3 = one + two
+        total2 = missed*x + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = missed*x - back
+        lost4 = one + two
+        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        missed_halves = halves(xp, missed)
+        low = low + product_error(missed*x, missed_halves, x_halves)
+        wave = xp.sin(total2)
+        still = xp.cos(total2)
 
-        def yes(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            sine = low*still + wave
+        def yes(low2, still, wave):
+            sine = low2*still + wave
             value = sine
             return value
 
-        def no(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            cosine = still - low*wave
+        def no(low2, still, wave):
+            cosine = still - low2*wave
             value = cosine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
 
         return value
 
@@ -3122,182 +3000,108 @@ def sin_next_single(xp, k, x):
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
 
     def yes(angle, count, k, quarters, turn_, x):
+        before = count - 1.0
+        missed = k - before
+        left = angle - 1.5707963705062866*quarters
+        quarters_halves = halves(xp, quarters)
+        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        back = total - left
+        rest = total - back
+        one = left - rest
+        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        lost = one + two
+        total2 = 4.371138828673793e-08*quarters + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = 4.371138828673793e-08*quarters - back
+        lost2 = one + two
+        count_halves = halves(xp, count)
+        x_halves = halves(xp, x)
+        total = total2 + product_error(count*x, count_halves, x_halves)
+        back = total - total2
+        rest = total - back
+        one = total2 - rest
+        two = product_error(count*x, count_halves, x_halves) - back
+        lost3 = one + two
+        total2 = missed*x + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = missed*x - back
+        lost4 = one + two
+        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        missed_halves = halves(xp, missed)
+        low = low + product_error(missed*x, missed_halves, x_halves)
+        wave = xp.sin(total2)
+        still = xp.cos(total2)
 
-        def yes(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            cosine = still - low*wave
+        def yes(low2, still, wave):
+            cosine = still - low2*wave
             value = cosine
             return value
 
-        def no(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            sine = low*still + wave
+        def no(low2, still, wave):
+            sine = low2*still + wave
             value = sine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
 
         return -value
 
     def no(angle, count, k, quarters, turn_, x):
+        before = count - 1.0
+        missed = k - before
+        left = angle - 1.5707963705062866*quarters
+        quarters_halves = halves(xp, quarters)
+        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        back = total - left
+        rest = total - back
+        one = left - rest
+        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+        lost = one + two
+        total2 = 4.371138828673793e-08*quarters + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = 4.371138828673793e-08*quarters - back
+        lost2 = one + two
+        count_halves = halves(xp, count)
+        x_halves = halves(xp, x)
+        total = total2 + product_error(count*x, count_halves, x_halves)
+        back = total - total2
+        rest = total - back
+        one = total2 - rest
+        two = product_error(count*x, count_halves, x_halves) - back
+        lost3 = one + two
+        total2 = missed*x + total
+        back = total2 - total
+        rest = total2 - back
+        one = total - rest
+        two = missed*x - back
+        lost4 = one + two
+        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        missed_halves = halves(xp, missed)
+        low = low + product_error(missed*x, missed_halves, x_halves)
+        wave = xp.sin(total2)
+        still = xp.cos(total2)
 
-        def yes(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            cosine = still - low*wave
+        def yes(low2, still, wave):
+            cosine = still - low2*wave
             value = cosine
             return value
 
-        def no(angle, count, k, quarters, x):
-            before = count - 1.0
-            missed = k - before
-            left = angle - 1.5707963705062866*quarters
-            quarters_halves = halves(xp, quarters)
-            number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-            total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            back = total - left
-            rest = total - back
-            one = left - rest
-            two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-            lost = one + two
-            total2 = 4.371138828673793e-08*quarters + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = 4.371138828673793e-08*quarters - back
-            lost2 = one + two
-            count_halves = halves(xp, count)
-            x_halves = halves(xp, x)
-            total = total2 + product_error(count*x, count_halves, x_halves)
-            back = total - total2
-            rest = total - back
-            one = total2 - rest
-            two = product_error(count*x, count_halves, x_halves) - back
-            lost3 = one + two
-            total2 = missed*x + total
-            back = total2 - total
-            rest = total2 - back
-            one = total - rest
-            two = missed*x - back
-            lost4 = one + two
-            number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-            low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-            missed_halves = halves(xp, missed)
-            low = low + product_error(missed*x, missed_halves, x_halves)
-            wave = xp.sin(total2)
-            still = xp.cos(total2)
-            sine = low*still + wave
+        def no(low2, still, wave):
+            sine = low2*still + wave
             value = sine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (angle, count, k, quarters, x), no, (angle, count, k, quarters, x))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
 
         return value
 
@@ -3338,32 +3142,28 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
 
 def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
     """the angle of the largest stiffness without delay"""
+    t = (together_*together_)
     t2 = 2.0*apart_
     t3 = -together_
     t4 = t2 + t3
     t2 = at_minus_one*t4 + loss*t2
     t6 = (apart_*apart_)
+    t3 = -apart_ - t3
     t8 = 2.0*together_
+    k = t*t2 - t6*(2.0*at_minus_one*t3 - at_one*t4 + 4.0*loss*t3)
     k2 = t8*(at_one*t6 + t2*together_)
+    k3 = together_*(at_minus_one*t + at_one*(t + (t3*t3)) + loss*t8*(2.0*together_ - apart_))
 
-    def yes(apart_, at_minus_one, at_one, k2, loss, t3, t4, t5, t6, t8, together_):
-        t = (together_*together_)
-        t7 = -apart_ - t3
-        k = t*t5 - t6*(2.0*at_minus_one*t7 - at_one*t4 + 4.0*loss*t7)
-        k3 = together_*(at_minus_one*t + at_one*(t + (t7*t7)) + loss*t8*(2.0*together_ - apart_))
+    def yes(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
         root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
         above = k2 + root
         below = xp.where(0.0 > -2.0*k, 0.0, -2.0*k)
         return above, below
 
-    def no(apart_, at_minus_one, at_one, k2, loss, t3, t4, t5, t6, t8, together_):
-        t = (together_*together_)
-        t7 = -apart_ - t3
-        k3 = together_*(at_minus_one*t + at_one*(t + (t7*t7)) + loss*t8*(2.0*together_ - apart_))
-        above = 2.0*k3
-        k = t*t5 - t6*(2.0*at_minus_one*t7 - at_one*t4 + 4.0*loss*t7)
+    def no(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
+        above = 2.0*k3
 
         def yes(discriminant):
             below = 0.0
@@ -3378,7 +3178,7 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
 
         return above, below
 
-    above, below = select(xp, k2 > 0.0, yes, (apart_, at_minus_one, at_one, k2, loss, t3, t4, t2, t6, t8, together_), no, (apart_, at_minus_one, at_one, k2, loss, t3, t4, t2, t6, t8, together_))
+    above, below = select(xp, k2 > 0.0, yes, (k, k2, k3), no, (k, k2, k3))
 
     return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
 
