@@ -41,7 +41,7 @@ class _Lazy:
         """What leads to the results and returns them."""
         results = tuple(e.xreplace(facts) for e in results)
         if not _chosen_alike(results):
-            steps, _ = self._steps(results, done, facts)
+            steps, _ = self._steps([s for e in results for s in _free(e)], done, facts)
             return (*steps, Return(results))
         condition = parted(results[0])[0]
         steps, done = self._steps((condition,), done, facts)
@@ -170,24 +170,34 @@ class _Lazy:
         self, wanted: Iterable[Expr], exprs: dict[Symbol, Expr], done: set[Symbol]
     ) -> set[Symbol]:
         """Steps that the expressions need whichever branch is taken inside them."""
-        found: set[Symbol] = set()
-        left = list(wanted)
-        while left:
-            expr = left.pop()
-            if isinstance(expr, Piecewise) and self._heavy(expr, done):
-                condition, *arms = parted(expr)
-                left.append(condition)
-                yes, no = (self._always((arm,), exprs, done | found) for arm in arms)
-                found |= (yes & no) - self._asking(yes & no, condition, done)
-                continue
-            for symbol in _free(expr) - done - found:
-                if symbol in self.loops:
-                    found |= set(self.loops[symbol].states)
-                    left += self.loops[symbol].free_symbols
-                elif symbol in exprs:
-                    found.add(symbol)
-                    left.append(exprs[symbol])
-        return found
+        sides: dict[Expr, set[Symbol]] = {}
+
+        def both(choice: Piecewise) -> set[Symbol]:
+            """What both sides of a choice need, but for what the choice itself decides."""
+            if choice not in sides:
+                condition, *arms = parted(choice)
+                yes, no = (needs([arm]) for arm in arms)
+                sides[choice] = (yes & no) - self._asking(yes & no, condition, done)
+            return sides[choice]
+
+        def needs(left: list[Expr]) -> set[Symbol]:
+            found: set[Symbol] = set()
+            while left:
+                expr = left.pop()
+                if isinstance(expr, Piecewise) and (expr in sides or self._heavy(expr, done)):
+                    left.append(parted(expr)[0])
+                    left += both(expr) - found
+                    continue
+                for symbol in _free(expr) - done - found:
+                    if symbol in self.loops:
+                        found |= set(self.loops[symbol].states)
+                        left += self.loops[symbol].free_symbols
+                    elif symbol in exprs:
+                        found.add(symbol)
+                        left.append(exprs[symbol])
+            return found
+
+        return needs(list(wanted))
 
     def _asking(self, steps: set[Symbol], condition: Boolean, done: set[Symbol]) -> set[Symbol]:
         """Those of the steps that are others where the condition is decided."""
