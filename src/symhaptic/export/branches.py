@@ -13,7 +13,7 @@ from sympy import Expr, Function, Piecewise, Symbol
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, Statement
-from symhaptic.export.routine import ProductError, Repeat, Routine, names
+from symhaptic.export.routine import Repeat, Routine, names
 
 
 @cache
@@ -35,6 +35,8 @@ class _Lazy:
     def __init__(self, routine: Routine) -> None:
         self.known = dict(step for step in routine.steps if not isinstance(step, Repeat))
         self.loops = {s: r for r in routine.steps if isinstance(r, Repeat) for s in r.states}
+        conditions = (c for e in self.known.values() for c in e.atoms(sp.StrictLessThan))
+        self.limits = {c for c in conditions if c.rhs.is_number}
         self.order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
 
     def returned(self, results: tuple[Expr, ...], done: set[Symbol], facts: Facts) -> Block:
@@ -47,7 +49,7 @@ class _Lazy:
         steps, done = self._steps((condition,), done, facts)
         yes, no = (
             self.returned(tuple(parted(r)[side] for r in results), done,
-                          facts | _decided(condition, value))
+                          facts | self._decided(condition, value))
             for side, value in ((1, sp.true), (2, sp.false))
         )  # fmt: skip
         return (*steps, Choice(condition, yes, no))
@@ -81,11 +83,10 @@ class _Lazy:
             split = [s for s in left if s in exprs
                      and waiting.isdisjoint(self._closure((exprs[s],), done))]  # fmt: skip
             condition = parted(exprs[split[0]])[0]
-            group = [s for s in split if parted(exprs[s])[0] == condition]
-            together = tuple(self._joined(group, condition, exprs, done, waiting))
+            together = tuple(s for s in split if parted(exprs[s])[0] == condition)
             yes, no = (
                 self._arm([(s, parted(exprs[s])[side]) for s in together], done,
-                          facts | _decided(condition, value))
+                          facts | self._decided(condition, value))
                 for side, value in ((1, sp.true), (2, sp.false))
             )  # fmt: skip
             written.append(Join(together, condition, yes, no))
@@ -93,62 +94,30 @@ class _Lazy:
             done |= set(together)
         return tuple(written), done
 
-    def _joined(
-        self,
-        group: list[Symbol],
-        condition: Boolean,
-        exprs: dict[Symbol, Expr],
-        done: set[Symbol],
-        waiting: set[Symbol],
-    ) -> list[Symbol]:
-        """The group, and what some branch will ask for later by the same condition.
-
-        Only where that calls what the group calls anyway, and nothing else: else an exponential
-        would be found anew in each of these branches.
-        """
-        sides = [[parted(exprs[s])[side] for s in group] for side in (1, 2)]
-        called = [self._called(side, done) for side in sides]
-        joined = list(group)
-        for s, expr in exprs.items():
-            asks = isinstance(expr, Piecewise) and parted(expr)[0] == condition
-            if s in done or s in joined or not asks:
-                continue
-            arms = parted(expr)[1:]
-            if not (waiting - set(group)).isdisjoint(self._closure(arms, done)):
-                continue
-            own = [self._called((arm,), done) for arm in arms]
-            if any(map(_calls, arms)) or not all(map(set.issuperset, called, own)):
-                continue
-            if any(own):
-                joined.append(s)
-        return sorted(joined, key=self.order.__getitem__)
-
-    def _called(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
-        """The steps among all that the expressions may need that call something costly."""
-        return {s for s in self._closure(wanted, done)
-                if s in self.known and _costs(self.known[s])}  # fmt: skip
-
     def _arm(self, values: list[tuple[Symbol, Expr]], done: set[Symbol], facts: Facts) -> Block:
-        """One side of a join; values that choose again by one condition share that branch."""
+        """One side of a join; values that choose again have their own sides in it."""
         values = [(s, e.xreplace(facts)) for s, e in values]
-        chosen = [e for _, e in values if isinstance(e, Piecewise) and self._heavy(e, done)]
-        plain = [(s, e) for s, e in values if e not in chosen]
-        steps, done = self._steps([e for _, e in values], done, facts)
-        written = [*steps, *(Set(s, e) for s, e in plain)]
-        while chosen:
-            condition = parted(chosen[0])[0]
-            group = [(s, e) for s, e in values if e in chosen and parted(e)[0] == condition]
-            sides = [
-                self._arm(
-                    [(s, parted(e)[side]) for s, e in group],
-                    done,
-                    facts | _decided(condition, value),
-                )
-                for side, value in ((1, sp.true), (2, sp.false))
-            ]
-            written.append(Join((), condition, *sides))
-            chosen = [e for e in chosen if parted(e)[0] != condition]
-        return tuple(written)
+        conditions = [parted(e)[0] for _, e in values
+                      if isinstance(e, Piecewise) and self._heavy(e, done)]  # fmt: skip
+        cheap = (c for c in conditions if not self._costs(c, done))
+        condition = next(cheap, None)
+        wanted = [e for _, e in values] if condition is None else [condition]
+        steps, done = self._steps(wanted, done, facts)
+        if not conditions:
+            return (*steps, *(Set(s, e) for s, e in values))
+        if condition is None:
+            condition = conditions[0]
+        sides = (
+            self._arm([(s, _side(e, condition, side)) for s, e in values], done,
+                      facts | self._decided(condition, value))
+            for side, value in ((1, sp.true), (2, sp.false))
+        )  # fmt: skip
+        return (*steps, Join((), condition, *sides))
+
+    def _costs(self, condition: Boolean, done: set[Symbol]) -> bool:
+        """Whether it takes a call to find out."""
+        steps = (self.known.get(s) for s in self._closure((condition,), done))
+        return any(expr is not None and _calls(expr) for expr in steps)
 
     def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
         """Steps that the expressions may need."""
@@ -211,6 +180,14 @@ class _Lazy:
                 asking.add(s)
         return asking
 
+    def _decided(self, condition: Boolean, value: Boolean) -> Facts:
+        """What a condition decides: its opposite, and lower or higher limits of the same number."""
+        facts = {condition: value, sp.Not(condition): sp.Not(value)}
+        for other in self.limits if isinstance(condition, sp.StrictLessThan) else ():
+            if other.lhs == condition.lhs and (other.rhs >= condition.rhs) == value:
+                facts |= {other: value, sp.Not(other): sp.Not(value)}
+        return facts
+
     def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:
         """Whether a choice has work in it: steps of its own, or calls."""
         _, yes, no = parted(expr)
@@ -240,13 +217,6 @@ def _calls(expr: Expr) -> bool:
     return bool(expr.atoms(Function) - expr.atoms(Piecewise, sp.Abs))
 
 
-@cache
-def _costs(expr: Expr) -> bool:
-    """Whether a function is in it that takes longer than a power series."""
-    called = expr.atoms(Function) - expr.atoms(Piecewise, sp.Abs, ProductError)
-    return any(not type(call).__name__.endswith("Series") for call in called)
-
-
 def _chosen_alike(results: tuple[Expr, ...]) -> bool:
     """Whether all results choose by the same condition first."""
     return all(isinstance(r, Piecewise) for r in results) and (
@@ -254,8 +224,10 @@ def _chosen_alike(results: tuple[Expr, ...]) -> bool:
     )
 
 
-def _decided(condition: Boolean, value: Boolean) -> Facts:
-    return {condition: value, sp.Not(condition): sp.Not(value)}
+def _side(expr: Expr, condition: Boolean, side: int) -> Expr:
+    """A choice by this condition on one side of it; anything else as it is."""
+    asks = isinstance(expr, Piecewise) and parted(expr)[0] == condition
+    return parted(expr)[side] if asks else expr
 
 
 @cache

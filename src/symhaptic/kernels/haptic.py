@@ -1592,23 +1592,23 @@ def together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whol
             lost21 = envelope2*lost21 + product_error(total22, envelope2_halves, total21_halves)
             return 2.0*lost21 + 2.0*total22
 
-        def no(delta, gamma, half, reach, root, root_low):
+        def no(delta, gamma, half, root, root_low):
 
             def yes(gamma):
                 return (sinhc_root(xp, -0.25*gamma)*sinhc_root(xp, -0.25*gamma))
 
-            def no(gamma, half, reach, root, root_low):
+            def no(gamma, half, root, root_low):
                 envelope = xp.exp(-half)
-                stiff = xp.where(reach < 0.5625, 1.0, gamma)
+                stiff = gamma
                 grown = -0.5*xp.expm1(-half)
                 angle = 0.5*root
                 wave = xp.sin(angle)
                 wave = 0.5*root_low*xp.cos(angle) + wave
                 return 4.0*(envelope*(wave*wave) + (grown*grown))/stiff
 
-            return select(xp, delta == 0.0, yes, (gamma,), no, (gamma, half, reach, root, root_low))
+            return select(xp, delta == 0.0, yes, (gamma,), no, (gamma, half, root, root_low))
 
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, reach, root, root_low))
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, root, root_low))
 
     def no(half, q, root, total2, total3, whole2):
         reach = 0.4444444444444444*total3
@@ -1810,9 +1810,9 @@ def apart_single(xp, gamma, delta):
             lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
             return lost24 + total25
 
-        def no(delta, gamma, half, reach, total2):
+        def no(delta, gamma, half, total2):
             envelope = xp.exp(-half)
-            stiff = xp.where(reach < 0.5625, 1.0, gamma)
+            stiff = gamma
             whole4 = xp.where(delta == 0.0, 1.0, delta)
 
             def yes(total2):
@@ -1836,7 +1836,7 @@ def apart_single(xp, gamma, delta):
             total23 = half*odd
             return (decay(xp, delta) - 2.0*envelope*total23/whole4)/stiff
 
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, reach, total2))
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, total2))
 
     def no(delta, gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -2009,9 +2009,9 @@ def apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_lo
             lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
             return lost24 + total25
 
-        def no(delta, gamma, half, reach, root, total2):
+        def no(delta, gamma, half, root, total2):
             envelope = xp.exp(-half)
-            stiff = xp.where(reach < 0.5625, 1.0, gamma)
+            stiff = gamma
             whole4 = xp.where(delta == 0.0, 1.0, delta)
 
             def yes(total2):
@@ -2033,7 +2033,7 @@ def apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_lo
             total23 = half*odd
             return (decay(xp, delta) - 2.0*envelope*total23/whole4)/stiff
 
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, reach, root, total2))
+        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, root, total2))
 
     def no(delta, half, q, q_low, root, root_low, total2, total3):
         reach = 0.4444444444444444*total3
@@ -3163,18 +3163,19 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
 
     def no(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
-        above = 2.0*k3
 
-        def yes(discriminant):
+        def yes(k3):
+            above = 2.0*k3
             below = 0.0
-            return below
+            return above, below
 
-        def no(discriminant, k2):
+        def no(discriminant, k2, k3):
             root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
+            above = 2.0*k3
             below = root - k2
-            return below
+            return above, below
 
-        below = select(xp, discriminant < 0.0, yes, (discriminant,), no, (discriminant, k2))
+        above, below = select(xp, discriminant < 0.0, yes, (k3,), no, (discriminant, k2, k3))
 
         return above, below
 
