@@ -21,7 +21,8 @@ def lazy(routine: Routine) -> Block:
     """The routine with each step done only where its value is used.
 
     Steps that choose by the same condition share one branch, and guards that the condition has
-    decided are left out.
+    decided are left out.  What is chosen again inside a branch has its own branches there, the
+    cheapest question first; what all of them need is done before them.
     """
     return _Lazy(routine).returned(tuple(e for _, e in routine.results), set(), {})
 
