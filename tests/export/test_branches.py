@@ -1,5 +1,6 @@
 """Steps are done only where they are needed, and there once."""
 
+import pytest
 import sympy as sp
 
 from symhaptic.export.blocks import Assign, Choice, Join, Set
@@ -47,12 +48,14 @@ def test_what_one_side_needs_is_done_there_alone():
     assert sorted(len(calls(way)) for way in ways) == [0, 1]
 
 
-def test_values_that_choose_differently_share_what_they_need():
+@pytest.mark.parametrize("limits", [(1, 2), (2, 1)])
+def test_values_that_choose_differently_share_what_they_need(limits):
     """One limit decides another one of the same number, and no way calls a function twice."""
     do = Steps()
     fade = do("fade", sp.exp(-x))
-    first = do("first", choose(y > 0, choose(x < 1, fade, y), x))
-    second = do("second", choose(y > 0, choose(x < 2, fade * fade, y), x))
+    one, two = limits
+    first = do("first", choose(y > 0, choose(x < one, fade, y), x))
+    second = do("second", choose(y > 0, choose(x < two, fade * fade, y), x))
     ways = list(paths(lazy(routine(do, first + second))))
     for way in ways:
         assert len(calls(way)) <= 1

@@ -100,7 +100,10 @@ def exactly(form: Form, point: list[float]) -> list[Any]:
 
 
 def measure(form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE) -> Worst:
-    """The worst error of each result, with its arguments; NaN counts as infinitely wrong."""
+    """The worst error of each result, with its arguments.
+
+    NaN counts as infinitely wrong, but where the curve ends one last place of theta ahead.
+    """
     arrays = columns(form, np.random.default_rng(seed), count, precision)
     with tempfile.TemporaryDirectory() as place:
         found = compiled(form, Path(place), precision)(arrays)

@@ -36,7 +36,7 @@ class _Lazy:
     def __init__(self, routine: Routine) -> None:
         self.known = dict(step for step in routine.steps if not isinstance(step, Repeat))
         self.loops = {s: r for r in routine.steps if isinstance(r, Repeat) for s in r.states}
-        conditions = (c for e in self.known.values() for c in e.atoms(sp.StrictLessThan))
+        conditions = (c for e in routine.expressions for c in e.atoms(sp.StrictLessThan))
         self.limits = {c for c in conditions if c.rhs.is_number}
         self.order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
 
