@@ -87,7 +87,7 @@ def test_a_wrong_routine_is_found_by_the_self_test(name, tmp_path, monkeypatch):
     ((result, value),) = old.results
     factor = 1 + 2.0**-40
     wrong = Routine(name, old.about, old.arguments, old.steps, ((result, value * factor),))
-    monkeypatch.setattr(library, "known", lambda _: {**right, name: wrong})
+    monkeypatch.setattr(library, "known", lambda precision=DOUBLE: {**right, name: wrong})
     _, files = request.built(TARGETS["c"], [asked("discretize")])
     request.write(files, tmp_path / "out")
     compile_, execute = TARGETS["c"].commands("haptic")

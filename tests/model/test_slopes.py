@@ -12,7 +12,7 @@ from mpmath import mpf
 from symhaptic.bench.exact_slopes import slopes as in_balls
 from symhaptic.export import vectors
 from symhaptic.export.vectors import sized
-from symhaptic.model import derivatives, slopes, stable, values
+from symhaptic.model import products, slopes, stable, values
 from symhaptic.model.derivatives import derivative, differentiable, with_derivatives
 from symhaptic.model.entire import Entire, written_out
 from symhaptic.model.entire_device import Fall, Rise, Together
@@ -36,13 +36,13 @@ def test_each_function_that_is_called_a_derivative_is_one(cls, index):
     assert compare(claimed, cls.definition(*symbols).diff(symbols[index])).equal
 
 
-PRODUCTS = [(whole, by) for whole, slopes in derivatives.WHOLE for by in slopes]
+PRODUCTS = [(whole, by) for whole, slopes in products.WHOLE for by in slopes]
 
 
 @pytest.mark.parametrize(("whole", "by"), PRODUCTS, ids=str)
 def test_each_product_that_is_differentiated_as_a_whole_has_that_derivative(whole, by):
     """Of the closed form, by the normal form; another sign or one more term is not proved."""
-    claimed = dict(derivatives.WHOLE)[whole][by]
+    claimed = dict(products.WHOLE)[whole][by]
     exact = written_out(whole).diff(by)
     assert compare(written_out(claimed), exact).equal
     assert not compare(written_out(-claimed), exact).equal

@@ -1,7 +1,6 @@
 """Derivatives of stable forms, which are stable forms again.
 
-Some products have a derivative that loses digits when it is taken factor by factor, such as
-gamma Together = 1 - a + e; these are differentiated as a whole.
+The products of :mod:`symhaptic.model.products` are differentiated as a whole.
 
 By the delay a derivative is that by its fraction, inside a period; at a whole delay it is the slope
 to the right.  A value that is largest at an angle that is searched for has the derivative that it
@@ -15,25 +14,20 @@ from dataclasses import replace
 from functools import cached_property
 
 import sympy as sp
-from sympy import Expr, Symbol, exp, sin
+from sympy import Expr, Symbol, sin
 
-from symhaptic.model import delayed, worst
+from symhaptic.model import worst
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.entire import (
-    C,
     Chord,
     CosNext,
-    Decay,
     Entire,
-    Fade,
     Gap,
-    Lag,
-    S,
     Sinc,
     SinNext,
     at_numbers,
 )
-from symhaptic.model.entire_device import Apart, Fall, Together
+from symhaptic.model.products import WHOLE
 from symhaptic.model.searched import (
     LargestNeed,
     LatePart,
@@ -45,63 +39,9 @@ from symhaptic.model.searched import (
     StiffestAngle,
     WholePart,
 )
-from symhaptic.model.slopes import STABLE, ApartDrop, Coast, Echo, Kick, Ripple
+from symhaptic.model.slopes import STABLE, Ripple
 from symhaptic.model.stable import Form, NoForm
-from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, psi
-from symhaptic.scene import FULL, Parts
-
-
-def _stretched() -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
-    """What moves in a part of a period: by its length, as it moves at its end; longest first."""
-    still, loose = FULL.without("stiffness"), FULL.without("damping")
-    for parts in (FULL, still, loose):
-        for time, way in ((1 - epsilon, -1), (epsilon, 1)):
-            yield from _moved(parts, time, way)
-
-
-def _moved(parts: Parts, time: Expr, way: int) -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
-    x = delayed.brief(parts, time)
-    scaled = gamma * time**2, delta * time
-    if not parts.damping:  # without the half before S(..)^2
-        yield 2 * x.rise, {epsilon: 2 * way * x.kick}
-        yield x.kick, {epsilon: way * C(-scaled[0])}
-        return
-    yield exp(-delta * (1 - time)) * x.fall, {epsilon: way * exp(-delta * (1 - time)) * x.kick}
-    turned = {epsilon: way * delta * x.fall}
-    if parts.stiffness:
-        turned |= {gamma: -delta * time**5 * ApartDrop(*scaled),
-                   delta: time**3 * (Fall(*scaled) - 2 * Echo(*scaled))}  # fmt: skip
-        speed = Coast(*scaled)
-    else:
-        turned |= {delta: time**3 * (Fade(scaled[1]) - 2 * Lag(scaled[1]))}
-        speed = exp(-scaled[1])
-    yield x.apart, turned
-    yield x.rise, {epsilon: way * x.kick}
-    yield x.fall, {epsilon: way * (x.kick - delta * x.fall)}
-    kept = exp(-scaled[1])
-    yield x.loss, {delta: time * kept, epsilon: way * delta * kept}
-    yield x.kick, {epsilon: way * speed}
-
-
-WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
-    (
-        gamma * Together(gamma, delta),
-        {gamma: Kick(gamma, delta), delta: -gamma * Fall(gamma, delta)},
-    ),
-    (
-        delta * Apart(gamma, delta),
-        {
-            gamma: -delta * ApartDrop(gamma, delta),
-            delta: Fall(gamma, delta) - 2 * Echo(gamma, delta),
-        },
-    ),
-    (delta * Decay(delta), {delta: exp(-delta)}),
-    (delta * Lag(delta), {delta: Fade(delta) - 2 * Lag(delta)}),
-    (gamma * S(-gamma / 4) ** 2, {gamma: S(-gamma)}),
-    *_stretched(),
-)
-"""Products and their derivatives: 1 - a + e, n1 - n0, 1 - e, these without spring or damper, and
-the device after a part of a period."""
+from symhaptic.notation import alpha, beta, d, epsilon, l, psi
 
 
 class _By:
@@ -215,8 +155,8 @@ def _times(power: Expr, whole: Expr) -> Expr:
 def derivative(expr: Expr, by: Symbol) -> Expr:
     """The derivative of a stable form, again a stable form.
 
-    >>> derivative(delta * Decay(delta), delta)
-    exp(-delta)
+    >>> from symhaptic.model.entire_device import Together
+    >>> from symhaptic.notation import delta, gamma
     >>> derivative(gamma * Together(gamma, delta), gamma)
     Kick(gamma, delta)
     """
