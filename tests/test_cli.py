@@ -284,6 +284,21 @@ def test_a_place_that_is_none_is_told_before_the_work(command, tmp_path):
         assert time.monotonic() - begin < 10
 
 
+@pytest.mark.parametrize("command", ["report", "bench"])
+def test_a_folder_that_cannot_be_is_told_before_the_work(command, tmp_path):
+    (tmp_path / "file").write_text("kept")
+    (tmp_path / "link").symlink_to(tmp_path / "nothing")
+    for place in ("file", "file/deeper", "link", "new/" + 300 * "x"):
+        begin = time.monotonic()
+        ran = symhaptic(command, "-o", place, cwd=tmp_path)
+        assert ran.returncode == 2
+        assert f"-o {place}: cannot write there" in ran.stderr
+        assert ran.stderr.count("\n") == 1
+        assert time.monotonic() - begin < 10
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "link"]
+    assert (tmp_path / "file").read_text() == "kept"
+
+
 def test_a_pipe_is_written_to_and_a_link_stays_one(tmp_path):
     # os.replace() would put a plain file in the place of both
     pipe, link, there = tmp_path / "pipe", tmp_path / "link", tmp_path / "there"

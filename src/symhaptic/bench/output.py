@@ -15,6 +15,7 @@ FORMATS = ("png", "pdf", "svg")
 
 def write(record: dict[str, Any], folder: Path) -> None:
     """bench.json and bench.md, and the plots where matplotlib is installed."""
+    folder.mkdir(parents=True, exist_ok=True)
     replace(folder / "bench.json", records.text(record))
     replace(folder / "bench.md", markdown(record))
     if find_spec("matplotlib") is None:

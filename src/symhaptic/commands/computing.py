@@ -8,7 +8,15 @@ from typing import Annotated
 
 import typer
 
-from symhaptic.commands.shared import app, progress, refuse, unwritable, write
+from symhaptic.commands.shared import (
+    app,
+    folder_allowed,
+    no_folder,
+    progress,
+    refuse,
+    unwritable,
+    write,
+)
 
 
 class TraceFormat(StrEnum):
@@ -32,19 +40,12 @@ def bench(
     """Measure speed against error; write bench.json, tables and plots."""
     import os
 
-    if output.exists() and not output.is_dir():
-        refuse(f"-o {output}: is a file; a folder is allowed")
+    folder_allowed(output)
     for library in ("OPENBLAS", "MKL", "OMP"):  # one thread, whatever the library
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
     from symhaptic.bench import output as written
     from symhaptic.bench import record
 
-    try:
-        output.mkdir(parents=True, exist_ok=True)
-        if not os.access(output, os.W_OK):
-            refuse(f"-o {output}: cannot write there; a folder that can be written is allowed")
-    except OSError as wrong:
-        refuse(f"-o {output}: cannot write there ({wrong.strerror}); another folder is allowed")
     with progress(len(record.FIELDS)) as told:
         found = record.measured(
             record.QUICK if quick else record.FULL, lambda done, name: told(done, Path(name))
@@ -52,7 +53,7 @@ def bench(
     try:
         written.write(found, output)
     except OSError as wrong:
-        refuse(f"-o {output}: cannot write there ({wrong.strerror}); another folder is allowed")
+        no_folder(output, wrong.strerror)
     typer.echo(f"wrote {output / 'bench.json'}, tables and plots in {found['seconds']} s")
 
 

@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.commands.shared import app, close_to, progress, refuse, writable, write
+from symhaptic.commands.shared import (
+    app,
+    close_to,
+    folder_allowed,
+    progress,
+    refuse,
+    writable,
+    write,
+)
 
 if TYPE_CHECKING:
     from symhaptic.ledger import Entry
@@ -148,7 +156,9 @@ def report(
         refuse(f"--format pdf: {build.NO_TEX}")
     paths = library.shipped() + own_chapters(derivation)
     try:
-        build.check(paths, output)
+        build.check(paths)
+        if not check:
+            folder_allowed(output)
         chapters = chapters_of(paths)
         if check:
             diff = build.differences(chapters, output)

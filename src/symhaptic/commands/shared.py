@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryFile
 from typing import NoReturn
 
 import typer
@@ -55,6 +56,31 @@ def writable(output: Path | None) -> None:
 def unwritable(output: Path, reason: str | None) -> NoReturn:
     """End with one line that says why nothing can be written there."""
     refuse(f"-o {output}: cannot write there ({reason}); a file in a folder that exists is allowed")
+
+
+def folder_allowed(output: Path) -> None:
+    """Say before the work is done that no folder of results can be there.
+
+    Only writing shows it, so folders and a file in them are made for a moment.
+    """
+    made: list[Path] = []
+    try:
+        for folder in (*reversed(output.parents), output):
+            if not folder.exists():
+                folder.mkdir()
+                made.append(folder)
+        with TemporaryFile(dir=output):
+            pass
+    except OSError as wrong:
+        no_folder(output, wrong.strerror)
+    finally:
+        for folder in reversed(made):
+            folder.rmdir()
+
+
+def no_folder(output: Path, reason: str | None) -> NoReturn:
+    """End with one line that says why no folder of results can be there."""
+    refuse(f"-o {output}: cannot write there ({reason}); a folder that can be written is allowed")
 
 
 def write(replace: Callable[[Path, str | bytes], None], output: Path, content: str | bytes) -> None:

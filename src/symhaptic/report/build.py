@@ -53,19 +53,14 @@ class ReportError(RuntimeError):
     """The report cannot be written; the message is one line."""
 
 
-def check(paths: list[Path], output: Path) -> None:
-    """Say before the work is done that a chapter's name is taken, or that there is no place."""
+def check(paths: list[Path]) -> None:
+    """Say before the work is done that a chapter's name is taken."""
     names = [path.stem for path in paths]
     for path in reversed(paths):
         if names.count(path.stem) > 1 or path.stem in RESERVED:
             raise ReportError(
                 f"--derivation {path}: the name {path.stem!r} is taken; rename the file"
             )
-    for folder in (output, *output.parents):
-        if folder.exists():
-            if not folder.is_dir():
-                raise ReportError(f"-o {output}: {folder} is a file; a folder is allowed")
-            return
 
 
 def text_files(chapters: list[Chapter]) -> dict[str, str]:
