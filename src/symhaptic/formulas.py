@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 
 import sympy as sp
 
 from symhaptic.latex import latex
 from symhaptic.library import run, shipped
+from symhaptic.listing import needed
 from symhaptic.notation import SYMBOLS, Notation
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.reading import Printed
@@ -57,16 +59,16 @@ class Formula:
 
 
 @cache
-def _settled() -> dict[str, tuple[Printed, Verdict]]:
-    found = {}
-    for path in shipped():
-        for id, settled in run(path).page.settled.items():
-            found[id] = (settled.settlement.derived, settled.verdict)
-    return found
+def _settled(path: Path) -> dict[str, tuple[Printed, Verdict]]:
+    """What one derivation settles."""
+    return {
+        id: (settled.settlement.derived, settled.verdict)
+        for id, settled in run(path).page.settled.items()
+    }
 
 
 def formula(id: str) -> Formula:
-    """The formula with this id, such as ``"eq11"``; runs the derivations when first called.
+    """The formula with this id, such as ``"eq11"``; runs its derivation when first called.
 
     Raises :class:`ValueError` for an id that has no printed or derived form.
 
@@ -74,10 +76,13 @@ def formula(id: str) -> Formula:
     >>> eq6.derived[0], str(eq6.verdict.kind), eq6.units
     (b > K*T/2 + Abs(B), 'qualified', ('Ns/m',))
     """
+    found: dict[str, tuple[Printed, Verdict]] = {}
+    for path in needed([id], shipped()):
+        found |= _settled(path)
     statement = STATEMENTS.get(id)
-    derived, verdict = _settled().get(id, ((), None))
+    derived, verdict = found.get(id, ((), None))
     if statement is None or verdict is None or not (statement.printed or derived):
-        known = ", ".join(k for k, (forms, _) in _settled().items() if forms)
+        known = ", ".join(k for k, known in STATEMENTS.items() if known.printed)
         raise ValueError(f"id: {id!r} is not a formula; known are {known}")
     return Formula(
         id,
