@@ -248,13 +248,23 @@ def test_a_chapter_may_not_take_the_name_of_another_file(name, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+ONE_CHAPTER = """
+import sys
+from pathlib import Path
+from symhaptic.library import run, shipped
+from symhaptic.report import build
+
+build.write([run(shipped()[0])], Path(sys.argv[1]), pdf=True, say=print)
+"""
+
+
 def test_a_killed_report_leaves_the_old_one_whole(tmp_path):
     target = tmp_path / "reports"
     target.mkdir()
     (target / "book.tex").write_text("old")
     (target / "ledger.json").write_text("old")
     process = subprocess.Popen(
-        [sys.executable, "-c", "from symhaptic.cli import main; main()", "report", "-o", target],
+        [sys.executable, "-c", ONE_CHAPTER, target],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
         start_new_session=True,
@@ -262,6 +272,7 @@ def test_a_killed_report_leaves_the_old_one_whole(tmp_path):
     deadline = time.monotonic() + 120
     while not list(target.glob(".draft-*")) and time.monotonic() < deadline:
         time.sleep(0.02)  # until the draft is being written
+    assert list(target.glob(".draft-*"))
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
     assert (target / "book.tex").read_text() == "old"

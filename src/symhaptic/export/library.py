@@ -20,6 +20,7 @@ from symhaptic.export import (
     late_counting,
     pairs,
     passive,
+    response,
     slopes,
     stiffest,
 )
@@ -28,6 +29,7 @@ from symhaptic.export.routine import Routine, Step, choose, expm1
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
 from symhaptic.model.entire import CosNext, Entire, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.model.response import Ahead, InPhase, Response
 from symhaptic.model.stable import Form
 
 
@@ -83,7 +85,7 @@ def _makers() -> dict[str, tuple[Callable[..., Routine], bool]]:
 
 _MODULES = (
     elementary, pairs, device, device_series, slopes, angle_slopes, counting, late_counting,
-    passive, stiffest,
+    passive, response, stiffest,
 )  # fmt: skip
 
 
@@ -94,9 +96,13 @@ def routine(form: Form) -> Routine:
     given, together = _apart(form.expressions)
     steps, results = sp.cse(given, symbols=fresh, order="canonical")
     done: list[Step] = []
+    inverse: dict[Expr, Expr] = {}
     for name, expr in steps:
-        done.append((name, _with_named_bases(expr, done, fresh)))
-    found = together([_with_named_bases(expr, done, fresh) for expr in results])
+        if expr.is_Pow and expr.exp == -1 and expr.base.is_Function:
+            # a product with what is rounded already would be rounded twice
+            inverse[name], expr = 1 / name, expr.base
+        done.append((name, _with_named_bases(expr.xreplace(inverse), done, fresh)))
+    found = together([_with_named_bases(e.xreplace(inverse), done, fresh) for e in results])
     names = [name for name, _ in form.results]
     return Routine(
         form.name, form.title, form.arguments, tuple(done), tuple(zip(names, found, strict=True))
@@ -186,10 +192,10 @@ def _calls(call: Expr) -> bool:
     return any(arg.atoms(*_CALLS) for arg in call.args)
 
 
-SHARED = (Apart, Fall, Nyquist, Rise, Swing, Together, CosNext, SinNext)
+SHARED = (Apart, Fall, Nyquist, Rise, Swing, Together, CosNext, SinNext, Ahead, InPhase)
 """Functions that begin with the same steps as another one of the same arguments."""
 
-_CALLS = (Entire, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
+_CALLS = (Entire, Response, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
 def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Library:

@@ -91,10 +91,14 @@ def largest_need() -> Routine:
 def turn(precision: Precision = DOUBLE) -> Routine:
     """The wall that is worst at an angle, as an angle; pi/2 where there is none."""
     do = Steps()
+    steep = worst.between(worst.steepness(l), worst.steepness(l + 1))
+    rising = worst.rising(worst.need(), steep)
+    waves = sorted(rising.atoms(sp.Function), key=sp.default_sort_key)  # the same for every wall
+    rising = rising.xreplace({wave: do("wave", wave) for wave in waves})
+    rising = rising.xreplace(worst.of_size_one())
 
     def falls(inner: Steps, at: Expr) -> Expr:
-        wall = (f.xreplace({phi: at}) for f in worst.of_size_one().values())
-        return -sp.Function("Rising")(*wall, l, epsilon, psi)
+        return -inner.common(rising.xreplace({phi: at}))[0]
 
     found = crossing(do, falls, 0 * psi, pi / 2, precision.close)
     return do.routine("Turn", "the wall whose worst angle is 2 psi, as an angle",

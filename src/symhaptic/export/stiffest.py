@@ -73,7 +73,7 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     root = crossing(do, slope, low, high, precision.close, inner_maximum)
     early = sp.Function("UndelayedAngle")(at_one, at_minus_one, loss, together, apart)
     theta = do("theta", choose(at_once, early, choose(inner_maximum, root, sp.nan)))
-    stiffness, damping = do.common(*curve(*numbers[:-1], 2 * across, theta, steps))
+    stiffness, damping = do.common(*curve((*numbers[:-1], 2 * across), theta, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
     inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))

@@ -2855,6 +2855,85 @@ def whole_part(xp, d):
     return xp.floor(d)
 
 
+def force(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
+    """A/z and M at z = exp(2 j psi) to twice the precision of a float"""
+    t = xp.tan(psi)
+    total = (t*t)
+    t_halves = halves(xp, t)
+    low = product_error(total, t_halves, t_halves)
+    total2 = at_minus_one*total
+    at_minus_one_halves = halves(xp, at_minus_one)
+    total_halves = halves(xp, total)
+    low2 = at_minus_one*low + product_error(total2, at_minus_one_halves, total_halves)
+    total3 = at_one - total2
+    back = total3 - at_one
+    rest = total3 - back
+    one = at_one - rest
+    two = -back - total2
+    lost = one + two
+    low2 = lost - low2
+    total2 = apart_*total
+    apart__halves = halves(xp, apart_)
+    low = apart_*low + product_error(total2, apart__halves, total_halves)
+    total = together_ - total2
+    back = total - together_
+    rest = total - back
+    one = together_ - rest
+    two = -back - total2
+    lost = one + two
+    low = lost - low
+    twice = 2.0*t
+    total2 = loss*twice
+    twice_halves = halves(xp, twice)
+    loss_halves = halves(xp, loss)
+    low6 = product_error(total2, twice_halves, loss_halves)
+    total7 = across*t
+    across_halves = halves(xp, across)
+    low7 = product_error(total7, t_halves, across_halves)
+    total8 = (total*total)
+    total_halves = halves(xp, total)
+    low8 = 2.0*low*total + product_error(total8, total_halves, total_halves)
+    total9 = (total7*total7)
+    total7_halves = halves(xp, total7)
+    low9 = 2.0*low7*total7 + product_error(total9, total7_halves, total7_halves)
+    total10 = total8 + total9
+    back = total10 - total8
+    rest = total10 - back
+    one = total8 - rest
+    two = total9 - back
+    lost = one + two
+    low9 = lost + low8 + low9
+    return total3, low2, total, low, total2, low6, total7, low7, total10, low9
+
+
+def ahead(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, total3, low3, total5, low5, total6, low6, total7, low7, total10, low10):
+    """the imaginary part of A/(z M) at z = exp(2 j psi)"""
+    total11 = total5*total6
+    total6_halves = halves(xp, total6)
+    total5_halves = halves(xp, total5)
+    low11 = low5*total6 + low6*total5 + product_error(total11, total6_halves, total5_halves)
+    total12 = total3*total7
+    total3_halves = halves(xp, total3)
+    total7_halves = halves(xp, total7)
+    low12 = low3*total7 + low7*total3 + product_error(total12, total3_halves, total7_halves)
+    total13 = total11 - total12
+    back4 = total13 - total11
+    rest4 = total13 - back4
+    one4 = total11 - rest4
+    two4 = -back4 - total12
+    lost4 = one4 + two4
+    low12 = lost4 + low11 - low12
+    total12 = total13/total10
+    left = total13 - total10*total12
+    total12_halves = halves(xp, total12)
+    total10_halves = halves(xp, total10)
+    left = left - product_error(total12*total10, total12_halves, total10_halves)
+    left = left - low10*total12 + low12
+    lost4 = left/total10
+    found = lost4 + total12
+    return found
+
+
 def next_angle(xp, k, x):
     """cosine and sine of (k + 1) x as it is rounded, and the rest of the angle"""
     count = k + 1.0
@@ -2990,6 +3069,34 @@ def cos_next(xp, k, x, off, cosine, sine):
     if k.dtype == xp.float32:
         return cos_next_single(xp, k, x)
     return cosine - off*sine
+
+
+def in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, total3, low3, total5, low5, total6, low6, total7, low7, total10, low10):
+    """the real part of A/(z M) at z = exp(2 j psi)"""
+    total11 = total3*total5
+    total3_halves = halves(xp, total3)
+    total5_halves = halves(xp, total5)
+    low11 = low3*total5 + low5*total3 + product_error(total11, total3_halves, total5_halves)
+    total12 = total6*total7
+    total6_halves = halves(xp, total6)
+    total7_halves = halves(xp, total7)
+    low12 = low6*total7 + low7*total6 + product_error(total12, total6_halves, total7_halves)
+    total13 = total11 + total12
+    back4 = total13 - total11
+    rest4 = total13 - back4
+    one4 = total11 - rest4
+    two4 = total12 - back4
+    lost4 = one4 + two4
+    low12 = lost4 + low11 + low12
+    total12 = total13/total10
+    left = total13 - total10*total12
+    total12_halves = halves(xp, total12)
+    total10_halves = halves(xp, total10)
+    left = left - product_error(total12*total10, total12_halves, total10_halves)
+    left = left - low10*total12 + low12
+    lost4 = left/total10
+    found = lost4 + total12
+    return found
 
 
 def sin_next_single(xp, k, x):
@@ -3800,25 +3907,58 @@ def spread(xp, k, x):
 
 def turn_single(xp, psi, l, epsilon):
     """The same in single precision."""
-    above = -rising(xp, 1.0/(l + 1.0), -1.0/(2.0*l + 2.0), l, epsilon, psi)
+    wave2 = xp.cos(psi)
+    wave3 = chord(xp, l, 2.0*psi)
+    wave4 = chord(xp, l + 1.0, 2.0*psi)
+    off, cosine, sine = next_angle(xp, l, 2.0*psi)
+    wave5 = cos_next(xp, l, 2.0*psi, off, cosine, sine)
+    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*psi)
+    wave6 = cos_next(xp, l + 1.0, 2.0*psi, off_2, cosine_2, sine_2)
+    wave7 = sinc(xp, psi)
+    wave8 = sinc(xp, 2.0*psi)
+    wave9 = sinc(xp, psi*(2.0*l + 1.0))
+    wave11 = sinc(xp, psi*(2.0*l + 3.0))
+    t2 = l + 1.0
+    t4 = 1.0/t2
+    t5 = 0.5*t4
+    t6 = -t5
+    t7 = epsilon*(1.0 - epsilon)
+    t8 = 2.0*l
+    t9 = 2.0*t4/(wave7*wave7)
+    t10 = -t9*wave3
+    t11 = t6*wave5
+    t12 = 1.0/wave7
+    t13 = wave9*(t8 + 1.0)
+    t14 = t12*t5
+    t15 = t13*t14
+    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         root = 0.0
         return root
 
-    def no(above, epsilon, l, psi):
-        below = -rising(xp, xp.full_like(epsilon, 0.0), xp.full_like(epsilon, 1.0), l, epsilon, psi)
+    def no(above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+        wave = xp.sin(psi)
+        wave10 = sinc(xp, psi*(2.0*l + 2.0))
+        wave12 = sinc(xp, psi*(2.0*l + 4.0))
+        t23 = epsilon*(1.0 - epsilon)
+        t24 = 2.0*l
+        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
+        t27 = wave5
+        t32 = epsilon*(t27 - wave6)
+        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
 
         def yes(below):
             root = 0.5*3.141592653589793
             return root
 
-        def no(above, below, epsilon, l, psi):
+        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
 
-            def over(b, fb, a, fa, c, fc, epsilon, l, psi):
+            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
                 return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
 
-            def step(b, fb, a, fa, c, fc, epsilon, l, psi):
+            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
                 span = c - b
                 rise_ = fc - fb
                 whole = xp.where(span == 0.0, 1.0, span)
@@ -3842,7 +3982,23 @@ def turn_single(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                value = -rising(xp, xp.cos(new)/(l + 1.0), xp.sin(new) - xp.cos(new)/(2.0*l + 2.0), l, epsilon, psi)
+                t33 = xp.sin(new)
+                t34 = l + 1.0
+                t35 = xp.cos(new)
+                t36 = t35/t34
+                t37 = 0.5*t36
+                t38 = t33 - t37
+                t39 = epsilon*(1.0 - epsilon)
+                t40 = 2.0*l
+                t41 = 2.0*t36/(wave7*wave7)
+                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
+                t43 = t38*wave5
+                t44 = 1.0/wave7
+                t45 = wave9*(t40 + 1.0)
+                t46 = t37*t44
+                t47 = t45*t46
+                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
+                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -3852,15 +4008,15 @@ def turn_single(xp, psi, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, psi))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, psi))
+        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
         return root
 
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi))
+    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
     return root
 
@@ -3869,25 +4025,58 @@ def turn(xp, psi, l, epsilon):
     """the wall whose worst angle is 2 psi, as an angle"""
     if psi.dtype == xp.float32:
         return turn_single(xp, psi, l, epsilon)
-    above = -rising(xp, 1.0/(l + 1.0), -1.0/(2.0*l + 2.0), l, epsilon, psi)
+    wave2 = xp.cos(psi)
+    wave3 = chord(xp, l, 2.0*psi)
+    wave4 = chord(xp, l + 1.0, 2.0*psi)
+    off, cosine, sine = next_angle(xp, l, 2.0*psi)
+    wave5 = cos_next(xp, l, 2.0*psi, off, cosine, sine)
+    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*psi)
+    wave6 = cos_next(xp, l + 1.0, 2.0*psi, off_2, cosine_2, sine_2)
+    wave7 = sinc(xp, psi)
+    wave8 = sinc(xp, 2.0*psi)
+    wave9 = sinc(xp, psi*(2.0*l + 1.0))
+    wave11 = sinc(xp, psi*(2.0*l + 3.0))
+    t2 = l + 1.0
+    t4 = 1.0/t2
+    t5 = 0.5*t4
+    t6 = -t5
+    t7 = epsilon*(1.0 - epsilon)
+    t8 = 2.0*l
+    t9 = 2.0*t4/(wave7*wave7)
+    t10 = -t9*wave3
+    t11 = t6*wave5
+    t12 = 1.0/wave7
+    t13 = wave9*(t8 + 1.0)
+    t14 = t12*t5
+    t15 = t13*t14
+    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         root = 0.0
         return root
 
-    def no(above, epsilon, l, psi):
-        below = -rising(xp, xp.full_like(epsilon, 0.0), xp.full_like(epsilon, 1.0), l, epsilon, psi)
+    def no(above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+        wave = xp.sin(psi)
+        wave10 = sinc(xp, psi*(2.0*l + 2.0))
+        wave12 = sinc(xp, psi*(2.0*l + 4.0))
+        t23 = epsilon*(1.0 - epsilon)
+        t24 = 2.0*l
+        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
+        t27 = wave5
+        t32 = epsilon*(t27 - wave6)
+        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
 
         def yes(below):
             root = 0.5*3.141592653589793
             return root
 
-        def no(above, below, epsilon, l, psi):
+        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
 
-            def over(b, fb, a, fa, c, fc, epsilon, l, psi):
+            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
                 return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
 
-            def step(b, fb, a, fa, c, fc, epsilon, l, psi):
+            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
                 span = c - b
                 rise_ = fc - fb
                 whole = xp.where(span == 0.0, 1.0, span)
@@ -3911,7 +4100,23 @@ def turn(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                value = -rising(xp, xp.cos(new)/(l + 1.0), xp.sin(new) - xp.cos(new)/(2.0*l + 2.0), l, epsilon, psi)
+                t33 = xp.sin(new)
+                t34 = l + 1.0
+                t35 = xp.cos(new)
+                t36 = t35/t34
+                t37 = 0.5*t36
+                t38 = t33 - t37
+                t39 = epsilon*(1.0 - epsilon)
+                t40 = 2.0*l
+                t41 = 2.0*t36/(wave7*wave7)
+                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
+                t43 = t38*wave5
+                t44 = 1.0/wave7
+                t45 = wave9*(t40 + 1.0)
+                t46 = t37*t44
+                t47 = t45*t46
+                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
+                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -3921,15 +4126,15 @@ def turn(xp, psi, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, psi))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, psi))
+        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
         return root
 
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi))
+    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
     return root
 
@@ -3945,7 +4150,7 @@ def passive_angle_single(xp, l, epsilon):
     low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
     turned = turn(xp, low, l, epsilon)
     wall = xp.cos(turned)/(l + 1.0)
-    wall2 = xp.sin(turned) - xp.cos(turned)/(2.0*l + 2.0)
+    wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
     off, cosine, sine = next_angle(xp, l, 2.0*low)
     off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*low)
@@ -3959,7 +4164,7 @@ def passive_angle_single(xp, l, epsilon):
         high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
         turned2 = turn(xp, high, l, epsilon)
         wall3 = xp.cos(turned2)/(l + 1.0)
-        wall4 = xp.sin(turned2) - xp.cos(turned2)/(2.0*l + 2.0)
+        wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
         off, cosine, sine = next_angle(xp, l, 2.0*high)
         off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*high)
@@ -4000,7 +4205,7 @@ def passive_angle_single(xp, l, epsilon):
                 new = a + share*width
                 turned3 = turn(xp, new, l, epsilon)
                 wall5 = xp.cos(turned3)/(l + 1.0)
-                wall6 = xp.sin(turned3) - xp.cos(turned3)/(2.0*l + 2.0)
+                wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
                 off, cosine, sine = next_angle(xp, l, 2.0*new)
                 off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*new)
@@ -4034,7 +4239,7 @@ def passive_angle(xp, l, epsilon):
     low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
     turned = turn(xp, low, l, epsilon)
     wall = xp.cos(turned)/(l + 1.0)
-    wall2 = xp.sin(turned) - xp.cos(turned)/(2.0*l + 2.0)
+    wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
     off, cosine, sine = next_angle(xp, l, 2.0*low)
     off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*low)
@@ -4048,7 +4253,7 @@ def passive_angle(xp, l, epsilon):
         high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
         turned2 = turn(xp, high, l, epsilon)
         wall3 = xp.cos(turned2)/(l + 1.0)
-        wall4 = xp.sin(turned2) - xp.cos(turned2)/(2.0*l + 2.0)
+        wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
         off, cosine, sine = next_angle(xp, l, 2.0*high)
         off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*high)
@@ -4089,7 +4294,7 @@ def passive_angle(xp, l, epsilon):
                 new = a + share*width
                 turned3 = turn(xp, new, l, epsilon)
                 wall5 = xp.cos(turned3)/(l + 1.0)
-                wall6 = xp.sin(turned3) - xp.cos(turned3)/(2.0*l + 2.0)
+                wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
                 off, cosine, sine = next_angle(xp, l, 2.0*new)
                 off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*new)
@@ -4228,76 +4433,61 @@ def stability_boundary(theta, gamma, delta, d):
 
     def plant(gamma, delta):
         half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), 2.0*delta*decay(xp, delta), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
+        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
-    t4, t5, t13, nyquist_ = elementwise(xp, plant, gamma, delta)
+    t2, t4, t5, t6 = elementwise(xp, plant, gamma, delta)
 
-    def work(theta, gamma, delta, d, t4, t5, t13, nyquist_):
+    def work(theta, gamma, delta, d, t2, t4, t5, t6):
 
-        def yes(d, gamma, nyquist_, t13, t4, t5, theta):
+        def yes(d, gamma, t2, t4, t5, t6, theta):
             off, cosine, sine = next_angle(xp, d, theta)
             t0 = sin_next(xp, d, theta, off, cosine, sine)
             t1 = 0.5*theta
-            t2 = xp.sin(t1)
-            t1 = xp.cos(t1)
-            t6 = t4 + t5
-            t7 = (t1*t1)
-            t8 = (t2*t2)
-            t9 = t7*t8
-            t10 = -t4*t7
-            t10 = -t10 - t5*t8
-            t12 = 1.0/((t10*t10) + (t6*t6)*t9)
-            t7 = gamma*t4*t7 - nyquist_*t8
-            t15 = t10*t13 - t7*t6
-            t9 = t13*t9
-            t9 = t10*t7 + t9*t6
-            t7 = t12*cos_next(xp, d, theta, off, cosine, sine)
-            t6 = 1.0/xp.sin(theta)
-            t6 = -t0*t12*t9*t6 - 0.5*t15*t7
-            t8 = 2.0*t8
-            return t0*t12*t15*t2*t1 - t9*t7 - t6*t8, t6
+            t3 = gamma*t2
+            t7 = t2 + t6
+            total3_2, low3_2, total5_2, low5_2, total6_2, low6_2, total7_2, low7_2, total10_2, low10_2 = force(xp, t1, t3, t4, t5, t2, t6, t7)
+            t8 = ahead(xp, t1, t3, t4, t5, t2, t6, t7, total3_2, low3_2, total5_2, low5_2, total6_2, low6_2, total7_2, low7_2, total10_2, low10_2)
+            t9 = cos_next(xp, d, theta, off, cosine, sine)
+            t7 = in_phase(xp, t1, t3, t4, t5, t2, t6, t7, total3_2, low3_2, total5_2, low5_2, total6_2, low6_2, total7_2, low7_2, total10_2, low10_2)
+            t1 = xp.tan(t1)
+            t3 = t0*t7 + t8*t9
+            t13 = xp.sin(theta)
+            return t0*t8 - t7*t9 + t1*t3, -t3/t13
 
-        def no(d, delta, gamma, nyquist_, t13, t4, theta):
+        def no(d, delta, gamma, t2, t4, t5, theta):
             t1 = 0.5*theta
-            t2 = xp.sin(t1)
-            t1 = xp.cos(t1)
-            t7 = (t1*t1)
-            t8 = (t2*t2)
-            t9 = t7*t8
-            t10 = -t4*t7
-            t7 = gamma*t4*t7 - nyquist_*t8
-            t16 = t13*t9
-            t19 = 1.0/xp.sin(theta)
-            t21 = 2.0*t8
-            t22 = whole_part(xp, d)
-            off, cosine, sine = next_angle(xp, t22, theta)
-            t23 = sin_next(xp, t22, theta, off, cosine, sine)
-            t24 = some_part(xp, d)
-            t25 = 1.0 - t24
-            t26 = delta*t25
-            t27 = (t24*t24)
-            t28 = gamma*t27
-            t29 = delta*t24
-            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t28, t29)
-            t30 = t27*fall(xp, t28, t29, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t31 = (t25*t25)
-            t32 = gamma*t31
-            half_3, total2_3, lost2_3, root_3, whole_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, t32, t26)
-            t33 = rise(xp, t32, t26, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
-            t34 = 2.0*t31*t33 - 2.0*t30*xp.exp(-t26)
-            t35 = kick(xp, t28, t29, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
-            t36 = rise(xp, t28, t29, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t36 = -t10 - t8*(delta*(t25*t25*t25)*apart(xp, t32, t26, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t24*t24*t24)*apart(xp, t28, t29, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) - 2.0*t24*t25*t35*kick(xp, t32, t26, half_3, total2_3, root_3, whole_3, root_low_3, total3_3, q_3, q_low_3) - t26*t30*decay(xp, t26) + t27*t32*t33*t36 + t31*(t28*t36 + t29*t35)*fall(xp, t32, t26, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3))
-            t9 = 1.0/((t34*t34)*t9 + (t36*t36))
-            t35 = t13*t36 - t7*t34
-            t16 = t7*t36 + t16*t34
-            t22 = t9*cos_next(xp, t22, theta, off, cosine, sine)
-            t19 = -t19*t23*t9*t16 - 0.5*t35*t22
-            return t2*t23*t1*t9*t35 - t21*t19 - t16*t22, t19
+            t3 = gamma*t2
+            t11 = xp.tan(t1)
+            t13 = xp.sin(theta)
+            t14 = whole_part(xp, d)
+            off, cosine, sine = next_angle(xp, t14, theta)
+            t15 = sin_next(xp, t14, theta, off, cosine, sine)
+            t16 = some_part(xp, d)
+            t17 = (t16*t16)
+            t18 = gamma*t17
+            t19 = delta*t16
+            t20 = 1.0 - t16
+            t21 = (t20*t20)
+            t22 = gamma*t21
+            t23 = delta*t20
+            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t18, t19)
+            t24 = t17*fall(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            t25 = kick(xp, t18, t19, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
+            t26 = rise(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            half_3, total2_3, lost2_3, root_3, whole_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, t22, t23)
+            t27 = rise(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
+            t26 = delta*(t20*t20*t20)*apart(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t16*t16*t16)*apart(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) - 2.0*t16*t20*t25*kick(xp, t22, t23, half_3, total2_3, root_3, whole_3, root_low_3, total3_3, q_3, q_low_3) + t17*t22*t26*t27 + t21*(t18*t26 + t19*t25)*fall(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3) - t23*t24*decay(xp, t23)
+            t27 = 2.0*t21*t27 - 2.0*t24*xp.exp(-t23)
+            total3_4, low3_4, total5_4, low5_4, total6_4, low6_4, total7_4, low7_4, total10_4, low10_4 = force(xp, t1, t3, t4, t5, t2, t26, t27)
+            t24 = ahead(xp, t1, t3, t4, t5, t2, t26, t27, total3_4, low3_4, total5_4, low5_4, total6_4, low6_4, total7_4, low7_4, total10_4, low10_4)
+            t14 = cos_next(xp, t14, theta, off, cosine, sine)
+            t3 = in_phase(xp, t1, t3, t4, t5, t2, t26, t27, total3_4, low3_4, total5_4, low5_4, total6_4, low6_4, total7_4, low7_4, total10_4, low10_4)
+            t27 = t15*t3 + t24*t14
+            return t11*t27 + t15*t24 - t14*t3, -t27/t13
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, gamma, nyquist_, t13, t4, t5, theta), no, (d, delta, gamma, nyquist_, t13, t4, theta))
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, gamma, t2, t4, t5, t6, theta), no, (d, delta, gamma, t2, t4, t5, theta))
 
-    return elementwise(xp, work, theta, gamma, delta, d, t4, t5, t13, nyquist_)
+    return elementwise(xp, work, theta, gamma, delta, d, t2, t4, t5, t6)
 
 
 @by_value
@@ -4458,25 +4648,23 @@ def passivity_boundary(theta, delta, d):
             t9 = xp.cos(t8)
             t10 = t6*t9
             t8 = xp.sin(t8)
-            t12 = 2.0*t4
-            t13 = t9/(t12 + 2.0)
-            t14 = t8 - t13
+            t12 = 0.5*t10
+            t13 = t8 - t12
             off, cosine, sine = next_angle(xp, t4, theta)
-            t4 = t14*cos_next(xp, t4, theta, off, cosine, sine)
+            t14 = t13*cos_next(xp, t4, theta, off, cosine, sine)
             t2 = 1.0/t2
-            t17 = t10*t2
-            t18 = t12 + 1.0
-            t18 = t18*sinc(xp, t1*t18)
-            t12 = t12 + 3.0
-            t21 = 0.5*t17*t18 - t4
+            t4 = 2.0*t4
+            t17 = t4 + 1.0
+            t17 = t17*sinc(xp, t1*t17)
+            t4 = t4 + 3.0
+            t12 = t12*t2*t17 - t14
             off_2, cosine_2, sine_2 = next_angle(xp, t5, theta)
-            t12 = t7*(0.5*t2*t12*t6*t9*sinc(xp, t1*t12) - t14*cos_next(xp, t5, theta, off_2, cosine_2, sine_2) - t21)
-            t21 = t21 + t12
-            t2 = xp.sin(t1)
+            t4 = t7*(0.5*t2*t4*t6*t9*sinc(xp, t1*t4) - t13*cos_next(xp, t5, theta, off_2, cosine_2, sine_2) - t12)
+            t12 = t12 + t4
+            t6 = xp.sin(t1)
             t1 = xp.cos(t1)
-            t13 = t10 + 2.0*t8 - 2.0*t13
-            t13 = delta/(0.25*t17*t18 - 0.5*t4 + 0.5*t12 + 0.5*square_root(xp, (t21*t21) + t7*(1.0 - t7)*((t2*t2)*(t13*t13) + (t1*t1)*(t9*t9)/(t5*t5))))
-            return t10*t13, t14*t13
+            t1 = delta/(0.25*t10*t2*t17 - 0.5*t14 + 0.5*t4 + 0.5*square_root(xp, (t12*t12) + t7*(1.0 - t7)*(4.0*(t8*t8)*(t6*t6) + (t1*t1)*(t9*t9)/(t5*t5))))
+            return t10*t1, t13*t1
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
@@ -4511,26 +4699,24 @@ def max_passive_stiffness(delta, d):
             t9 = xp.cos(t8)
             t10 = t5*t9
             t8 = xp.sin(t8)
-            t12 = 2.0*t3
-            t13 = t9/(t12 + 2.0)
-            t14 = t8 - t13
+            t12 = 0.5*t10
+            t13 = t8 - t12
             off, cosine, sine = next_angle(xp, t3, t7)
-            t3 = t14*cos_next(xp, t3, t7, off, cosine, sine)
-            t16 = 0.5*t7
-            t17 = 1.0/sinc(xp, t16)
-            t18 = t10*t17
-            t19 = t12 + 1.0
-            t19 = t19*sinc(xp, t16*t19)
-            t12 = t12 + 3.0
-            t22 = 0.5*t18*t19 - t3
+            t14 = t13*cos_next(xp, t3, t7, off, cosine, sine)
+            t15 = 0.5*t7
+            t16 = sinc(xp, t15)
+            t3 = 2.0*t3
+            t18 = t3 + 1.0
+            t18 = t18*sinc(xp, t15*t18)
+            t3 = t3 + 3.0
+            t12 = t12*t18/t16 - t14
             off_2, cosine_2, sine_2 = next_angle(xp, t4, t7)
-            t12 = t6*(0.5*t17*t12*t5*t9*sinc(xp, t16*t12) - t14*cos_next(xp, t4, t7, off_2, cosine_2, sine_2) - t22)
-            t22 = t22 + t12
-            t17 = xp.sin(t16)
-            t16 = xp.cos(t16)
-            t13 = t10 + 2.0*t8 - 2.0*t13
-            t13 = delta/(0.25*t18*t19 - 0.5*t3 + 0.5*t12 + 0.5*square_root(xp, (t22*t22) + t6*(1.0 - t6)*((t17*t17)*(t13*t13) + (t16*t16)*(t9*t9)/(t4*t4))))
-            return t10*t13, t14*t13, t7
+            t3 = t6*(0.5*t3*t5*t9*sinc(xp, t15*t3)/t16 - t13*cos_next(xp, t4, t7, off_2, cosine_2, sine_2) - t12)
+            t12 = t12 + t3
+            t5 = xp.sin(t15)
+            t15 = xp.cos(t15)
+            t15 = delta/(0.25*t10*t18/t16 - 0.5*t14 + 0.5*t3 + 0.5*square_root(xp, (t12*t12) + t6*(1.0 - t6)*(4.0*(t8*t8)*(t5*t5) + (t15*t15)*(t9*t9)/(t4*t4))))
+            return t10*t15, t13*t15, t7
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 

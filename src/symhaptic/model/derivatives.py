@@ -200,7 +200,9 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
             raise NoForm(f"{form.name}: has no argument {name!r}; it has {', '.join(symbols)}")
     if counts(form):
         raise NoForm(f"{form.name}: has no derivative, since it counts roots")
-    results = [r for r in form.results if not form.held or r[0] in form.held]
+    names = [name for name, _ in form.results]
+    given = zip(names, form.smooth or form.expressions, strict=True)
+    results = [r for r in given if not form.held or r[0] in form.held]
     slopes = []
     for name in by:
         own = _By(symbols[name])

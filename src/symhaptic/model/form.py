@@ -34,6 +34,8 @@ class Form:
     """Where it is meant, one condition each."""
     held: tuple[str, ...] = ()
     """Results that are largest at an angle that is searched for; the others are found there."""
+    smooth: tuple[Expr, ...] = ()
+    """The results in terms whose derivatives keep their digits; empty where ``results`` are."""
     plain: Form | None = None
     """The form without the derivatives that are among the results."""
 

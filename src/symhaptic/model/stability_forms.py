@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 import sympy as sp
@@ -15,6 +16,8 @@ from symhaptic.model.entire import (
     SinNext,
 )
 from symhaptic.model.form import Form, NoForm, domain, either, present, steps_of, undelayed
+from symhaptic.model.response import Ahead, InPhase, closed
+from symhaptic.model.response import parts as parts_of_response
 from symhaptic.model.searched import (
     StiffestAngle,
 )
@@ -38,67 +41,66 @@ from symhaptic.scene import FULL, Parts
 
 
 def stability_boundary(parts: Parts = FULL) -> Form:
-    """The wall that puts a root at exp(j theta), for every real delay.
-
-    A and M on the circle from their values at 1 and -1, so that no cosines are subtracted: with
-    cosine c and sine s of theta/2, A/z = A(1) c^2 - A(-1) s^2 + 2 j s c (1 - e), and for a whole
-    delay M = (n1 + n0) c^2 - (n1 - n0) s^2 + 2 j s c n1.  A fraction leaves m2 - m0 in place of n1
-    and m2 - m1 + m0 in place of n1 - n0.
-    """
+    """The wall that puts a root at exp(j theta), for every real delay: see ``response``."""
     if not parts.virtual_damping:
         raise NoForm("stability_boundary: a scene without virtual damping has no such curve")
     symbols = present(parts, theta, gamma, delta, d)
     delay = d if parts.delay else None
-    named = _boundary(made_of(ANY), 2 * n_1, delay)
-    exact = (undelayed(parts, side) for side in boundary.wall(ANY))
     device = device_of(parts)
-    curve = _boundary(device, device.together + device.apart, delay)
-    equal = (*zip(named, exact, strict=True), *same_device(parts))
+    exact = tuple(undelayed(parts, side) for side in boundary.wall(ANY))
+    equal = *_same(made_of(ANY), 2 * n_1, delay, exact), *same_device(parts)
+    wall, smooth = _boundary(device, device.together + device.apart, delay)
     if parts.delay:
         first, last = delayed.ends(parts)
-        late = _boundary(late_of(parts), 2 * (first - last), l)
-        curve = tuple(either(*both) for both in zip(curve, late, strict=True))
+        late, smooth_late = _boundary(late_of(parts), 2 * (first - last), l)
+        wall = tuple(either(*both) for both in zip(wall, late, strict=True))
+        smooth = tuple(either(*both) for both in zip(smooth, smooth_late, strict=True))
         any_late = replace(made_of(ANY), together=m_2 + m_1 + m_0, apart=m_2 - m_1 + m_0)
-        named = _boundary(any_late, 2 * (m_2 - m_0), l)
-        equal += (*zip(named, delayed.wall(), strict=True), *delayed.derived(parts))
+        equal += _same(any_late, 2 * (m_2 - m_0), l, delayed.wall())
+        equal += delayed.derived(parts)
     return Form(
         "stability_boundary",
         "the wall (alpha, beta) that puts a characteristic root at z = exp(j theta)",
         symbols,
-        tuple(zip(("alpha", "beta"), curve, strict=True)),
+        tuple(zip(("alpha", "beta"), wall, strict=True)),
         equal,
         domain(symbols),
+        smooth=smooth,
     )
 
 
-def _boundary(x: Device, across: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
-    """With 2 n1, or 2 (m2 - m0), as ``across``."""
-    return curve(x.at_one, x.at_minus_one, x.loss, x.together, x.apart, across, theta, delay)
+def _same(
+    x: Device, across: Expr, delay: Expr | None, exact: Iterable[Expr]
+) -> tuple[tuple[Expr, Expr], ...]:
+    """Both ways to write the boundary beside the derived one."""
+    ways = ((closed(side) for side in way) for way in _boundary(x, across, delay))
+    return tuple(pair for way in ways for pair in zip(way, exact, strict=True))
 
 
-def curve(
-    at_one: Expr,
-    at_minus_one: Expr,
-    loss: Expr,
-    together: Expr,
-    apart: Expr,
-    across: Expr,
-    angle: Expr,
-    delay: Expr | None,
-) -> tuple[Expr, Expr]:
-    """The wall that puts a root at exp(j angle)."""
+def _boundary(
+    x: Device, across: Expr, delay: Expr | None
+) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
+    """With 2 n1, or 2 (m2 - m0), as ``across``; and the same for slopes."""
+    device = x.at_one, x.at_minus_one, x.loss, x.together, x.apart, across
+    in_phase, ahead = (part(theta / 2, *device) for part in (InPhase, Ahead))
+    cosine, sine = _turned(theta, delay)
+    pull = in_phase * sine + ahead * cosine
+    stiffness = ahead * sine - in_phase * cosine + pull * sp.tan(theta / 2)
+    return (stiffness, -pull / sin(theta)), curve(device, theta, delay)
+
+
+def _turned(angle: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
+    if delay is None:
+        return cos(angle), sin(angle)
+    return CosNext(delay, angle), SinNext(delay, angle)
+
+
+def curve(device: tuple[Expr, ...], angle: Expr, delay: Expr | None) -> tuple[Expr, Expr]:
+    """The wall that puts a root at exp(j angle), without a quotient that is 0/0 at the angle 0."""
     c, s = cos(angle / 2), sin(angle / 2)
-    above, above_j = at_one * c**2 - at_minus_one * s**2, 2 * loss
-    below = together * c**2 - apart * s**2
-    flat = (s * c) ** 2  # the imaginary parts are without s c
-    size = below**2 + flat * across**2
-    ratio = (above * below + flat * above_j * across) / size
-    ratio_j = (above_j * below - above * across) / size
-    if delay is not None:
-        cosine, sine = CosNext(delay, angle), SinNext(delay, angle)
-        fan = sine / sin(angle)
-    else:
-        cosine, sine, fan = cos(angle), sin(angle), sp.S.One
+    ratio, ratio_j = parts_of_response(angle / 2, *device)
+    cosine, sine = _turned(angle, delay)
+    fan = sine / sin(angle) if delay is not None else sp.S.One
     damping = -(ratio_j * cosine / 2 + ratio * fan)
     return s * c * ratio_j * sine - ratio * cosine - 2 * s**2 * damping, damping
 
@@ -117,13 +119,13 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
     values = x.at_one, x.at_minus_one, x.loss, x.together
     angle = StiffestAngle(*given, steps, steps, sp.S.Zero, x.n1, x.n0, *values, x.apart)
     delay = d if parts.delay else None
-    results = (*curve(*values, x.apart, x.together + x.apart, angle, delay), angle)
+    results = (*curve((*values, x.apart, x.together + x.apart), angle, delay), angle)
     equal = same_device(parts)
     if parts.delay:
         first, last = delayed.ends(parts)
         apart = late_of(parts).apart
         angle = StiffestAngle(*given, d, l, epsilon, first, last, *values, apart)
-        late = (*curve(*values, apart, 2 * (first - last), angle, l), angle)
+        late = (*curve((*values, apart, 2 * (first - last)), angle, l), angle)
         results = tuple(either(*both) for both in zip(results, late, strict=True))
         equal += delayed.derived(parts)
     if parts == FULL:  # the same for every device

@@ -27,6 +27,7 @@ from symhaptic.model.entire import (
     Spread,
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.model.response import closed
 from symhaptic.model.searched import Searched
 from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.slopes import NEW
@@ -81,6 +82,7 @@ def _digits(at: dict[Symbol, mpf], digits: int) -> int:
 
 @cache
 def _compiled(expr: Expr, names: tuple[Symbol, ...]) -> Callable[..., mpf]:
+    expr = closed(expr)
     used = {type(f) for f in expr.atoms(sp.Function)}
     own = {name: numeric(cls) for name, cls in ALL.items() if cls in used}
     own |= {cls.__name__: _found(cls.exact) for cls in used if issubclass(cls, Searched)}

@@ -79,7 +79,7 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
 
 def of_size_one() -> dict[Symbol, Expr]:
     """The wall with (l + 1) alpha = cos(phi) and beta + alpha/2 = sin(phi)."""
-    return {alpha: cos(phi) / (l + 1), beta: sin(phi) - cos(phi) / (2 * (l + 1))}
+    return {alpha: cos(phi) / (l + 1), beta: sin(phi) - cos(phi) / (l + 1) / 2}
 
 
 ARGUMENTS: tuple[Symbol, ...] = (alpha, beta, l, epsilon, psi)

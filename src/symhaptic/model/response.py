@@ -1,0 +1,82 @@
+r"""The force that moves the sampled device, A(z)/(z M(z)) at :math:`z=e^{2j\psi}`.
+
+Both are made of their values at 1 and -1, so that no cosines are subtracted: with cosine c and
+sine s of psi, :math:`A/z=A(1)c^2-A(-1)s^2+2jsc(1-e)`, and for a whole delay, over the root of z,
+:math:`M=(n_1+n_0)c^2-(n_1-n_0)s^2+2jscn_1`.  A fraction leaves m2 - m0 in place of n1 and
+m2 - m1 + m0 in place of n1 - n0.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sympy import Expr, Function, cos, sin
+
+
+class Response(Function):  # type: ignore[misc]
+    """A part of the force, of A(1), A(-1), 1 - e, M(1), M(-1) and twice n1, or m2 - m0.
+
+    Exported, it is found in twice the precision of a float; without a damper it is its closed form.
+    """
+
+    nargs = 7
+    meaning: str
+    """What it is, in plain text."""
+
+    @classmethod
+    def eval(cls, *args: Expr) -> Expr | None:
+        """The closed form of a device without damper, whose A(z)/z is real."""
+        return cls.definition(*args) if args[3] == 0 else None
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The closed form."""
+        raise NotImplementedError
+
+
+class InPhase(Response):
+    """The force in phase with the motion."""
+
+    meaning = "the real part of A(z)/(z M(z)) at z = exp(2 j psi), by twice a float's digits"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The real part."""
+        return parts(*args)[0]
+
+
+class Ahead(Response):
+    """The force a quarter turn ahead of the motion."""
+
+    meaning = "the imaginary part of the same"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The imaginary part."""
+        psi = args[0]
+        return sin(psi) * cos(psi) * parts(*args)[1]
+
+
+def parts(
+    psi: Expr,
+    at_one: Expr,
+    at_minus_one: Expr,
+    loss: Expr,
+    together: Expr,
+    apart: Expr,
+    across: Expr,
+) -> tuple[Expr, Expr]:
+    """The real part, and the imaginary part over cos(psi) sin(psi)."""
+    c, s = cos(psi), sin(psi)
+    above, above_j = at_one * c**2 - at_minus_one * s**2, 2 * loss
+    below = together * c**2 - apart * s**2
+    flat = (s * c) ** 2  # the imaginary parts are without s c
+    size = below**2 + flat * across**2
+    real = (above * below + flat * above_j * across) / size
+    return real, (above_j * below - above * across) / size
+
+
+@cache
+def closed(expr: Expr) -> Expr:
+    """The expression with closed forms in place of these functions."""
+    return expr.replace(lambda e: isinstance(e, Response), lambda e: e.definition(*e.args))
