@@ -9,7 +9,7 @@ from symhaptic.bench.error import measure
 from symhaptic.bench.exact import EXACT
 from symhaptic.export import request
 from symhaptic.export.precision import PRECISIONS
-from symhaptic.model.derivatives import with_derivatives
+from symhaptic.model.derivatives import differentiable, with_derivatives
 
 
 def main():
@@ -21,7 +21,7 @@ def main():
     for precision in asked:
         for form in request.chosen(names or list(EXACT)):
             if "--derivatives" in sys.argv:
-                form = with_derivatives(form, tuple(s.name for s in form.arguments))
+                form = with_derivatives(form, differentiable(form))
             for name, (error, point) in measure(form, count, seed, precision).items():
                 print(f"{precision.name} {form.name:26} {name:7} {error:7.2f}  at {point}",
                       flush=True)  # fmt: skip

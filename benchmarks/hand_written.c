@@ -310,25 +310,10 @@ static inline pair angle_of(double d, double theta) {
     return (pair){angle, fma(count, theta, -angle) + (d - (count - 1.0))*theta};
 }
 
-/* x - y z, a b and a b + c d of pairs */
-static inline pair less(double x, double y, pair z) {
+/* x - y z, rounded once */
+static inline double less(double x, double y, pair z) {
     const pair p = times(y, z), s = sum(x, -p.hi);
-    return (pair){s.hi, s.lo - p.lo};
-}
-
-static inline pair both(pair a, pair b) {
-    const double p = a.hi*b.hi;
-    return (pair){p, fma(a.hi, b.hi, -p) + (a.hi*b.lo + a.lo*b.hi)};
-}
-
-static inline pair dot(pair a, pair b, pair c, pair d) {
-    const pair p = both(a, b), q = both(c, d), s = sum(p.hi, q.hi);
-    return (pair){s.hi, s.lo + (p.lo + q.lo)};
-}
-
-static inline double ratio_of(pair a, pair b) {
-    const pair found = over(a, b);
-    return found.hi + found.lo;
+    return s.hi + (s.lo - p.lo);
 }
 
 void hand_stability_boundary(double theta, double gamma, double delta, double d,
@@ -336,12 +321,11 @@ void hand_stability_boundary(double theta, double gamma, double delta, double d,
     const ends x = device(gamma, delta, 0);
     const double t = tan(0.5*theta);
     const pair t2 = times(t, (pair){t, 0.0});
-    const pair above = less(x.at_one, x.at_minus_one, t2), below = less(x.together, x.apart, t2);
-    const pair above_j = times(2*t, (pair){x.loss, 0.0});
-    const pair below_j = times(t, sum(x.together, x.apart));
-    const pair size = dot(below, below, below_j, below_j);
-    const double ratio = ratio_of(dot(above, below, above_j, below_j), size);
-    const double ratio_j = ratio_of(dot(above_j, below, (pair){-above.hi, -above.lo}, below_j), size);
+    const double above = less(x.at_one, x.at_minus_one, t2), above_j = 2*t*x.loss;
+    const double below = less(x.together, x.apart, t2), below_j = t*(x.together + x.apart);
+    const double size = below*below + below_j*below_j;
+    const double ratio = (above*below + above_j*below_j)/size;
+    const double ratio_j = (above_j*below - above*below_j)/size;
     const pair turn = angle_of(d, theta);
     const double s = sin(turn.hi), c = cos(turn.hi);
     const double sine = s + turn.lo*c, cosine = c - turn.lo*s;

@@ -1,30 +1,38 @@
-"""The force that moves the sampled device, as routines: in twice the precision of a float.
+"""The force that moves the sampled device, as routines: the differences in A/z and M are exact.
 
-Its numerators and M are sums that may cancel; rounded once, what the boundary of stability is made
-of is off by the last places of the device's own numbers and by little else.
+That is, rounded once: what the boundary of stability loses there it magnifies.
 """
 
 from __future__ import annotations
 
 import sympy as sp
-from sympy import tan
+from sympy import Expr, Symbol, tan
 
-from symhaptic.export.routine import Routine, Steps
-from symhaptic.export.twice import Twice
+from symhaptic.export.routine import ProductError, Routine, Steps, difference
 from symhaptic.notation import psi
 
 _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
 
 
-def _force(do: Steps) -> tuple[Twice, ...]:
+def less(do: Steps, one: Expr, factor: Expr, square: Expr, low: Expr) -> Symbol:
+    """one - factor (square + low)."""
+    taken = do("taken", factor * square)
+    total, lost = difference(do, one, taken)
+    missed = do("missed", ProductError(factor, square) + factor * low)
+    lost = do("lost", lost - missed)
+    return do("left", total + lost)
+
+
+def _force(do: Steps) -> tuple[Expr, ...]:
     """A/z and M, real and imaginary part, over cos(psi)^2, and the squared size of M."""
-    at_one, at_minus_one, loss, together, apart, across = (Twice(do, x) for x in _DEVICE)
-    t = Twice(do, do("t", tan(psi)))
-    square = t * t
-    above, below = at_one - at_minus_one * square, together - apart * square
-    above_j, below_j = Twice(do, do("twice", 2 * t.high)) * loss, t * across
-    size = below * below + below_j * below_j
-    do.share("Force", "A/z and M at z = exp(2 j psi) to twice the precision of a float")
+    at_one, at_minus_one, loss, together, apart, across = _DEVICE
+    t = do("t", tan(psi))
+    square, low = do("square", t * t), do("low", ProductError(t, t))
+    above = less(do, at_one, at_minus_one, square, low)
+    below = less(do, together, apart, square, low)
+    above_j, below_j = do("above_j", 2 * t * loss), do("below_j", t * across)
+    size = do("size", below * below + below_j * below_j)
+    do.share("Force", "A/z and M at z = exp(2 j psi), and the squared size of M")
     return above, above_j, below, below_j, size
 
 
@@ -32,7 +40,7 @@ def in_phase() -> Routine:
     """The real part."""
     do = Steps()
     above, above_j, below, below_j, size = _force(do)
-    found = ((above * below + above_j * below_j) / size).rounded("found")
+    found = (above * below + above_j * below_j) / size
     return do.routine("InPhase", "the real part of A/(z M) at z = exp(2 j psi)",
                       (psi, *_DEVICE), found)  # fmt: skip
 
@@ -41,7 +49,7 @@ def ahead() -> Routine:
     """The imaginary part."""
     do = Steps()
     above, above_j, below, below_j, size = _force(do)
-    found = ((above_j * below - above * below_j) / size).rounded("found")
+    found = (above_j * below - above * below_j) / size
     return do.routine("Ahead", "the imaginary part of A/(z M) at z = exp(2 j psi)",
                       (psi, *_DEVICE), found)  # fmt: skip
 

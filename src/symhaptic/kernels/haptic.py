@@ -2856,82 +2856,43 @@ def whole_part(xp, d):
 
 
 def force(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
-    """A/z and M at z = exp(2 j psi) to twice the precision of a float"""
+    """A/z and M at z = exp(2 j psi), and the squared size of M"""
     t = xp.tan(psi)
-    total = (t*t)
+    square = (t*t)
     t_halves = halves(xp, t)
-    low = product_error(total, t_halves, t_halves)
-    total2 = at_minus_one*total
-    at_minus_one_halves = halves(xp, at_minus_one)
-    total_halves = halves(xp, total)
-    low2 = at_minus_one*low + product_error(total2, at_minus_one_halves, total_halves)
-    total3 = at_one - total2
-    back = total3 - at_one
-    rest = total3 - back
+    low = product_error(square, t_halves, t_halves)
+    taken = at_minus_one*square
+    total = at_one - taken
+    back = total - at_one
+    rest = total - back
     one = at_one - rest
-    two = -back - total2
+    two = -back - taken
     lost = one + two
-    low2 = lost - low2
-    total2 = apart_*total
-    apart__halves = halves(xp, apart_)
-    low = apart_*low + product_error(total2, apart__halves, total_halves)
-    total = together_ - total2
+    at_minus_one_halves = halves(xp, at_minus_one)
+    square_halves = halves(xp, square)
+    missed = at_minus_one*low + product_error(taken, at_minus_one_halves, square_halves)
+    lost = lost - missed
+    left = lost + total
+    taken = apart_*square
+    total = together_ - taken
     back = total - together_
     rest = total - back
     one = together_ - rest
-    two = -back - total2
+    two = -back - taken
     lost = one + two
-    low = lost - low
-    twice = 2.0*t
-    total2 = loss*twice
-    twice_halves = halves(xp, twice)
-    loss_halves = halves(xp, loss)
-    low6 = product_error(total2, twice_halves, loss_halves)
-    total7 = across*t
-    across_halves = halves(xp, across)
-    low7 = product_error(total7, t_halves, across_halves)
-    total8 = (total*total)
-    total_halves = halves(xp, total)
-    low8 = 2.0*low*total + product_error(total8, total_halves, total_halves)
-    total9 = (total7*total7)
-    total7_halves = halves(xp, total7)
-    low9 = 2.0*low7*total7 + product_error(total9, total7_halves, total7_halves)
-    total10 = total8 + total9
-    back = total10 - total8
-    rest = total10 - back
-    one = total8 - rest
-    two = total9 - back
-    lost = one + two
-    low9 = lost + low8 + low9
-    return total3, low2, total, low, total2, low6, total7, low7, total10, low9
+    apart__halves = halves(xp, apart_)
+    missed = apart_*low + product_error(taken, apart__halves, square_halves)
+    lost = lost - missed
+    left2 = lost + total
+    above_j = 2.0*loss*t
+    below_j = across*t
+    size = (below_j*below_j) + (left2*left2)
+    return left, left2, above_j, below_j, size
 
 
-def ahead(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, total3, low3, total5, low5, total6, low6, total7, low7, total10, low10):
+def ahead(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, left, left2, above_j, below_j, size):
     """the imaginary part of A/(z M) at z = exp(2 j psi)"""
-    total11 = total5*total6
-    total6_halves = halves(xp, total6)
-    total5_halves = halves(xp, total5)
-    low11 = low5*total6 + low6*total5 + product_error(total11, total6_halves, total5_halves)
-    total12 = total3*total7
-    total3_halves = halves(xp, total3)
-    total7_halves = halves(xp, total7)
-    low12 = low3*total7 + low7*total3 + product_error(total12, total3_halves, total7_halves)
-    total13 = total11 - total12
-    back4 = total13 - total11
-    rest4 = total13 - back4
-    one4 = total11 - rest4
-    two4 = -back4 - total12
-    lost4 = one4 + two4
-    low12 = lost4 + low11 - low12
-    total12 = total13/total10
-    left = total13 - total10*total12
-    total12_halves = halves(xp, total12)
-    total10_halves = halves(xp, total10)
-    left = left - product_error(total12*total10, total12_halves, total10_halves)
-    left = left - low10*total12 + low12
-    lost4 = left/total10
-    found = lost4 + total12
-    return found
+    return (above_j*left2 - below_j*left)/size
 
 
 def next_angle(xp, k, x):
@@ -3071,32 +3032,9 @@ def cos_next(xp, k, x, off, cosine, sine):
     return cosine - off*sine
 
 
-def in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, total3, low3, total5, low5, total6, low6, total7, low7, total10, low10):
+def in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, left, left2, above_j, below_j, size):
     """the real part of A/(z M) at z = exp(2 j psi)"""
-    total11 = total3*total5
-    total3_halves = halves(xp, total3)
-    total5_halves = halves(xp, total5)
-    low11 = low3*total5 + low5*total3 + product_error(total11, total3_halves, total5_halves)
-    total12 = total6*total7
-    total6_halves = halves(xp, total6)
-    total7_halves = halves(xp, total7)
-    low12 = low6*total7 + low7*total6 + product_error(total12, total6_halves, total7_halves)
-    total13 = total11 + total12
-    back4 = total13 - total11
-    rest4 = total13 - back4
-    one4 = total11 - rest4
-    two4 = total12 - back4
-    lost4 = one4 + two4
-    low12 = lost4 + low11 + low12
-    total12 = total13/total10
-    left = total13 - total10*total12
-    total12_halves = halves(xp, total12)
-    total10_halves = halves(xp, total10)
-    left = left - product_error(total12*total10, total12_halves, total10_halves)
-    left = left - low10*total12 + low12
-    lost4 = left/total10
-    found = lost4 + total12
-    return found
+    return (above_j*below_j + left*left2)/size
 
 
 def sin_next_single(xp, k, x):
@@ -4445,10 +4383,10 @@ def stability_boundary(theta, gamma, delta, d):
             t1 = 0.5*theta
             t3 = gamma*t2
             t7 = t2 + t6
-            total3_2, low3_2, total5_2, low5_2, total6_2, low6_2, total7_2, low7_2, total10_2, low10_2 = force(xp, t1, t3, t4, t5, t2, t6, t7)
-            t8 = ahead(xp, t1, t3, t4, t5, t2, t6, t7, total3_2, low3_2, total5_2, low5_2, total6_2, low6_2, total7_2, low7_2, total10_2, low10_2)
+            left_2, left2_2, above_j_2, below_j_2, size_2 = force(xp, t1, t3, t4, t5, t2, t6, t7)
+            t8 = ahead(xp, t1, t3, t4, t5, t2, t6, t7, left_2, left2_2, above_j_2, below_j_2, size_2)
             t9 = cos_next(xp, d, theta, off, cosine, sine)
-            t7 = in_phase(xp, t1, t3, t4, t5, t2, t6, t7, total3_2, low3_2, total5_2, low5_2, total6_2, low6_2, total7_2, low7_2, total10_2, low10_2)
+            t7 = in_phase(xp, t1, t3, t4, t5, t2, t6, t7, left_2, left2_2, above_j_2, below_j_2, size_2)
             t1 = xp.tan(t1)
             t3 = t0*t7 + t8*t9
             t13 = xp.sin(theta)
@@ -4478,10 +4416,10 @@ def stability_boundary(theta, gamma, delta, d):
             t27 = rise(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
             t26 = delta*(t20*t20*t20)*apart(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t16*t16*t16)*apart(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) - 2.0*t16*t20*t25*kick(xp, t22, t23, half_3, total2_3, root_3, whole_3, root_low_3, total3_3, q_3, q_low_3) + t17*t22*t26*t27 + t21*(t18*t26 + t19*t25)*fall(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3) - t23*t24*decay(xp, t23)
             t27 = 2.0*t21*t27 - 2.0*t24*xp.exp(-t23)
-            total3_4, low3_4, total5_4, low5_4, total6_4, low6_4, total7_4, low7_4, total10_4, low10_4 = force(xp, t1, t3, t4, t5, t2, t26, t27)
-            t24 = ahead(xp, t1, t3, t4, t5, t2, t26, t27, total3_4, low3_4, total5_4, low5_4, total6_4, low6_4, total7_4, low7_4, total10_4, low10_4)
+            left_4, left2_4, above_j_4, below_j_4, size_4 = force(xp, t1, t3, t4, t5, t2, t26, t27)
+            t24 = ahead(xp, t1, t3, t4, t5, t2, t26, t27, left_4, left2_4, above_j_4, below_j_4, size_4)
             t14 = cos_next(xp, t14, theta, off, cosine, sine)
-            t3 = in_phase(xp, t1, t3, t4, t5, t2, t26, t27, total3_4, low3_4, total5_4, low5_4, total6_4, low6_4, total7_4, low7_4, total10_4, low10_4)
+            t3 = in_phase(xp, t1, t3, t4, t5, t2, t26, t27, left_4, left2_4, above_j_4, below_j_4, size_4)
             t27 = t15*t3 + t24*t14
             return t11*t27 + t15*t24 - t14*t3, -t27/t13
 

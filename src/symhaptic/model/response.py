@@ -16,7 +16,7 @@ from sympy import Expr, Function, cos, sin
 class Response(Function):  # type: ignore[misc]
     """A part of the force, of A(1), A(-1), 1 - e, M(1), M(-1) and twice n1, or m2 - m0.
 
-    Exported, it is found in twice the precision of a float; without a damper it is its closed form.
+    Exported, the differences in it are rounded once; without a damper it is its closed form.
     """
 
     nargs = 7
@@ -37,7 +37,7 @@ class Response(Function):  # type: ignore[misc]
 class InPhase(Response):
     """The force in phase with the motion."""
 
-    meaning = "the real part of A(z)/(z M(z)) at z = exp(2 j psi), by twice a float's digits"
+    meaning = "the real part of A(z)/(z M(z)) at z = exp(2 j psi)"
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
