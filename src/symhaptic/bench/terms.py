@@ -15,7 +15,7 @@ from symhaptic.export.target import code_name
 from symhaptic.export.vectors import rounded
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.model.response import Response, closed
+from symhaptic.model.response import Careful, closed
 from symhaptic.model.searched import Rated, Searched
 
 
@@ -37,7 +37,7 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         whole = sized(condition.lhs, at, functions)[0] == 0
         both = sized(yes, at, functions), sized(no, at, functions)
         return tuple(np.where(whole, *pair) for pair in zip(*both, strict=True))
-    if isinstance(expr, Response):
+    if isinstance(expr, Careful):
         return sized(closed(expr), at, functions)
     parts = [sized(a, at, functions) for a in expr.args]
     if isinstance(expr, Entire):

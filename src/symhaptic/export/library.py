@@ -29,7 +29,7 @@ from symhaptic.export.routine import Routine, Step, choose, expm1
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
 from symhaptic.model.entire import CosNext, Entire, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.model.response import Ahead, InPhase, Response
+from symhaptic.model.response import Ahead, Careful, InPhase
 from symhaptic.model.stable import Form
 
 
@@ -195,7 +195,7 @@ def _calls(call: Expr) -> bool:
 SHARED = (Apart, Fall, Nyquist, Rise, Swing, Together, CosNext, SinNext, Ahead, InPhase)
 """Functions that begin with the same steps as another one of the same arguments."""
 
-_CALLS = (Entire, Response, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
+_CALLS = (Entire, Careful, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
 def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Library:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Expr, Symbol, tan
 
-from symhaptic.export.routine import ProductError, Routine, Steps, difference
+from symhaptic.export.routine import ProductError, Routine, Steps, difference, fast_sum, product
 from symhaptic.notation import psi
 
 _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
@@ -54,5 +54,17 @@ def ahead() -> Routine:
                       (psi, *_DEVICE), found)  # fmt: skip
 
 
-ROUTINES = (in_phase, ahead)
+def both_kicks() -> Routine:
+    """A product of four, rounded once."""
+    do = Steps()
+    epsilon, *kicks = given = sp.symbols("epsilon rest begun")
+    late, lost = fast_sum(do, sp.S.One, -epsilon)
+    share, share_low = product(do, epsilon, late, lost)
+    both, both_low = product(do, *kicks)
+    found, low = product(do, share, both, both_low)
+    low = do("low", low + both * share_low)
+    return do.routine("BothKicks", "epsilon (1 - epsilon) x y", given, found + low)
+
+
+ROUTINES = (in_phase, ahead, both_kicks)
 PRECISE = ()

@@ -18,7 +18,7 @@ from symhaptic.export.sizes import size as slope_size
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots, late_outside, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.model.response import Response, closed
+from symhaptic.model.response import Careful, closed
 from symhaptic.model.searched import Rated, Searched
 from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.stable import Form
@@ -129,7 +129,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         return exact, abs(exact)
     if expr is sp.pi:
         return +mpmath.pi, +mpmath.pi
-    if isinstance(expr, Response):
+    if isinstance(expr, Careful):
         return sized(closed(expr), at)
     if isinstance(expr, Entire):
         cls: Any = type(expr)

@@ -2160,6 +2160,27 @@ def apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_lo
     return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, total2), no, (delta, half, q, q_low, root, root_low, total2, total3))
 
 
+def both_kicks(xp, epsilon, rest, begun):
+    """epsilon (1 - epsilon) x y"""
+    total = 1.0 - epsilon
+    back = total - 1.0
+    lost = -back - epsilon
+    total2 = epsilon*total
+    epsilon_halves = halves(xp, epsilon)
+    total_halves = halves(xp, total)
+    lost = epsilon*lost + product_error(total2, epsilon_halves, total_halves)
+    total = begun*rest
+    rest_halves = halves(xp, rest)
+    begun_halves = halves(xp, begun)
+    lost3 = product_error(total, rest_halves, begun_halves)
+    total4 = total2*total
+    total2_halves = halves(xp, total2)
+    total_halves = halves(xp, total)
+    lost3 = lost3*total2 + product_error(total4, total2_halves, total_halves)
+    low = lost*total + lost3
+    return low + total4
+
+
 def kick(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low):
     """displacement by a unit impulse after a period"""
 
@@ -4349,7 +4370,7 @@ def is_stable(alpha, beta, gamma, delta, d):
             t14 = t11*fall(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
             t15 = kick(xp, t12, t13, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
             t16 = rise(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t16 = late_roots(xp, alpha, beta, whole_part(xp, d), t10*t7, t14*xp.exp(-t9), t1, t2, t3, t0, delta*(t6*t6*t6)*apart(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t5*t5*t5)*apart(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t10*t11*t16*t8 - t14*t9*decay(xp, t9) - 2.0*t15*t5*t6*kick(xp, t8, t9, half, total2, root, whole, root_low, total3, q, q_low) + t7*(t12*t16 + t13*t15)*fall(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low))
+            t16 = late_roots(xp, alpha, beta, whole_part(xp, d), t10*t7, t14*xp.exp(-t9), t1, t2, t3, t0, delta*(t6*t6*t6)*apart(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t5*t5*t5)*apart(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t10*t11*t16*t8 - t14*t9*decay(xp, t9) + t7*(t12*t16 + t13*t15)*fall(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) - 2.0*both_kicks(xp, t5, kick(xp, t8, t9, half, total2, root, whole, root_low, total3, q, q_low), t15))
             return t16, stable(xp, t16, alpha, beta, gamma, delta)
 
         return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_, beta, d, delta, fall_, gamma, rise_, t0, t2, t3), no, (alpha, beta, d, delta, gamma, t0, t2, t3))
@@ -4414,7 +4435,7 @@ def stability_boundary(theta, gamma, delta, d):
             t26 = rise(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
             half_3, total2_3, lost2_3, root_3, whole_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, t22, t23)
             t27 = rise(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
-            t26 = delta*(t20*t20*t20)*apart(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t16*t16*t16)*apart(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) - 2.0*t16*t20*t25*kick(xp, t22, t23, half_3, total2_3, root_3, whole_3, root_low_3, total3_3, q_3, q_low_3) + t17*t22*t26*t27 + t21*(t18*t26 + t19*t25)*fall(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3) - t23*t24*decay(xp, t23)
+            t26 = delta*(t20*t20*t20)*apart(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t16*t16*t16)*apart(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t17*t22*t26*t27 + t21*(t18*t26 + t19*t25)*fall(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3) - t23*t24*decay(xp, t23) - 2.0*both_kicks(xp, t16, kick(xp, t22, t23, half_3, total2_3, root_3, whole_3, root_low_3, total3_3, q_3, q_low_3), t25)
             t27 = 2.0*t21*t27 - 2.0*t24*xp.exp(-t23)
             left_4, left2_4, above_j_4, below_j_4, size_4 = force(xp, t1, t3, t4, t5, t2, t26, t27)
             t24 = ahead(xp, t1, t3, t4, t5, t2, t26, t27, left_4, left2_4, above_j_4, below_j_4, size_4)
@@ -4489,7 +4510,7 @@ def max_stable_stiffness(gamma, delta, d):
             t34 = t33*xp.exp(-t27)
             t35 = kick(xp, t31, t32, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
             t36 = rise(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t36 = delta*(t24*t24*t24)*apart(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t23*t23*t23)*apart(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) - 2.0*t23*t24*t35*kick(xp, t26, t27, half, total2, root, whole, root_low, total3, q, q_low) + t25*(t31*t36 + t32*t35)*fall(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) + t26*t28*t30*t36 - t27*t33*decay(xp, t27)
+            t36 = delta*(t24*t24*t24)*apart(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t23*t23*t23)*apart(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t25*(t31*t36 + t32*t35)*fall(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) + t26*t28*t30*t36 - t27*t33*decay(xp, t27) - 2.0*both_kicks(xp, t23, kick(xp, t26, t27, half, total2, root, whole, root_low, total3, q, q_low), t35)
             t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, t2, t3, t0, t36)
             t35 = 0.5*t23
             t33 = xp.sin(t35)

@@ -19,6 +19,7 @@ from symhaptic.model.entire_device import Apart, Fall, Rise
 from symhaptic.model.fractional import Late
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, Sampled
+from symhaptic.model.response import BothKicks, closed
 from symhaptic.model.slopes import Kick
 from symhaptic.notation import a, c, delta, e, epsilon, gamma, l, m_0, m_1, m_2, n_0, n_1, z
 from symhaptic.scene import Parts
@@ -90,7 +91,8 @@ def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
     damper = delta if parts.damping else sp.S.Zero
     slowed = damper * last.kick + spring * last.rise
     turned = slowed * first.fall - first.loss * last.fall + spring * first.rise * last.rise
-    return first.apart - last.apart - 2 * first.kick * last.kick + turned
+    both = BothKicks(epsilon, first.kick / (1 - epsilon), last.kick / epsilon)
+    return first.apart - last.apart - 2 * both + turned
 
 
 def _shortened(parts: Parts, time: Expr) -> Brief:
@@ -116,7 +118,7 @@ def derived(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
         (first.rise, late.m2),
         (kept * last.fall, late.m0),
         (whole.n1 + whole.n0, late.m2 + late.m1 + late.m0),
-        (at_minus_one(parts, first, last), late.m2 - late.m1 + late.m0),
+        (closed(at_minus_one(parts, first, last)), late.m2 - late.m1 + late.m0),
     )
     found = tuple((ours.xreplace(given), exact.xreplace(given)) for ours, exact in pairs)
     impulse = plant.normalised(parts).transition(sp.S.One)[0, 1]

@@ -13,25 +13,27 @@ from functools import cache
 from sympy import Expr, Function, cos, sin
 
 
-class Response(Function):  # type: ignore[misc]
-    """A part of the force, of A(1), A(-1), 1 - e, M(1), M(-1) and twice n1, or m2 - m0.
+class Careful(Function):  # type: ignore[misc]
+    """A function whose exported routine rounds less than its closed form."""
 
-    Exported, the differences in it are rounded once; without a damper it is its closed form.
-    """
-
-    nargs = 7
     meaning: str
     """What it is, in plain text."""
-
-    @classmethod
-    def eval(cls, *args: Expr) -> Expr | None:
-        """The closed form of a device without damper, whose A(z)/z is real."""
-        return cls.definition(*args) if args[3] == 0 else None
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
         """The closed form."""
         raise NotImplementedError
+
+
+class Response(Careful):
+    """A part of the force, of A(1), A(-1), 1 - e, M(1), M(-1) and twice n1, or m2 - m0."""
+
+    nargs = 7
+
+    @classmethod
+    def eval(cls, *args: Expr) -> Expr | None:
+        """The closed form of a device without damper, whose A(z)/z is real."""
+        return cls.definition(*args) if args[3] == 0 else None
 
 
 class InPhase(Response):
@@ -57,6 +59,24 @@ class Ahead(Response):
         return sin(psi) * cos(psi) * parts(*args)[1]
 
 
+class BothKicks(Careful):
+    """What an impulse moves in both parts of a period, whose square the boundary has near pi."""
+
+    nargs = 3
+    meaning = "epsilon (1 - epsilon) x y"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The product."""
+        epsilon, rest, begun = args
+        return epsilon * (1 - epsilon) * rest * begun
+
+    @classmethod
+    def eval(cls, *args: Expr) -> Expr | None:
+        """The product, of mere numbers."""
+        return cls.definition(*args) if any(x.is_number for x in args) else None
+
+
 def parts(
     psi: Expr,
     at_one: Expr,
@@ -79,4 +99,4 @@ def parts(
 @cache
 def closed(expr: Expr) -> Expr:
     """The expression with closed forms in place of these functions."""
-    return expr.replace(lambda e: isinstance(e, Response), lambda e: e.definition(*e.args))
+    return expr.replace(lambda e: isinstance(e, Careful), lambda e: e.definition(*e.args))
