@@ -1,4 +1,4 @@
-"""The force on the circle: its routines are their closed forms, and round once where they say so."""
+"""The force on the circle: its routines are their closed forms and round once where they say it."""
 
 import math
 import random

@@ -20,8 +20,9 @@ from sympy import And, Expr, Max, binomial, cos, exp, factorial, sin
 from symhaptic.export.device import Motion, motion
 from symhaptic.export.device_series import h, w
 from symhaptic.export.elementary import x
+from symhaptic.export.pairs import fading, waving
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, Steps, choose, product
 from symhaptic.model.entire import (
     Creep,
     Decay,
@@ -86,9 +87,14 @@ def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
 def kick() -> Routine:
     """exp[-p, -q]."""
     do = Steps()
-    v = _shared(do)
-    found = choose(v.swings, v.envelope * v.sine, v.fall * Decay(v.gap))
-    return _two(do, "Kick", "displacement by a unit impulse after a period", found)
+    m = motion(do)
+    slow, apart = fading(do, m.q, m.q_low), fading(do, 2 * m.root, 2 * m.root_low)
+    creep, lost = product(do, slow.fall, apart.mean, apart.mean_low)
+    creep_low = do("creep_low", lost + slow.fall_low * apart.mean)
+    wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root, m.root_low)
+    swing, swing_low = product(do, do("envelope", exp(-m.half)), wave.odd, wave.odd_low)
+    return _two(do, "Kick", "displacement by a unit impulse after a period",
+                choose(m.w < 0, swing + swing_low, creep + creep_low))  # fmt: skip
 
 
 def coast() -> Routine:

@@ -716,15 +716,15 @@ def motion(xp, gamma, delta):
     back = total - half
     lost3 = root - back
     p_low = lost3 + root_low
-    whole2 = xp.where(total == 0.0, 1.0, total)
-    q = gamma/whole2
-    off = gamma - q*whole2
-    whole2_halves = halves(xp, whole2)
+    whole = xp.where(total == 0.0, 1.0, total)
+    q = gamma/whole
+    off = gamma - q*whole
+    whole_halves = halves(xp, whole)
     q_halves = halves(xp, q)
-    off = off - product_error(whole2*q, whole2_halves, q_halves)
+    off = off - product_error(whole*q, whole_halves, q_halves)
     off = off - p_low*q
-    q_low = off/whole2
-    return half, total2, lost, root, whole, root_low, total, p_low, whole2, q, q_low
+    q_low = off/whole
+    return half, total2, lost, root, root_low, total, p_low, whole, q, q_low
 
 
 def fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low):
@@ -2181,23 +2181,124 @@ def both_kicks(xp, epsilon, rest, begun):
     return low + total4
 
 
-def kick(xp, gamma, delta, half, total2, root, whole, root_low, total3, q, q_low):
+def kick(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
     """displacement by a unit impulse after a period"""
 
-    def yes(half, root, root_low, whole):
-        sine = xp.sin(root)
-        cosine = xp.cos(root)
-        swung = (cosine*root_low + sine)/whole
+    def yes(half, lost2, root, root_low, total2):
         envelope = xp.exp(-half)
-        return envelope*swung
 
-    def no(q, q_low, root):
-        fall_ = xp.exp(-q)
-        fall_ = fall_ - fall_*q_low
-        gap_ = 2.0*root
-        return fall_*decay(xp, gap_)
+        def yes(lost2, total2):
+            given3 = total2
+            bent = given3*sin_series(xp, given3)
+            total19 = bent + 1.0
+            back14 = total19 - 1.0
+            lost19 = bent - back14
+            odd_low = lost19 + 0.16666666666666666*lost2
+            odd = total19
+            odd_low = odd_low
+            return odd, odd_low
 
-    return select(xp, total2 < 0.0, yes, (half, root, root_low, whole), no, (q, q_low, root))
+        def no(root, root_low):
+            sine = xp.sin(root)
+            cosine = xp.cos(root)
+            some = root
+            total20 = sine/some
+            left10 = sine - some*total20
+            total20_halves = halves(xp, total20)
+            some_halves = halves(xp, some)
+            left10 = left10 - product_error(total20*some, total20_halves, some_halves)
+            left10 = cosine*root_low + left10 - root_low*total20
+            lost20 = left10/some
+            odd = total20
+            odd_low2 = lost20
+            return odd, odd_low2
+
+        odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+        total21 = envelope*odd
+        envelope_halves = halves(xp, envelope)
+        odd_halves = halves(xp, odd)
+        lost21 = envelope*odd_low2 + product_error(total21, envelope_halves, odd_halves)
+        return lost21 + total21
+
+    def no(q, q_low, root, root_low):
+        rate = q
+        rate2 = 2.0*root
+
+        def yes(q, q_low):
+            given = q
+            total4 = 1.0 - 0.5*given
+            back4 = total4 - 1.0
+            lost4 = -back4 - 0.5*given
+            curved = (given*given)*decay_series(xp, given)
+            total5 = curved + total4
+            back4 = total5 - total4
+            lost5 = curved - back4
+            mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+            total4 = given*total5
+            given_halves = halves(xp, given)
+            total5_halves = halves(xp, total5)
+            lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+            total7 = 1.0 - total4
+            back4 = total7 - 1.0
+            lost4 = -back4 - total4
+            fall_low = lost4 - lost5 - q_low*total5
+            fall_ = total7
+            fall_low = fall_low
+            return fall_, fall_low
+
+        def no(q, q_low):
+            sunk = xp.exp(-q)
+            sunk_low = -q_low*sunk
+            fall_ = sunk
+            fall_low2 = sunk_low
+            return fall_, fall_low2
+
+        fall_, fall_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+        def yes(root, root_low):
+            given2 = 2.0*root
+            total10 = 1.0 - 0.5*given2
+            back8 = total10 - 1.0
+            lost10 = -back8 - 0.5*given2
+            curved2 = (given2*given2)*decay_series(xp, given2)
+            total11 = curved2 + total10
+            back8 = total11 - total10
+            lost11 = curved2 - back8
+            mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+            mean2 = total11
+            mean_low3 = mean_low3
+            return mean2, mean_low3
+
+        def no(root, root_low):
+            sunk2 = xp.exp(-2.0*root)
+            sunk_low2 = -2.0*root_low*sunk2
+            total14 = 1.0 - sunk2
+            back11 = total14 - 1.0
+            lost14 = -back11 - sunk2
+            bottom2 = 2.0*root
+            total15 = total14/bottom2
+            left7 = total14 - bottom2*total15
+            total15_halves = halves(xp, total15)
+            bottom2_halves = halves(xp, bottom2)
+            left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+            left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+            lost14 = left7/bottom2
+            mean2 = total15
+            mean_low4 = lost14
+            return mean2, mean_low4
+
+        mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+        total16 = fall_*mean2
+        fall__halves = halves(xp, fall_)
+        mean2_halves = halves(xp, mean2)
+        lost16 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
+        creep_low = fall_low2*mean2 + lost16
+        return creep_low + total16
+
+    return select(xp, total2 < 0.0, yes, (half, lost2, root, root_low, total2), no, (q, q_low, root, root_low))
 
 
 def late_part(xp, d):
@@ -4291,7 +4392,7 @@ def discretize(gamma, delta):
     xp, gamma, delta = arrays(gamma, delta)
 
     def work(gamma, delta):
-        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), xp.exp(-delta)
 
     return elementwise(xp, work, gamma, delta)
@@ -4309,7 +4410,7 @@ def discretize_late(gamma, delta, epsilon):
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
     together_, swing_ = elementwise(xp, plant, gamma, delta)
@@ -4318,10 +4419,10 @@ def discretize_late(gamma, delta, epsilon):
         t0 = 1.0 - epsilon
         t1 = (t0*t0)
         t0 = delta*t0
-        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t1, t0)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t1, t0)
         t1 = t1*rise(xp, gamma*t1, t0, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
         t4 = (epsilon*epsilon)
-        half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t4, delta*epsilon)
+        half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t4, delta*epsilon)
         t4 = t4*xp.exp(-t0)*fall(xp, gamma*t4, delta*epsilon, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
         return t1, together_ - t1 - t4, t4, swing_, xp.exp(-delta)
 
@@ -4342,7 +4443,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
     t0, t2, t3, rise_, fall_, apart_ = elementwise(xp, plant, gamma, delta)
@@ -4361,16 +4462,16 @@ def is_stable(alpha, beta, gamma, delta, d):
             t7 = (t6*t6)
             t8 = gamma*t7
             t9 = delta*t6
-            half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, t8, t9)
+            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, t8, t9)
             t10 = rise(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
             t11 = (t5*t5)
             t12 = gamma*t11
             t13 = delta*t5
-            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t12, t13)
+            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t12, t13)
             t14 = t11*fall(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t15 = kick(xp, t12, t13, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
+            t15 = kick(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2)
             t16 = rise(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t16 = late_roots(xp, alpha, beta, whole_part(xp, d), t10*t7, t14*xp.exp(-t9), t1, t2, t3, t0, delta*(t6*t6*t6)*apart(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t5*t5*t5)*apart(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t10*t11*t16*t8 - t14*t9*decay(xp, t9) + t7*(t12*t16 + t13*t15)*fall(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) - 2.0*both_kicks(xp, t5, kick(xp, t8, t9, half, total2, root, whole, root_low, total3, q, q_low), t15))
+            t16 = late_roots(xp, alpha, beta, whole_part(xp, d), t10*t7, t14*xp.exp(-t9), t1, t2, t3, t0, delta*(t6*t6*t6)*apart(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t5*t5*t5)*apart(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t10*t11*t16*t8 - t14*t9*decay(xp, t9) + t7*(t12*t16 + t13*t15)*fall(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) - 2.0*both_kicks(xp, t5, kick(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low), t15))
             return t16, stable(xp, t16, alpha, beta, gamma, delta)
 
         return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_, beta, d, delta, fall_, gamma, rise_, t0, t2, t3), no, (alpha, beta, d, delta, gamma, t0, t2, t3))
@@ -4391,7 +4492,7 @@ def stability_boundary(theta, gamma, delta, d):
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
 
     t2, t4, t5, t6 = elementwise(xp, plant, gamma, delta)
@@ -4429,13 +4530,13 @@ def stability_boundary(theta, gamma, delta, d):
             t21 = (t20*t20)
             t22 = gamma*t21
             t23 = delta*t20
-            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t18, t19)
+            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t18, t19)
             t24 = t17*fall(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t25 = kick(xp, t18, t19, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
+            t25 = kick(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2)
             t26 = rise(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            half_3, total2_3, lost2_3, root_3, whole_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, t22, t23)
+            half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, t22, t23)
             t27 = rise(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
-            t26 = delta*(t20*t20*t20)*apart(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t16*t16*t16)*apart(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t17*t22*t26*t27 + t21*(t18*t26 + t19*t25)*fall(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3) - t23*t24*decay(xp, t23) - 2.0*both_kicks(xp, t16, kick(xp, t22, t23, half_3, total2_3, root_3, whole_3, root_low_3, total3_3, q_3, q_low_3), t25)
+            t26 = delta*(t20*t20*t20)*apart(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t16*t16*t16)*apart(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t17*t22*t26*t27 + t21*(t18*t26 + t19*t25)*fall(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3) - t23*t24*decay(xp, t23) - 2.0*both_kicks(xp, t16, kick(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3), t25)
             t27 = 2.0*t21*t27 - 2.0*t24*xp.exp(-t23)
             left_4, left2_4, above_j_4, below_j_4, size_4 = force(xp, t1, t3, t4, t5, t2, t26, t27)
             t24 = ahead(xp, t1, t3, t4, t5, t2, t26, t27, left_4, left2_4, above_j_4, below_j_4, size_4)
@@ -4461,7 +4562,7 @@ def max_stable_stiffness(gamma, delta, d):
     xp, gamma, delta, d = arrays(gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
+        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
         return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
 
     t0, t2, t3, t4, rise_, fall_ = elementwise(xp, plant, gamma, delta)
@@ -4499,18 +4600,18 @@ def max_stable_stiffness(gamma, delta, d):
             t25 = (t24*t24)
             t26 = gamma*t25
             t27 = delta*t24
-            half, total2, lost2, root, whole, root_low, total3, p_low, whole2, q, q_low = motion(xp, t26, t27)
+            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, t26, t27)
             t28 = rise(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
             t29 = t25*t28
             t30 = (t23*t23)
             t31 = gamma*t30
             t32 = delta*t23
-            half_2, total2_2, lost2_2, root_2, whole_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t31, t32)
+            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t31, t32)
             t33 = t30*fall(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
             t34 = t33*xp.exp(-t27)
-            t35 = kick(xp, t31, t32, half_2, total2_2, root_2, whole_2, root_low_2, total3_2, q_2, q_low_2)
+            t35 = kick(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2)
             t36 = rise(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t36 = delta*(t24*t24*t24)*apart(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t23*t23*t23)*apart(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t25*(t31*t36 + t32*t35)*fall(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) + t26*t28*t30*t36 - t27*t33*decay(xp, t27) - 2.0*both_kicks(xp, t23, kick(xp, t26, t27, half, total2, root, whole, root_low, total3, q, q_low), t35)
+            t36 = delta*(t24*t24*t24)*apart(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t23*t23*t23)*apart(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t25*(t31*t36 + t32*t35)*fall(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) + t26*t28*t30*t36 - t27*t33*decay(xp, t27) - 2.0*both_kicks(xp, t23, kick(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low), t35)
             t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, t2, t3, t0, t36)
             t35 = 0.5*t23
             t33 = xp.sin(t35)

@@ -28,7 +28,6 @@ from symhaptic.model.entire import (
     at_numbers,
 )
 from symhaptic.model.products import WHOLE
-from symhaptic.model.response import closed
 from symhaptic.model.searched import (
     LargestNeed,
     LatePart,
@@ -202,7 +201,7 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
     if counts(form):
         raise NoForm(f"{form.name}: has no derivative, since it counts roots")
     names = [name for name, _ in form.results]
-    given = zip(names, map(closed, form.smooth or form.expressions), strict=True)
+    given = zip(names, form.differentiated, strict=True)
     results = [r for r in given if not form.held or r[0] in form.held]
     slopes = []
     for name in by:

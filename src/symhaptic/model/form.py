@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Rational, Symbol
 
+from symhaptic.model.response import closed
 from symhaptic.model.searched import LatePart, SomePart, WholePart
 from symhaptic.notation import beta, d, delta, epsilon, gamma, l, theta
 from symhaptic.scene import Parts
@@ -43,6 +44,11 @@ class Form:
     def expressions(self) -> tuple[Expr, ...]:
         """The stable forms alone."""
         return tuple(expr for _, expr in self.results)
+
+    @property
+    def differentiated(self) -> tuple[Expr, ...]:
+        """The same in terms whose derivatives keep their digits."""
+        return tuple(map(closed, self.smooth or self.expressions))
 
 
 def present(parts: Parts, *symbols: Symbol) -> tuple[Symbol, ...]:
