@@ -54,7 +54,7 @@ def readme(library: Library, target: Target, count: int) -> str:
     if meanings:
         lines += ["## The functions in these formulas", ""]
         lines += [
-            "None has a singularity: where a closed form would lose digits a series is used.",
+            "Where a closed form is 0/0, or would lose digits, another one or a series is used.",
             "",
         ]
         lines += [f"- {name}: {meaning}" for name, meaning in sorted(meanings.items())]

@@ -26,9 +26,17 @@ class Careful(Function):  # type: ignore[misc]
 
 
 class Response(Careful):
-    """A part of the force, of A(1), A(-1), 1 - e, M(1), M(-1) and twice n1, or m2 - m0."""
+    """A part of the force, of psi, A(1), A(-1), 1 - e, n1 + n0, n1 - n0 and 2 n1.
+
+    Behind a fraction of m2 + m1 + m0, m2 - m1 + m0 and 2 (m2 - m0) in place of the last three.
+    """
 
     nargs = 7
+    meaning = (
+        "part of (p c^2 - q s^2 + 2 j s c r)/(u c^2 - v s^2 + j s c x), c = cos(psi), "
+        "s = sin(psi), of psi, p, q, r, u, v and x: the force that moves the device by "
+        "exp(2 j psi k)"
+    )
 
     @classmethod
     def eval(cls, *args: Expr) -> Expr | None:
@@ -39,7 +47,7 @@ class Response(Careful):
 class InPhase(Response):
     """The force in phase with the motion."""
 
-    meaning = "the real part of A(z)/(z M(z)) at z = exp(2 j psi)"
+    meaning = f"the real {Response.meaning}"
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
@@ -50,7 +58,7 @@ class InPhase(Response):
 class Ahead(Response):
     """The force a quarter turn ahead of the motion."""
 
-    meaning = "the imaginary part of the same"
+    meaning = f"the imaginary {Response.meaning}"
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
