@@ -95,7 +95,7 @@ def test_printed_and_derived_forms(monkeypatch):
         id: (found.settlement.derived, found.verdict)
         for id, found in run(chapter).page.settled.items()
     }
-    monkeypatch.setattr(formulas, "_settled", lambda: settled)
+    monkeypatch.setattr(formulas, "_settled", lambda path: settled)
     for form in ("printed", "derived"):
         stiffness, damping = np.ravel(lambdify("eq11", form=form)(1.0, 1.0, 1.0))
         assert float(stiffness) == pytest.approx(2 * (2**0.5 - 1))

@@ -38,15 +38,22 @@ def test_delays_next_to_the_loss_of_a_weak_wall(which, delay):
 
 @pytest.mark.parametrize("end", [0.0, np.pi], ids=["root at 1", "root at -1"])
 def test_beside_the_boundary_close_to_its_ends(end):
-    """300 walls a relative 1e-13 to 1e-12 beside points whose pair nearly meets at 1 or at -1."""
+    """300 walls a relative 1e-13 to 1e-12 beside points whose pair nearly meets at 1 or at -1.
+
+    At right angles to the boundary: along it a wall may come back to it.
+    """
     rng = np.random.default_rng(92)
     for _ in range(300):
-        theta = abs(end - 10 ** rng.uniform(-4, -2))
+        size = 10 ** rng.uniform(-4, -2)
         gamma, delta, delay = rng.uniform(0, 9.5), rng.uniform(0.05, 2), int(rng.integers(0, 9))
-        alpha, beta = (float(v) for v in stability_boundary(theta, gamma, delta, delay))
-        away = rng.choice([-1, 1], 2) * 10 ** rng.uniform(-13, -12, 2)
-        case = alpha * (1 + away[0]), beta * (1 + away[1]), gamma, delta, delay
-        assert int(unstable_roots(*case)) == certified(*case), (theta, case)
+        angles = np.abs(end - size * np.array([0.999, 1, 1.001]))
+        walls = np.array(stability_boundary(angles, gamma, delta, delay))
+        along = (walls[:, 2] - walls[:, 0]) / walls[:, 1]
+        aside = np.array([-along[1], along[0]]) / np.hypot(*along)
+        away = rng.choice([-1, 1]) * 10 ** rng.uniform(-13, -12) * aside
+        alpha, beta = (float(v) for v in walls[:, 1] * (1 + away))
+        case = alpha, beta, gamma, delta, delay
+        assert int(unstable_roots(*case)) == certified(*case), (size, case)
 
 
 def test_principal_sheet_beside_the_roots_in_the_cut_plane():
