@@ -216,6 +216,8 @@ BAD_INPUT = {
     "unknown option": (["report", "--frobnicate"], "--frobnicate"),
     "report into a file": (["report", "-o", "a_file"], "a_file"),
     "report below a file": (["report", "-o", "a_file/deeper"], "a_file"),
+    "check of a file": (["report", "--check", "-o", "a_file"], "-o a_file: is no folder"),
+    "check of nothing": (["report", "--check", "-o", "nowhere"], "-o nowhere: is no folder"),
 }
 
 

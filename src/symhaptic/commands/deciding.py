@@ -159,6 +159,8 @@ def report(
         build.check(paths)
         if not check:
             folder_allowed(output)
+        elif not output.is_dir():
+            refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
         chapters = chapters_of(paths)
         if check:
             diff = build.differences(chapters, output)
