@@ -7,7 +7,6 @@ import math
 import subprocess
 import tempfile
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +19,8 @@ from symhaptic.bench.exact_slopes import slopes
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized
 from symhaptic.export import request
-from symhaptic.export.array_api import starts
+from symhaptic.export.library import library
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
-from symhaptic.export.target import code_name
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.stable import Form
 
@@ -70,22 +68,12 @@ def compiled(
 
 
 def functions(form: Form) -> Any:
-    """The routines of the array export, to find the sizes of terms with."""
-    made, files = request.built(TARGETS["numpy"], [form], "terms", vectors=False)
+    """The routines of the array export, each alone, to find the sizes of terms with."""
+    language = TARGETS["numpy"]
+    files = language.source(library("terms", "", [form], language, merges=False))
     space: dict[str, Any] = {}
     exec(compile(files["terms.py"], "terms.py", "exec"), space)
-    found = {k: v for k, v in space.items() if callable(v)}
-    for name, start in starts(made).items():
-        own, first = code_name(name), space[code_name(start.routine.name)]
-        places = [start.kept.index(symbol) for symbol in start.used[name]]
-        found[own] = partial(_begun, first, space[own], places)
-    return type("Terms", (), {k: staticmethod(v) for k, v in found.items()})
-
-
-def _begun(first: Any, rest: Any, places: list[int], *args: Any) -> Any:
-    """A routine that is given the steps that it shares with others."""
-    shared = first(*args)
-    return rest(*args, *(shared[i] for i in places))
+    return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})
 
 
 def exactly(form: Form, point: list[float]) -> list[Any]:

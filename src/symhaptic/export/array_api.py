@@ -6,7 +6,7 @@ elements that count.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from types import MappingProxyType
 
@@ -18,8 +18,8 @@ from symhaptic.export.blocks import functional
 from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library, known
 from symhaptic.export.precision import SINGLE
-from symhaptic.export.routine import Repeat, Routine, Step
-from symhaptic.export.stages import Begun, begun, staged
+from symhaptic.export.routine import Routine, Step
+from symhaptic.export.stages import staged
 from symhaptic.export.target import Target, called, describe, vocabulary
 
 
@@ -27,7 +27,6 @@ class ArrayApi(Target):
     """One module of functions of arrays."""
 
     name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", ArrayPrinter
-    shares = False
     words = MappingProxyType({"&&": "&", "||": "|", "!": "~"})
     keywords = vocabulary(
         "False None True and as assert async await break class continue def del elif else except "
@@ -50,28 +49,20 @@ class ArrayApi(Target):
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
         lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
-        shared = starts(library)
         for helper in map(_without_numbers, library.helpers):
             if helper.name == "ProductError":
                 lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
                 continue
-            start = shared.get(helper.name)
-            if start and start.first == helper.name:
-                lines += [*self._helper(start.routine, {}), "", ""]
-            own = start.rest(helper) if start else helper
             other = _without_numbers(known(SINGLE)[helper.name])
-            brief = None if other == helper else other
-            lines += [*self._helper(own, shared, brief), "", ""]
+            lines += [*self._helper(helper, None if other == helper else other), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += [*self._public(routine, describe(form), shared), "", ""]
+            lines += [*self._public(routine, describe(form)), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
     def _named(self, symbols: Iterable[Symbol]) -> list[str]:
         return [self.rename(s.name) for s in symbols]
 
-    def _helper(
-        self, routine: Routine, starts: Mapping[str, Begun], brief: Routine | None = None
-    ) -> list[str]:
+    def _helper(self, routine: Routine, brief: Routine | None) -> list[str]:
         """A function; before it the one for single precision, where that has other steps."""
         name, given = self.call(routine.name), self._named(routine.arguments)
         arguments = ", ".join(["xp", *given])
@@ -80,14 +71,14 @@ class ArrayApi(Target):
         if brief is not None:
             head += [f"    if {given[0]}.dtype == xp.float32:",
                      f"        return {name}_single({short})"]  # fmt: skip
-        lines = [*head, *self._body(routine, starts, 1)]
+        lines = [*head, *self._body(routine, 1)]
         if brief is None:
             return lines
         single = [f"def {name}_single({short}):", '    """The same in single precision."""']
-        single += self._body(brief, starts, 1)
+        single += self._body(brief, 1)
         return [*single, "", "", *lines]
 
-    def _public(self, routine: Routine, about: list[str], starts: Mapping[str, Begun]) -> list[str]:
+    def _public(self, routine: Routine, about: list[str]) -> list[str]:
         names = self._named(routine.arguments)
         head = f"def {self.call(routine.name)}({', '.join(names)}):"
         lines = ["@by_value", head, f'    """{about[0]}']
@@ -95,14 +86,14 @@ class ArrayApi(Target):
         if not about[1:]:
             lines[-1] += '"""'
         if not names:
-            return [*lines, "    (xp,) = arrays()", *self._body(routine, starts, 1)]
+            return [*lines, "    (xp,) = arrays()", *self._body(routine, 1)]
         lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
         plant, work = staged(routine)
         for name, part in (("plant", plant), ("work", work)):
             if part is None:
                 continue
             given = ", ".join(self._named(part.arguments))
-            found = self._body(part, starts, 2)
+            found = self._body(part, 2)
             lines += ["", f"    def {name}({given}):", *found, ""]
             call = f"elementwise(xp, {name}, {given})"
             results = self._named(Symbol(n) for n, _ in part.results)
@@ -111,8 +102,12 @@ class ArrayApi(Target):
             )
         return lines
 
-    def _body(self, routine: Routine, starts: Mapping[str, Begun], depth: int) -> list[str]:
-        return Scope(self, functional(lazy(routine)), starts).written(depth)
+    def _body(self, routine: Routine, depth: int) -> list[str]:
+        return Scope(self, functional(lazy(routine))).written(depth)
+
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """From a tuple."""
+        return [f"{', '.join(names)} = {function}(xp, {args})"]
 
     def usage(self, library: Library) -> str:
         """What it needs, and an import of the first function."""
@@ -131,17 +126,12 @@ class ArrayApi(Target):
         return [["python", "-W", "error", "selftest.py"]]
 
 
-def starts(library: Library) -> dict[str, Begun]:
-    """For each helper that shares its first steps with others, the routine that does them."""
-    return begun(map(_without_numbers, library.helpers))
-
-
 def _without_numbers(routine: Routine) -> Routine:
     """The routine with the names of mere numbers replaced by these."""
     numbers: dict[Symbol, Expr] = {}
     steps: list[Step] = []
     for step in routine.steps:
-        if isinstance(step, Repeat):
+        if not isinstance(step, tuple):
             steps.append(step.xreplace(numbers))
             continue
         name, value = step[0], step[1].xreplace(numbers)
@@ -149,12 +139,8 @@ def _without_numbers(routine: Routine) -> Routine:
             numbers[name] = value
         else:
             steps.append((name, value))
-    before = routine.shared
-    if before is not None and numbers:
-        count = sum(s[0] not in numbers for s in routine.assignments[: before.count])
-        before = replace(before, count=count)
     results = tuple((name, expr.xreplace(numbers)) for name, expr in routine.results)
-    return replace(routine, steps=tuple(steps), results=results, shared=before)
+    return replace(routine, steps=tuple(steps), results=results)
 
 
 TARGET = ArrayApi()

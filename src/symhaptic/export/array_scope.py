@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 import sympy as sp
 from sympy import Expr, Piecewise, Symbol
@@ -17,8 +17,7 @@ from symhaptic.export.blocks import (
     expressions,
     inputs,
 )
-from symhaptic.export.routine import ProductError, Repeat, Routine
-from symhaptic.export.stages import Begun
+from symhaptic.export.routine import ProductError, Repeat, Routine, Several
 from symhaptic.export.target import Printing, Target, calls
 
 
@@ -59,16 +58,14 @@ class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]
 class Scope:
     """The body of one function."""
 
-    def __init__(self, target: Target, block: Block, starts: Mapping[str, Begun]) -> None:
-        self.target, self.block, self.starts = target, block, starts
+    def __init__(self, target: Target, block: Block) -> None:
+        self.target, self.block = target, block
         self.printer = target.printing()
         self.printer.scope = self
         self.names: dict[Symbol, str] = {}
         """Names that are those of another variable, which is done with."""
         self.split: dict[Expr, str] = {}
         """Factors whose halves are there, and the name of these."""
-        self.begun: dict[tuple[str, tuple[Expr, ...]], str] = {}
-        """What is shared and done: the suffix of its names."""
         self.products: dict[object, Symbol] = {
             frozenset(s.expr.args) if s.expr.is_Mul else s.expr: s.name
             for s in block
@@ -102,9 +99,14 @@ class Scope:
                     idle.setdefault(_base(symbol), []).append(self.name(symbol))
                 if free := idle.get(_base(statement.name)):
                     self.names[statement.name] = free.pop()
-                lines.append(f"{pad}{self.name(statement.name)} = {value}")
+                if value != (name := self.name(statement.name)):
+                    lines.append(f"{pad}{name} = {value}")
             elif isinstance(statement, Repeat):
                 lines += self._repeat(statement, depth)
+            elif isinstance(statement, Several):
+                name, args = self._called(statement.call)
+                given = self.target.unpacked(self.named(statement.names), name, args)
+                lines += [pad + line for line in given]
             elif isinstance(statement, Join):
                 lines += self._join(statement, depth)
             elif isinstance(statement, Choice):
@@ -131,7 +133,7 @@ class Scope:
         condition = self.condition(choice.condition)
         for name, block in (("yes", choice.yes), ("no", choice.no)):
             wanted = inputs(block) or _first(choice.condition)
-            inside = Scope(self.target, block, self.starts)
+            inside = Scope(self.target, block)
             lines += ["", *self._function(name, inside, wanted, depth)]
             given.append(_listed(self.named(wanted)))
         end = f"{start} select(xp, {condition}, yes, {given[0]}, no, {given[1]})"
@@ -151,7 +153,7 @@ class Scope:
         }
         outer = sorted({s for b in bodies.values() for s in inputs(b)} - set(loop.states), key=str)
         for name, block in bodies.items():
-            inside = Scope(self.target, block, self.starts)
+            inside = Scope(self.target, block)
             lines += ["", *self._function(name, inside, [*loop.states, *outer], depth)]
         states = ", ".join(self.named(loop.states))
         call = (
@@ -209,24 +211,17 @@ class Scope:
                         name = f"case{len(self.cases) + 1}"
                         lines.append(f"{name} = {self.printer.doprint(condition)}")
                         self.cases[condition] = name
-            elif type(part).__name__ in self.starts:
-                lines += self._begin(self.starts[type(part).__name__], part.args)
         return lines
-
-    def _begin(self, start: Begun, args: tuple[Expr, ...]) -> list[str]:
-        if (start.routine.name, args) in self.begun:
-            return []
-        suffix = f"_{len(self.begun) + 1}" if self.begun else ""
-        self.begun[start.routine.name, args] = suffix
-        names = [f"{self.target.rename(s.name)}{suffix}" for s in start.kept]
-        given = ", ".join(["xp", *(self.printer.doprint(a) for a in args)])
-        return [f"{', '.join(names)} = {self.target.call(start.routine.name)}({given})"]
 
     # -- expressions -----------------------------------------------------------------------
 
     def call(self, expr: Expr) -> str:
-        """A call of a routine, with what is shared and done already."""
-        name = expr.func.__name__
+        """A call of a routine."""
+        name, args = self._called(expr)
+        return f"{name}(xp, {args})"
+
+    def _called(self, expr: Expr) -> tuple[str, str]:
+        """The routine, and its arguments, which are all arrays."""
         like = min(self._symbols(expr), key=str, default=None)
         args = [
             f"xp.full_like({like}, {self.printer.doprint(a)})"
@@ -234,11 +229,7 @@ class Scope:
             else self.printer.doprint(a)
             for a in expr.args
         ]
-        if name in self.starts:
-            start = self.starts[name]
-            suffix = self.begun[start.routine.name, expr.args]
-            args += [f"{self.target.rename(s.name)}{suffix}" for s in start.used[name]]
-        return f"{self.target.call(name)}({', '.join(['xp', *args])})"
+        return self.target.call(expr.func.__name__), ", ".join(args)
 
     def product_error(self, one: Expr, two: Expr) -> str:
         """What a product misses; the product itself may have a name."""

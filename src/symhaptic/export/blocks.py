@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from sympy import Expr, Symbol
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.routine import Repeat
+from symhaptic.export.routine import Repeat, Several
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Return:
     results: tuple[Expr, ...]
 
 
-Statement = Assign | Repeat | Choice | Join | Set | Return
+Statement = Assign | Repeat | Several | Choice | Join | Set | Return
 Block = tuple[Statement, ...]
 
 
@@ -62,6 +62,8 @@ def expressions(statement: Statement) -> tuple[Expr, ...]:
         return (statement.expr,)
     if isinstance(statement, Repeat):
         return statement.start
+    if isinstance(statement, Several):
+        return (statement.call,)
     return statement.results if isinstance(statement, Return) else (statement.condition,)
 
 
@@ -112,6 +114,6 @@ def made(statement: Statement) -> tuple[Symbol, ...]:
     """The names that a statement makes known."""
     if isinstance(statement, Repeat):
         return statement.states
-    if isinstance(statement, Join):
+    if isinstance(statement, (Join, Several)):
         return statement.names
     return (statement.name,) if isinstance(statement, (Assign, Set)) else ()

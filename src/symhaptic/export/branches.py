@@ -13,7 +13,7 @@ from sympy import Expr, Function, Piecewise, Symbol
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, Statement
-from symhaptic.export.routine import Repeat, Routine, names
+from symhaptic.export.routine import Routine, names
 
 
 @cache
@@ -34,8 +34,8 @@ class _Lazy:
     """Puts steps into the branches that need them."""
 
     def __init__(self, routine: Routine) -> None:
-        self.known = dict(step for step in routine.steps if not isinstance(step, Repeat))
-        self.loops = {s: r for r in routine.steps if isinstance(r, Repeat) for s in r.states}
+        self.known = dict(step for step in routine.steps if isinstance(step, tuple))
+        self.several = {s: r for r in routine.steps if not isinstance(r, tuple) for s in names(r)}
         conditions = (c for e in routine.expressions for c in e.atoms(sp.StrictLessThan))
         self.limits = {c for c in conditions if c.rhs.is_number}
         self.order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
@@ -66,12 +66,12 @@ class _Lazy:
         written: list[Statement] = []
         done = set(done)
         while left:
-            loops = [self.loops[s] for s in left if s in self.loops]
-            ready = [r for r in loops if not r.free_symbols & set(left)]
+            several = [self.several[s] for s in left if s in self.several]
+            ready = [r for r in several if not r.free_symbols & set(left)]
             if ready:
                 written.append(ready[0])
-                left = [s for s in left if s not in ready[0].states]
-                done |= set(ready[0].states)
+                left = [s for s in left if s not in names(ready[0])]
+                done |= set(names(ready[0]))
                 continue
             waiting = set(left)
             idle = (s for s in left if s in exprs and waiting.isdisjoint(_free(exprs[s])))
@@ -117,8 +117,8 @@ class _Lazy:
 
     def _costs(self, condition: Boolean, done: set[Symbol]) -> bool:
         """Whether it takes a call to find out."""
-        steps = (self.known.get(s) for s in self._closure((condition,), done))
-        return any(expr is not None and _calls(expr) for expr in steps)
+        steps = self._closure((condition,), done)
+        return any(s in self.several or _calls(self.known[s]) for s in steps)
 
     def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
         """Steps that the expressions may need."""
@@ -131,9 +131,9 @@ class _Lazy:
             if symbol in self.known:
                 found.add(symbol)
                 left += _free(self.known[symbol])
-            elif symbol in self.loops:
-                found |= set(self.loops[symbol].states)
-                left += self.loops[symbol].free_symbols
+            elif symbol in self.several:
+                found |= set(names(self.several[symbol]))
+                left += self.several[symbol].free_symbols
         return found
 
     def _always(
@@ -159,9 +159,9 @@ class _Lazy:
                     left += both(expr) - found
                     continue
                 for symbol in _free(expr) - done - found:
-                    if symbol in self.loops:
-                        found |= set(self.loops[symbol].states)
-                        left += self.loops[symbol].free_symbols
+                    if symbol in self.several:
+                        found |= set(names(self.several[symbol]))
+                        left += self.several[symbol].free_symbols
                     elif symbol in exprs:
                         found.add(symbol)
                         left.append(exprs[symbol])

@@ -66,36 +66,41 @@ class C(Target):
         heads = []
         for form, routine in zip(library.forms, library.public, strict=True):
             heads += ["/*", *(f" * {line}" for line in describe(form)), " */"]
-            heads += [f"{self._head(library, routine)};", ""]
+            heads += [f"{self._head(f'{library.name}_{routine.name}', routine)};", ""]
         header = [f"#ifndef {guard}", f"#define {guard}", "", *heads, "#endif", ""]
         lines = ["#include <math.h>", "", f'#include "{library.name}.h"', ""]
         for helper in library.helpers:
-            lines += [f"/* {helper.about} */", f"static {self._helper(helper)} {{"]
-            lines += [*braces(self, lazy(helper), ["return {0};"], f"const {self.real}"), "}", ""]
+            lines.append(f"/* {helper.about} */")
+            lines += self._written(helper, f"static {self._head(self.call(helper.name), helper)}")
         for routine in library.public:
-            ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
-            lines.append(f"{self._head(library, routine)} {{")
-            ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
-            lines += [*braces(self, lazy(routine), ends, f"const {self.real}"), "}", ""]
+            lines += self._written(routine, self._head(f"{library.name}_{routine.name}", routine))
         return {f"{library.name}.h": "\n".join(header), f"{library.name}.c": "\n".join(lines)}
 
     def _out(self, name: str) -> str:
         return f"{name}_out"
 
-    def _helper(self, routine: Routine) -> str:
-        args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in routine.arguments)
-        return f"{self.real} {self.call(routine.name)}({args})"
+    def _written(self, routine: Routine, head: str) -> list[str]:
+        ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
+        ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
+        return [f"{head} {{", *braces(self, lazy(routine), ends, f"const {self.real}"), "}", ""]
 
-    def _head(self, library: Library, routine: Routine) -> str:
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """Through pointers."""
+        places = ", ".join(f"&{name}" for name in names)
+        return [f"{self.real} {', '.join(names)};", f"{function}({args}, {places});"]
+
+    def _head(self, name: str, routine: Routine) -> str:
         args = [f"{self.real} {self.rename(s.name)}" for s in routine.arguments]
         kind = self.real
         if len(routine.results) > 1:
             kind, args = "void", args + [f"{self.real} *{self._out(n)}" for n, _ in routine.results]
-        return f"{kind} {library.name}_{routine.name}({', '.join(args) or 'void'})"
+        return f"{kind} {name}({', '.join(args) or 'void'})"
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""
-        return f'#include "{library.name}.h"\n\n{self._head(library, library.public[0])};'
+        first = library.public[0]
+        head = self._head(f"{library.name}_{first.name}", first)
+        return f'#include "{library.name}.h"\n\n{head};'
 
     def selftest(self, library: Library) -> dict[str, str]:
         """selftest.c."""

@@ -60,26 +60,31 @@ class Cpp(Target):
         lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "#include <limits>", "",
                  "namespace {", ""]  # fmt: skip
         for helper in library.helpers:
-            args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in helper.arguments)
-            lines += [f"// {helper.about}", f"{self.real} {self.call(helper.name)}({args}) {{"]
-            lines += [*braces(self, lazy(helper), ["return {0};"], f"const {self.real}"), "}", ""]
+            lines += [f"// {helper.about}", *self._written(helper)]
         lines += ["}", "", f"namespace {library.name} {{", ""]
         for routine in library.public:
-            count = len(routine.results)
-            values = ", ".join(f"{{{i}}}" for i in range(count))
-            end = f"return {{{{{values}}}}};" if count > 1 else "return {0};"
-            lines.append(f"{self._head(routine)} {{")
-            lines += [*braces(self, lazy(routine), [end], f"const {self.real}"), "}", ""]
+            lines += self._written(routine)
         return {
             f"{library.name}.hpp": "\n".join(header),
             f"{library.name}.cpp": "\n".join([*lines, "}", ""]),
         }
 
+    def _written(self, routine: Routine) -> list[str]:
+        count = len(routine.results)
+        values = ", ".join(f"{{{i}}}" for i in range(count))
+        end = f"return {{{{{values}}}}};" if count > 1 else "return {0};"
+        body = braces(self, lazy(routine), [end], f"const {self.real}")
+        return [f"{self._head(routine)} {{", *body, "}", ""]
+
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """From an array."""
+        return [f"const auto [{', '.join(names)}] = {function}({args});"]
+
     def _head(self, routine: Routine) -> str:
         args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in routine.arguments)
         count = len(routine.results)
         kind = self.real if count == 1 else f"std::array<{self.real}, {count}>"
-        return f"{kind} {routine.name}({args})"
+        return f"{kind} {self.call(routine.name)}({args})"
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""

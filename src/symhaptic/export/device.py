@@ -18,9 +18,8 @@ from sympy import Expr, cos, exp, sin, sqrt
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.device_series import NEAR
-from symhaptic.export.elementary import HALF, number_and
+from symhaptic.export.elementary import SIXTH, number_and
 from symhaptic.export.pairs import Fading, fading, waving
-from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     ProductError,
     Routine,
@@ -99,7 +98,6 @@ def motion(do: Steps) -> Motion:
     off = do("off", off - ProductError(whole, q))
     off = do("off", off - q * p_low)
     q_low = do("q_low", off / whole)
-    do.share("Motion", "w = delta^2/4 - gamma and both poles, to twice the precision of a float")
     reach = do("reach", choose(value < 0, gamma / STIFF, p / NEAR))
     small, soft = reach < 1, reach < SOFT
     return Motion(half, value, low, root, root_low, some, p, whole, p_low, q, q_low, small, soft)
@@ -154,7 +152,7 @@ def rise() -> Routine:
     top, lost = fast_sum(do, sp.S.One, -left)
     swing, more = quotient(do, top, v.stiff, lost - left_low)
     given = choose(m.soft, m.half, 0), choose(m.soft, m.w, 0)
-    near = number_and(do, exp(-m.half), HALF, "RiseSeries", *given)
+    near = number_and(do, exp(-m.half), sp.S.Half, "RiseSeries", *given)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
                       (gamma, delta),
                       _cases(m, m.soft, near, swing + more, creep + missed))  # fmt: skip
@@ -177,7 +175,7 @@ def fall() -> Routine:
     top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
     swing, missed = quotient(do, top, v.stiff, top_low)
     given = choose(m.soft, gamma, 0), choose(m.soft, delta, 0)
-    near = number_and(do, exp(-delta), HALF, "FallSeries", *given)
+    near = number_and(do, exp(-delta), sp.S.Half, "FallSeries", *given)
     return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
                       (gamma, delta), _cases(m, m.soft, near, swing + missed, creep))  # fmt: skip
 
@@ -193,7 +191,7 @@ def together() -> Routine:
     c = _creeping(do, m)
     creep = c.slow.mean * ((1 - c.slow.fall * c.apart.fall) / m.whole)
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
-    near = 2 * number_and(do, exp(-m.half), HALF, "TogetherSeries", *given)
+    near = 2 * number_and(do, exp(-m.half), sp.S.Half, "TogetherSeries", *given)
     swing = choose(sp.Eq(delta, 0), still**2, swing)
     return do.routine("Together", "n1 + n0", (gamma, delta), _cases(m, m.small, near, swing, creep))
 
@@ -236,7 +234,7 @@ def swing() -> Routine:
                       choose(m.w < 0, 2 * (turn + lost), creep))  # fmt: skip
 
 
-def apart(precision: Precision = DOUBLE) -> Routine:
+def apart() -> Routine:
     """(n_1 - n_0)/delta; for delta = 0 and a stiff spring only a finite number.
 
     Forms have delta Apart alone, which is 0 there.
@@ -255,12 +253,11 @@ def apart(precision: Precision = DOUBLE) -> Routine:
     v = _swinging(do, m)
     swing = (Decay(delta) - 2 * v.envelope * v.odd / do.nonzero(delta)) / v.stiff
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
-    sixth = precision.parts(sp.Rational(1, 6))
-    near = number_and(do, exp(-m.half), sixth, "ApartSeries", *given)
+    near = number_and(do, exp(-m.half), SIXTH, "ApartSeries", *given)
     return do.routine(
         "Apart", "(n1 - n0)/delta", (gamma, delta), _cases(m, m.small, near, swing, creep)
     )
 
 
-ROUTINES = (rise, fall, together, nyquist, swing)
-PRECISE = (apart,)
+ROUTINES = (rise, fall, together, nyquist, swing, apart)
+PRECISE = ()

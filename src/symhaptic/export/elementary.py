@@ -23,8 +23,8 @@ x, w, k, y, z = sp.symbols("x w k y z")
 _QUARTER = sp.Rational(3, 2)
 """Near a quarter turn."""
 
-HALF = sp.S.Half, sp.S.Zero
-"""1/2 and what its float misses."""
+SIXTH = DOUBLE.parts(sp.Rational(1, 6), 1)[0]
+"""The float next to 1/6, in any precision; its series has what it misses."""
 
 
 def product_error(precision: Precision = DOUBLE) -> Routine:
@@ -53,13 +53,10 @@ def decay() -> Routine:
     return do.routine("Decay", "(1 - exp(-x))/x", (x,), choose(sp.Eq(x, 0), 1, -expm1(-x) / whole))
 
 
-def number_and(
-    do: Steps, fall: Expr, number: tuple[Expr, ...], series: str, *arguments: Expr
-) -> Expr:
+def number_and(do: Steps, fall: Expr, number: Expr, series: str, *arguments: Expr) -> Expr:
     """fall (number + series), the sum in brackets not rounded."""
-    large, small = number
-    rest = do("rest", sp.Function(series)(*arguments) + small)
-    total, lost = difference(do, rest, -large)
+    rest = do("rest", sp.Function(series)(*arguments))
+    total, lost = difference(do, rest, -number)
     found, missed = product(do, do("envelope", fall), total, lost)
     return found + missed
 
@@ -68,7 +65,7 @@ def creep() -> Routine:
     """The series of Rise without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(do, exp(-half), HALF, "RiseSeries", half, half * half)
+    near = number_and(do, exp(-half), sp.S.Half, "RiseSeries", half, half * half)
     far = (1 - Decay(x)) / do.nonzero(x)
     return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), choose(x < 2, near, far))
 
@@ -76,17 +73,16 @@ def creep() -> Routine:
 def fade() -> Routine:
     """The series of Fall without a spring, q = 0."""
     do = Steps()
-    near = number_and(do, exp(-x), HALF, "FallSeries", sp.S.Zero, choose(x >= 2, 0, x))
+    near = number_and(do, exp(-x), sp.S.Half, "FallSeries", sp.S.Zero, choose(x >= 2, 0, x))
     far = (Decay(x) - exp(-x)) / do.nonzero(x)
     return do.routine("Fade", "(1 - (1 + x) exp(-x))/x^2", (x,), choose(x < 2, near, far))
 
 
-def lag(precision: Precision = DOUBLE) -> Routine:
+def lag() -> Routine:
     """The series of Apart without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    sixth = precision.parts(sp.Rational(1, 6))
-    near = number_and(do, exp(-half), sixth, "ApartSeries", half, half * half)
+    near = number_and(do, exp(-half), SIXTH, "ApartSeries", half, half * half)
     whole = do("whole", Max(x, 2))
     two = do("two", x - 2)
     far = (two + (x + 2) * exp(-x)) / whole / (whole * whole)
@@ -211,9 +207,6 @@ def _next(do: Steps) -> tuple[Expr, Expr, Expr]:
     angle, off, missed = _next_parts(do)
     off = do("off", off + missed * x)
     cosine, sine = do("cosine", cos(angle)), do("sine", sin(angle))
-    do.share(
-        "NextAngle", "cosine and sine of (k + 1) x as it is rounded, and the rest of the angle"
-    )
     return cosine, sine, off
 
 
@@ -250,5 +243,5 @@ def _odd(turn: Expr) -> Boolean:
     return sp.Or(sp.Eq(turn, 1), sp.Eq(turn, 3))
 
 
-ROUTINES = (decay, creep, fade, sinc, cosh_root, sinhc_root, spread, chord)
-PRECISE = (lag, gap, cos_next, sin_next)
+ROUTINES = (decay, creep, fade, lag, sinc, cosh_root, sinhc_root, spread, chord)
+PRECISE = (gap, cos_next, sin_next)

@@ -11,7 +11,7 @@ from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
 from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.routine import Repeat, Routine
+from symhaptic.export.routine import Repeat, Routine, Several
 from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Printing, Target, called, describe, vocabulary
 
@@ -128,6 +128,10 @@ class Fortran(Target):
         ]
         return [part for line in lines for part in _folded(line)]
 
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """From a subroutine."""
+        return [f"call {function}({', '.join([args, *names])})"]
+
     def usage(self, library: Library) -> str:
         """A use of the first function."""
         return f"use {library.name}, only: {library.public[0].name}"
@@ -181,6 +185,8 @@ def _assigned(block: Block) -> set[str]:
             found.add(statement.name.name)
         elif isinstance(statement, Repeat):
             found |= {s.name for s in (*statement.states, *(n for n, _ in statement.steps))}
+        elif isinstance(statement, Several):
+            found |= {s.name for s in statement.names}
         elif isinstance(statement, (Choice, Join)):
             found |= _assigned(statement.yes) | _assigned(statement.no)
     return found

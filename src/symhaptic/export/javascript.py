@@ -41,20 +41,23 @@ class Javascript(Target):
         """NAME.mjs."""
         lines = []
         for helper in library.helpers:
-            lines += [f"// {helper.about}", f"function {self._head(helper)} {{"]
-            lines += [*braces(self, lazy(helper), ["return {0};"], "const"), "}", ""]
+            lines += [f"// {helper.about}", *self._written(helper, "function")]
         for form, routine in zip(library.forms, library.public, strict=True):
-            count = len(routine.results)
-            values = ", ".join(f"{{{i}}}" for i in range(count))
-            end = f"return [{values}];" if count > 1 else "return {0};"
             lines += ["/**", *(f" * {line}" for line in describe(form)), " */"]
-            lines.append(f"export function {self._head(routine)} {{")
-            lines += [*braces(self, lazy(routine), [end], "const"), "}", ""]
+            lines += self._written(routine, "export function")
         return {f"{library.name}.mjs": "\n".join(lines)}
 
-    def _head(self, routine: Routine) -> str:
+    def _written(self, routine: Routine, word: str) -> list[str]:
         args = ", ".join(self.rename(s.name) for s in routine.arguments)
-        return f"{self.call(routine.name)}({args})"
+        count = len(routine.results)
+        values = ", ".join(f"{{{i}}}" for i in range(count))
+        end = f"return [{values}];" if count > 1 else "return {0};"
+        head = f"{word} {self.call(routine.name)}({args}) {{"
+        return [head, *braces(self, lazy(routine), [end], "const"), "}", ""]
+
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """From an array."""
+        return [f"const [{', '.join(names)}] = {function}({args});"]
 
     def usage(self, library: Library) -> str:
         """An import of the first function."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
-from itertools import chain, count
 
 import sympy as sp
 from sympy import Expr, Piecewise, Symbol
@@ -25,11 +24,12 @@ from symhaptic.export import (
     stiffest,
 )
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Step, choose, expm1
+from symhaptic.export.routine import Routine, Several, Step, choose, expm1, fresh
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
 from symhaptic.model.entire import CosNext, Entire, SinNext
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.model.response import Ahead, Careful, InPhase
+from symhaptic.model.response import Ahead, Careful, InPhase, KickLow
+from symhaptic.model.slopes import ApartDrop, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
 from symhaptic.model.stable import Form
 
 
@@ -53,6 +53,8 @@ class Known(Mapping[str, Routine]):
 
     def __getitem__(self, name: str) -> Routine:
         """The routine of that name: its maker has the name that it has in source code."""
+        if "_" in name and name not in self.made:
+            self.made[name] = joint(name, self)
         if name not in self.made:
             try:
                 make, precise = _makers()[code_name(name)]
@@ -143,18 +145,60 @@ def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> 
     return expr
 
 
-def shared(user: Routine, routines: Mapping[str, Routine]) -> Routine:
-    """The routine with those of SHARED taken in; a step that two of them have is done once."""
+def merged(user: Routine) -> Routine:
+    """The routine with one call for all that several of MERGED find from the same arguments."""
     taken = {s.name for s in (*user.arguments, *(s for s, _ in user.assignments))}
+    calls: dict[Expr, Symbol] = {}
+    steps: list[tuple[Symbol, Expr]] = []
+
+    def named(expr: Expr) -> Expr:
+        """Every such call is a step of its own, those inside it first."""
+        while inner := [
+            c for c in expr.atoms(*MERGED) if not any(a.atoms(*MERGED) for a in c.args)
+        ]:
+            for call in sorted(inner, key=sp.default_sort_key):
+                if call not in calls:
+                    calls[call] = fresh(f"{code_name(type(call).__name__)}_of", taken)
+                    steps.append((calls[call], call))
+            expr = expr.xreplace(calls)
+        return expr
+
+    same: dict[Symbol, Expr] = {}
+    for symbol, expr in user.assignments:
+        value = named(expr.xreplace(same))
+        if value.is_Symbol:
+            same[symbol] = value
+        else:
+            steps.append((symbol, value))
+    results = tuple((name, named(expr.xreplace(same))) for name, expr in user.results)
+    found: dict[tuple[Expr, ...], dict[str, Symbol]] = {}
+    for call, symbol in calls.items():
+        found.setdefault(call.args, {})[type(call).__name__] = symbol
+    done: list[Step] = []
+    for symbol, expr in steps:
+        together = found.get(expr.args, {}) if isinstance(expr, MERGED) else {}
+        if len(together) < 2:
+            done.append((symbol, expr))
+        elif symbol == next(iter(together.values())):
+            several = sorted(together)
+            joint = sp.Function("_".join(several))(*expr.args)
+            done.append(Several(tuple(together[name] for name in several), joint))
+    return replace(user, steps=tuple(done), results=results)
+
+
+def joint(name: str, routines: Mapping[str, Routine]) -> Routine:
+    """Routines of the same arguments as one; a step that two of them have is done once."""
+    parts = name.split("_")
+    arguments = routines[parts[0]].arguments
+    taken = {s.name for s in arguments}
     done: dict[Expr, Symbol] = {}
+    found: dict[str, Symbol] = {}
 
     def step(name: str, expr: Expr) -> Symbol:
         if expr.is_Symbol:
             return expr
         if expr not in done:
-            fresh = chain([name], (f"{name}_{i}" for i in count(2)))
-            done[expr] = Symbol(next(n for n in fresh if n not in taken))
-            taken.add(done[expr].name)
+            done[expr] = fresh(name, taken)
         return done[expr]
 
     def named(expr: Expr) -> Expr:
@@ -162,52 +206,54 @@ def shared(user: Routine, routines: Mapping[str, Routine]) -> Routine:
         while inner := [c for c in expr.atoms(*_CALLS) if c != expr and not _calls(c)]:
             call = min(inner, key=sp.default_sort_key)
             expr = expr.xreplace({call: value(call)})
-        return value(expr) if isinstance(expr, SHARED) else expr
+        return value(expr) if isinstance(expr, MERGED) else expr
 
     def value(call: Expr) -> Symbol:
-        name = code_name(type(call).__name__)
-        if not isinstance(call, SHARED):
-            return step(f"{name}_of", call)
-        own = routines[type(call).__name__]
-        names = {s: step(s.name, arg) for s, arg in zip(own.arguments, call.args, strict=True)}
-        for symbol, expr in own.assignments:
-            names[symbol] = step(symbol.name, named(expr.xreplace(names)))
-        return step(f"{name}_of", named(own.results[0][1].xreplace(names)))
+        own = type(call).__name__
+        if isinstance(call, MERGED) and call.args == arguments:
+            return result(own)
+        return step(f"{code_name(own)}_of", call)
 
-    steps: dict[Symbol, Expr] = {}
-    for symbol, expr in user.assignments:
-        found = named(expr)
-        steps |= {s: e for e, s in done.items()}
-        if found in done:
-            steps[symbol] = done[found]
-        else:
-            done[found] = symbol
-            steps[symbol] = found
-    results = tuple((name, named(expr)) for name, expr in user.results)
-    steps |= {s: e for e, s in done.items()}
-    return replace(user, steps=tuple(steps.items()), results=results)
+    def result(own: str) -> Symbol:
+        if own not in found:
+            names: dict[Symbol, Expr] = {}
+            for symbol, expr in routines[own].assignments:
+                names[symbol] = step(symbol.name, named(expr.xreplace(names)))
+            last = routines[own].results[0][1].xreplace(names)
+            found[own] = step(f"{code_name(own)}_of", named(last))
+        return found[own]
+
+    results = tuple((code_name(part), result(part)) for part in parts)
+    about = "; ".join(routines[part].about for part in parts)
+    return Routine(name, about, arguments, tuple((s, e) for e, s in done.items()), results)
 
 
 def _calls(call: Expr) -> bool:
     return any(arg.atoms(*_CALLS) for arg in call.args)
 
 
-SHARED = (Apart, Fall, Nyquist, Rise, Swing, Together, CosNext, SinNext, Ahead, InPhase)
-"""Functions that begin with the same steps as another one of the same arguments."""
+MERGED = (
+    Apart, Fall, Nyquist, Rise, Swing, Together,
+    Kick, KickLow, Coast, Echo, Ebb, RiseDrop, FallDrop, ApartDrop,
+    CosNext, SinNext, Ahead, InPhase,
+)  # fmt: skip
+"""Functions that have steps in common with others of the same arguments."""
 
 _CALLS = (Entire, Careful, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
-def library(name: str, title: str, forms: Iterable[Form], target: Target) -> Library:
-    """Everything that a target writes for these forms.
+def library(
+    name: str, title: str, forms: Iterable[Form], target: Target, merges: bool = True
+) -> Library:
+    """Everything that a target writes for these forms, each routine alone if none are merged.
 
     Raises :class:`Refused` for an operation that the target does not have.
     """
     forms = tuple(forms)
     public = tuple(routine(form) for form in forms)
     routines = known(target.precision)
-    if target.shares:
-        public = tuple(shared(one, routines) for one in public)
+    if merges:
+        public = tuple(map(merged, public))
     own = {}
     if target.operations["ProductError"].startswith("product_error("):
         own["ProductError"] = elementary.product_error(target.precision)

@@ -73,6 +73,10 @@ class Octave(Target):
         results = ", ".join(self._results(routine))
         return f"function [{results}] = {self.call(routine.name)}({args})"
 
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """As results."""
+        return [f"[{', '.join(names)}] = {function}({args});"]
+
     def usage(self, library: Library) -> str:
         """A call of the first function."""
         first = library.public[0]

@@ -32,7 +32,6 @@ def _force(do: Steps) -> tuple[Expr, ...]:
     below = less(do, together, apart, square, low)
     above_j, below_j = do("above_j", 2 * t * loss), do("below_j", t * across)
     size = do("size", below * below + below_j * below_j)
-    do.share("Force", "A/z and M at z = exp(2 j psi), and the squared size of M")
     return above, above_j, below, below_j, size
 
 
@@ -54,17 +53,26 @@ def ahead() -> Routine:
                       (psi, *_DEVICE), found)  # fmt: skip
 
 
-def both_kicks() -> Routine:
-    """A product of four, rounded once."""
+def late_apart() -> Routine:
+    """A sum of four, one of them a product of four, rounded once."""
     do = Steps()
-    epsilon, *kicks = given = sp.symbols("epsilon rest begun")
+    given = sp.symbols("epsilon x x_low y y_low first last turned")
+    epsilon, x, x_low, y, y_low, first, last, turned = given
     late, lost = fast_sum(do, sp.S.One, -epsilon)
     share, share_low = product(do, epsilon, late, lost)
-    both, both_low = product(do, *kicks)
+    both, both_low = product(do, x, y, y_low)
+    both_low = do("both_low", both_low + x_low * y)
     found, low = product(do, share, both, both_low)
     low = do("low", low + both * share_low)
-    return do.routine("BothKicks", "epsilon (1 - epsilon) x y", given, found + low)
+    left, one = difference(do, first, 2 * found)
+    left, two = difference(do, left, last)
+    left, three = difference(do, left, -turned)
+    rest = do("rest", one + two)
+    rest = do("rest", rest + three)
+    rest = do("rest", rest - 2 * low)
+    about = "m2 - m1 + m0, M at z = -1 behind a fraction of a period"
+    return do.routine("LateApart", about, given, left + rest)
 
 
-ROUTINES = (in_phase, ahead, both_kicks)
+ROUTINES = (in_phase, ahead, late_apart)
 PRECISE = ()

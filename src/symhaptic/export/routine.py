@@ -67,22 +67,39 @@ class Repeat:
         return inner | {s for e in self.start for s in e.free_symbols}
 
 
-Step = tuple[Symbol, Expr] | Repeat
-"""``name = expr``, or a repetition."""
+@dataclass(frozen=True)
+class Several:
+    """``names = call`` of a routine that has so many results."""
+
+    names: tuple[Symbol, ...]
+    call: Expr
+
+    def xreplace(self, known: Mapping[Symbol, Expr]) -> Several:
+        """The same with symbols replaced that are known before."""
+        return replace(self, call=self.call.xreplace(known))
+
+    @property
+    def free_symbols(self) -> set[Symbol]:
+        """What has to be known before."""
+        return set(self.call.free_symbols)
+
+
+Step = tuple[Symbol, Expr] | Repeat | Several
+"""``name = expr``, or what makes more than one name known."""
 
 
 def names(step: Step) -> tuple[Symbol, ...]:
     """What a step makes known."""
-    return step.states if isinstance(step, Repeat) else step[:1]
+    if isinstance(step, tuple):
+        return step[:1]
+    return step.states if isinstance(step, Repeat) else step.names
 
 
-@dataclass(frozen=True)
-class Shared:
-    """The first ``count`` steps of several routines, under a name."""
-
-    name: str
-    about: str
-    count: int
+def computed(step: Step) -> tuple[Expr, ...]:
+    """What a step computes."""
+    if isinstance(step, tuple):
+        return step[1:]
+    return step.expressions if isinstance(step, Repeat) else (step.call,)
 
 
 @dataclass(frozen=True)
@@ -95,13 +112,11 @@ class Routine:
     arguments: tuple[Symbol, ...]
     steps: tuple[Step, ...]
     results: tuple[tuple[str, Expr], ...]
-    shared: Shared | None = None
-    """Its first steps, where other routines of the same arguments begin with them too."""
 
     @property
     def assignments(self) -> tuple[tuple[Symbol, Expr], ...]:
         """The steps of a routine that repeats nothing."""
-        found = tuple(step for step in self.steps if not isinstance(step, Repeat))
+        found = tuple(step for step in self.steps if isinstance(step, tuple))
         if len(found) < len(self.steps):
             raise ValueError(f"{self.name}: repeats something")
         return found
@@ -111,8 +126,17 @@ class Routine:
         """All right-hand sides, those of the results last."""
         found: tuple[Expr, ...] = ()
         for step in self.steps:
-            found += step.expressions if isinstance(step, Repeat) else step[1:]
+            found += computed(step)
         return found + tuple(e for _, e in self.results)
+
+
+def fresh(name: str, taken: set[str]) -> Symbol:
+    """A name that is not taken before; one that is gets a number."""
+    number, free = 1, name
+    while free in taken:
+        number, free = number + 1, f"{name}{number + 1}"
+    taken.add(free)
+    return Symbol(free)
 
 
 @dataclass
@@ -123,14 +147,8 @@ class Steps:
     taken: set[str] = field(default_factory=set)
 
     def fresh(self, name: str) -> Symbol:
-        """A name; one that is taken gets a number."""
-        number, free = 1, name
-        while free in self.taken:
-            number, free = number + 1, f"{name}{number + 1}"
-        self.taken.add(free)
-        return Symbol(free)
-
-    shared: Shared | None = None
+        """A name that is not taken."""
+        return fresh(name, self.taken)
 
     def __call__(self, name: str, expr: Expr) -> Symbol:
         """The step ``name = expr``."""
@@ -150,7 +168,7 @@ class Steps:
         inner = Steps(taken=self.taken)
         made = list(step(inner, states))
         after = tuple(inner(f"next_{name}", expr) for name, expr in zip(start, made, strict=True))
-        steps = tuple(s for s in inner.done if not isinstance(s, Repeat))
+        steps = tuple(s for s in inner.done if isinstance(s, tuple))
         if len(steps) < len(inner.done):
             raise ValueError("a repetition inside another one has to be a routine of its own")
         first = tuple(sp.sympify(e) for e in start.values())
@@ -164,10 +182,6 @@ class Steps:
         self.done += steps
         return list(results)
 
-    def share(self, name: str, about: str) -> None:
-        """What is done so far is common to several routines: a target may do it once for all."""
-        self.shared = Shared(name, about, len(self.done))
-
     def nonzero(self, value: Expr) -> Symbol:
         """The value, or 1 in its place where it is 0."""
         return self("whole", choose(sp.Eq(value, 0), sp.S.One, value))
@@ -177,7 +191,7 @@ class Steps:
     ) -> Routine:
         """The routine of these steps."""
         results = ((name, sp.sympify(result)),)
-        return Routine(name, about, arguments, tuple(self.done), results, self.shared)
+        return Routine(name, about, arguments, tuple(self.done), results)
 
 
 def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
@@ -222,12 +236,14 @@ __all__ = [
     "ProductError",
     "Repeat",
     "Routine",
-    "Shared",
+    "Several",
     "Steps",
     "choose",
+    "computed",
     "difference",
     "expm1",
     "fast_sum",
+    "fresh",
     "product",
     "quotient",
 ]

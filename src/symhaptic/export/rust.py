@@ -64,21 +64,26 @@ class Rust(Target):
         """NAME.rs, a module."""
         lines = ["#![allow(unused_parens)]", ""]
         for helper in library.helpers:
-            lines += [f"// {helper.about}", f"fn {self._head(helper)} -> {self.real} {{"]
-            lines += [*braces(self, lazy(helper), ["return {0};"], "let"), "}", ""]
+            lines += [f"// {helper.about}", *self._written(helper, "fn")]
         for form, routine in zip(library.forms, library.public, strict=True):
-            count = len(routine.results)
-            values = ", ".join(f"{{{i}}}" for i in range(count))
-            end = f"return ({values});" if count > 1 else "return {0};"
-            kind = f"({', '.join([self.real] * count)})" if count > 1 else self.real
-            lines += [f"/// {line}" for line in describe(form)]
-            lines.append(f"pub fn {self._head(routine)} -> {kind} {{")
-            lines += [*braces(self, lazy(routine), [end], "let"), "}", ""]
+            lines += [
+                *(f"/// {line}" for line in describe(form)),
+                *self._written(routine, "pub fn"),
+            ]
         return {f"{library.name}.rs": "\n".join(lines)}
 
-    def _head(self, routine: Routine) -> str:
+    def _written(self, routine: Routine, word: str) -> list[str]:
         args = ", ".join(f"{self.rename(s.name)}: {self.real}" for s in routine.arguments)
-        return f"{self.call(routine.name)}({args})"
+        count = len(routine.results)
+        values = ", ".join(f"{{{i}}}" for i in range(count))
+        end = f"return ({values});" if count > 1 else "return {0};"
+        kind = f"({', '.join([self.real] * count)})" if count > 1 else self.real
+        head = f"{word} {self.call(routine.name)}({args}) -> {kind} {{"
+        return [head, *braces(self, lazy(routine), [end], "let"), "}", ""]
+
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """From a tuple."""
+        return [f"let ({', '.join(names)}) = {function}({args});"]
 
     def usage(self, library: Library) -> str:
         """A use of the first function."""

@@ -22,7 +22,7 @@ from symhaptic.export.device_series import h, w
 from symhaptic.export.elementary import x
 from symhaptic.export.pairs import fading, waving
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, product
+from symhaptic.export.routine import Routine, Steps, choose, fast_sum, product
 from symhaptic.model.entire import (
     Creep,
     Decay,
@@ -84,17 +84,31 @@ def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
 # -- of the device ------------------------------------------------------------------------
 
 
-def kick() -> Routine:
-    """exp[-p, -q]."""
-    do = Steps()
+def _kick(do: Steps) -> tuple[Expr, Expr]:
+    """The nearest float, and what it misses."""
     m = motion(do)
     slow, apart = fading(do, m.q, m.q_low), fading(do, 2 * m.root, 2 * m.root_low)
     creep, lost = product(do, slow.fall, apart.mean, apart.mean_low)
     creep_low = do("creep_low", lost + slow.fall_low * apart.mean)
     wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root, m.root_low)
     swing, swing_low = product(do, do("envelope", exp(-m.half)), wave.odd, wave.odd_low)
-    return _two(do, "Kick", "displacement by a unit impulse after a period",
-                choose(m.w < 0, swing + swing_low, creep + creep_low))  # fmt: skip
+    swing, swing_low = fast_sum(do, swing, swing_low)
+    creep, creep_low = fast_sum(do, creep, creep_low)
+    return choose(m.w < 0, swing, creep), choose(m.w < 0, swing_low, creep_low)
+
+
+def kick() -> Routine:
+    """exp[-p, -q]."""
+    do = Steps()
+    found, _ = _kick(do)
+    return _two(do, "Kick", "displacement by a unit impulse after a period", found)
+
+
+def kick_low() -> Routine:
+    """What Kick misses."""
+    do = Steps()
+    _, low = _kick(do)
+    return _two(do, "KickLow", "what the float of Kick misses", low)
 
 
 def coast() -> Routine:
@@ -276,6 +290,6 @@ def powers(
 
 
 ROUTINES = (
-    kick, coast, echo, ebb, rise_drop, fall_drop, apart_drop, bend, wane,
+    kick, kick_low, coast, echo, ebb, rise_drop, fall_drop, apart_drop, bend, wane,
 )  # fmt: skip
 PRECISE = (drop_series, lean_series, bend_series, wane_series)

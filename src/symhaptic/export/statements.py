@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
-from symhaptic.export.routine import Repeat
+from symhaptic.export.routine import Repeat, Several
 from symhaptic.export.target import Target
 
 
@@ -20,6 +20,8 @@ def braces(
             lines.append(f"{pad}{declare} {name} = {printer.doprint(statement.expr)};")
         elif isinstance(statement, Repeat):
             lines += [pad + line for line in _repeated(target, statement, declare)]
+        elif isinstance(statement, Several):
+            lines += [pad + line for line in _unpacked(target, statement)]
         elif isinstance(statement, Choice):
             lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
             lines += braces(target, statement.yes, ends, declare, depth + 1)
@@ -37,6 +39,13 @@ def braces(
             shown = [printer.doprint(r) for r in statement.results]
             lines += [pad + end.format(*shown) for end in ends]
     return lines
+
+
+def _unpacked(target: Target, several: Several) -> list[str]:
+    printer, call = target.printing(), several.call
+    names = [target.rename(s.name) for s in several.names]
+    args = ", ".join(map(printer.doprint, call.args))
+    return target.unpacked(names, target.call(call.func.__name__), args)
 
 
 def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
@@ -84,6 +93,8 @@ def worded(
             lines.append(f"{before}{target.rename(statement.name.name)} = {value}{words.end}")
         elif isinstance(statement, Repeat):
             lines += [before + line for line in _turned(target, statement, words)]
+        elif isinstance(statement, Several):
+            lines += [before + line for line in _unpacked(target, statement)]
         elif isinstance(statement, (Choice, Join)):
             lines.append(before + words.when.format(printer.doprint(statement.condition)))
             lines += worded(target, statement.yes, results, words, pad, depth + 1)

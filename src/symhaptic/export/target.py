@@ -199,8 +199,6 @@ class Target:
     precision = DOUBLE
     single: Mapping[str, str] | None = None
     """The shared operations in single precision, where the language has it."""
-    shares = True
-    """Whether a function takes in the routines of the device, to do once what they share."""
 
     def at(self, precision: Precision) -> Target:
         """The same language in another precision."""
@@ -255,6 +253,10 @@ class Target:
         printer = self.printer()
         printer.target = self
         return printer
+
+    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+        """Statements that give names to all results of a routine."""
+        raise NotImplementedError
 
     # -- files -------------------------------------------------------------------------
 

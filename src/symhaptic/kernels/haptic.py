@@ -662,311 +662,6 @@ def fall_series(xp, gamma, delta):
     return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no, (delta, gamma))
 
 
-def sin_series_single(xp, w):
-    """The same in single precision."""
-    square = (w*w)
-    b3 = 1.6059043836821613e-10*square + 2.7557319223985893e-06
-    b2 = 2.505210838544172e-08*square + 0.0001984126984126984
-    b3 = b3*square + 0.008333333333333333
-    b2 = b2*square + 0.16666666666666666
-    return b2 + b3*w
-
-
-def sin_series(xp, w):
-    """(sinh(sqrt(w))/sqrt(w) - 1)/w"""
-    if w.dtype == xp.float32:
-        return sin_series_single(xp, w)
-    square = (w*w)
-    b7 = 1.9572941063391263e-20*square + 2.8114572543455206e-15
-    b6 = 8.22063524662433e-18*square + 7.647163731819816e-13
-    b7 = b7*square + 1.6059043836821613e-10
-    b6 = b6*square + 2.505210838544172e-08
-    b7 = b7*square + 2.7557319223985893e-06
-    b6 = b6*square + 0.0001984126984126984
-    b7 = b7*square + 0.008333333333333333
-    b6 = b6*square + 0.16666666666666666
-    return b6 + b7*w
-
-
-def motion(xp, gamma, delta):
-    """w = delta^2/4 - gamma and both poles, to twice the precision of a float"""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-    size = xp.abs(total2)
-    root = square_root(xp, size)
-    sign_low = xp.where(total2 < 0.0, -lost, lost)
-    left = size - (root*root)
-    root_halves = halves(xp, root)
-    left = left - product_error(root*root, root_halves, root_halves)
-    left = left + sign_low
-    whole = xp.where(root == 0.0, 1.0, root)
-    root_low = 0.5*left/whole
-    total = half + root
-    back = total - half
-    lost3 = root - back
-    p_low = lost3 + root_low
-    whole = xp.where(total == 0.0, 1.0, total)
-    q = gamma/whole
-    off = gamma - q*whole
-    whole_halves = halves(xp, whole)
-    q_halves = halves(xp, q)
-    off = off - product_error(whole*q, whole_halves, q_halves)
-    off = off - p_low*q
-    q_low = off/whole
-    return half, total2, lost, root, root_low, total, p_low, whole, q, q_low
-
-
-def fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low):
-    """n0, the same device with its time reversed, times exp(-delta)"""
-
-    def yes(delta, gamma, half, lost2, root, root_low, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, gamma):
-            rest6 = fall_series(xp, gamma, delta)
-            total29 = rest6 + 0.5
-            back18 = total29 - rest6
-            rest7 = total29 - back18
-            one5 = rest6 - rest7
-            two5 = 0.5 - back18
-            lost29 = one5 + two5
-            envelope2 = xp.exp(-delta)
-            total30 = envelope2*total29
-            envelope2_halves = halves(xp, envelope2)
-            total29_halves = halves(xp, total29)
-            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
-            return lost29 + total30
-
-        def no(gamma, half, lost2, root, root_low, total2):
-            envelope = xp.exp(-half)
-            stiff = gamma
-
-            def yes(lost2, total2):
-                given3 = total2
-                total20 = 0.5*given3 + 1.0
-                back13 = total20 - 1.0
-                lost20 = 0.5*given3 - back13
-                curved3 = (given3*given3)*cos_series(xp, given3)
-                total21 = curved3 + total20
-                back13 = total21 - total20
-                lost21 = curved3 - back13
-                even_low = 0.5*lost2 + lost20 + lost21
-                bent = given3*sin_series(xp, given3)
-                total20 = bent + 1.0
-                back13 = total20 - 1.0
-                lost21 = bent - back13
-                odd_low = 0.16666666666666666*lost2 + lost21
-                even = total21
-                even_low = even_low
-                odd = total20
-                odd_low = odd_low
-                return even, even_low, odd, odd_low
-
-            def no(root, root_low):
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total23 = sine/some
-                left13 = sine - some*total23
-                total23_halves = halves(xp, total23)
-                some_halves = halves(xp, some)
-                left13 = left13 - product_error(total23*some, total23_halves, some_halves)
-                left13 = cosine*root_low + left13 - root_low*total23
-                lost23 = left13/some
-                even = cosine
-                even_low2 = -root_low*sine
-                odd = total23
-                odd_low2 = lost23
-                return even, even_low2, odd, odd_low2
-
-            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
-
-            total24 = half*odd
-            half_halves = halves(xp, half)
-            odd_halves = halves(xp, odd)
-            lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-            total25 = total24 - even
-            back16 = total25 - total24
-            rest4 = total25 - back16
-            one3 = total24 - rest4
-            two3 = -back16 - even
-            lost25 = one3 + two3
-            total24 = envelope + total25
-            back16 = total24 - total25
-            rest4 = total24 - back16
-            one3 = total25 - rest4
-            two3 = envelope - back16
-            lost26 = one3 + two3
-            total25 = envelope*total24
-            envelope_halves = halves(xp, envelope)
-            total24_halves = halves(xp, total24)
-            lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total24_halves)
-            total24 = total25/stiff
-            left16 = total25 - stiff*total24
-            total24_halves = halves(xp, total24)
-            stiff_halves = halves(xp, stiff)
-            left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-            left16 = left16 + lost26
-            lost26 = left16/stiff
-            return lost26 + total24
-
-        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (gamma, half, lost2, root, root_low, total2))
-
-    def no(delta, gamma, p_low, q, q_low, root, root_low, total3, whole2):
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma):
-            rest6 = fall_series(xp, gamma, delta)
-            total29 = rest6 + 0.5
-            back18 = total29 - rest6
-            rest7 = total29 - back18
-            one5 = rest6 - rest7
-            two5 = 0.5 - back18
-            lost29 = one5 + two5
-            envelope2 = xp.exp(-delta)
-            total30 = envelope2*total29
-            envelope2_halves = halves(xp, envelope2)
-            total29_halves = halves(xp, total29)
-            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
-            return lost29 + total30
-
-        def no(p_low, q, q_low, root, root_low, whole2):
-            rate = q
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                curved = (given*given)*decay_series(xp, given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                fall_low = fall_low
-                mean = total5
-                mean_low = mean_low
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                fall_low3 = fall_low3
-                mean2 = total11
-                mean_low3 = mean_low3
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            mean_halves = halves(xp, mean)
-            lost16 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost16
-            total17 = mean2 - total16
-            back12 = total17 - mean2
-            rest3 = total17 - back12
-            one2 = mean2 - rest3
-            two2 = -back12 - total16
-            lost16 = one2 + two2
-            total16 = total17/whole2
-            left10 = total17 - total16*whole2
-            total16_halves = halves(xp, total16)
-            whole2_halves = halves(xp, whole2)
-            left10 = left10 - product_error(total16*whole2, total16_halves, whole2_halves)
-            left10 = left10 + lost16 + mean_low4 - p_low*total16 - pulled_low
-            lost16 = left10/whole2
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost16 = fall_*lost16 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost16 + total17
-            return creep_
-
-        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (p_low, q, q_low, root, root_low, whole2))
-
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, lost2, root, root_low, total2), no, (delta, gamma, p_low, q, q_low, root, root_low, total3, whole2))
-
-
 def rise_series_single(xp, h, w):
     """The same in single precision."""
 
@@ -1113,118 +808,682 @@ def rise_series(xp, h, w):
     return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
-def rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low):
-    """n1, how far a unit force moves the device in a period"""
+def sin_series_single(xp, w):
+    """The same in single precision."""
+    square = (w*w)
+    b3 = 1.6059043836821613e-10*square + 2.7557319223985893e-06
+    b2 = 2.505210838544172e-08*square + 0.0001984126984126984
+    b3 = b3*square + 0.008333333333333333
+    b2 = b2*square + 0.16666666666666666
+    return b2 + b3*w
 
-    def yes(gamma, half, lost2, root, root_low, total2):
+
+def sin_series(xp, w):
+    """(sinh(sqrt(w))/sqrt(w) - 1)/w"""
+    if w.dtype == xp.float32:
+        return sin_series_single(xp, w)
+    square = (w*w)
+    b7 = 1.9572941063391263e-20*square + 2.8114572543455206e-15
+    b6 = 8.22063524662433e-18*square + 7.647163731819816e-13
+    b7 = b7*square + 1.6059043836821613e-10
+    b6 = b6*square + 2.505210838544172e-08
+    b7 = b7*square + 2.7557319223985893e-06
+    b6 = b6*square + 0.0001984126984126984
+    b7 = b7*square + 0.008333333333333333
+    b6 = b6*square + 0.16666666666666666
+    return b6 + b7*w
+
+
+def fall_rise_swing(xp, gamma, delta):
+    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the device in a period; a, the sum of the sampled device's poles"""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
+
+    def yes(delta, gamma, half, lost2, total2):
         reach = 0.25*gamma
 
-        def yes(half, total2):
-            rest5 = rise_series(xp, half, total2)
-            total28 = rest5 + 0.5
-            back18 = total28 - rest5
-            rest6 = total28 - back18
-            one4 = rest5 - rest6
-            two4 = 0.5 - back18
-            lost28 = one4 + two4
-            envelope2 = xp.exp(-half)
-            total29 = envelope2*total28
+        def yes(delta, gamma, half, lost2, total2):
+            envelope = xp.exp(-half)
+            rest6 = fall_series(xp, gamma, delta)
+            total29 = rest6 + 0.5
+            back18 = total29 - rest6
+            rest7 = total29 - back18
+            one5 = rest6 - rest7
+            two5 = 0.5 - back18
+            lost29 = one5 + two5
+            envelope2 = xp.exp(-delta)
+            total30 = envelope2*total29
             envelope2_halves = halves(xp, envelope2)
-            total28_halves = halves(xp, total28)
-            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
-            return lost28 + total29
+            total29_halves = halves(xp, total29)
+            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
+            rest7 = rise_series(xp, half, total2)
+            total29 = rest7 + 0.5
+            back18 = total29 - rest7
+            rest6 = total29 - back18
+            one5 = rest7 - rest6
+            two5 = 0.5 - back18
+            lost282 = one5 + two5
+            total292 = envelope*total29
+            envelope_halves = halves(xp, envelope)
+            total29_halves = halves(xp, total29)
+            lost282 = envelope*lost282 + product_error(total292, envelope_halves, total29_halves)
 
-        def no(gamma, half, lost2, root, root_low, total2):
+            def yes(lost2, total2):
+                given3 = total2
+                total20 = 0.5*given3 + 1.0
+                back13 = total20 - 1.0
+                lost20 = 0.5*given3 - back13
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total21 = curved3 + total20
+                back13 = total21 - total20
+                lost21 = curved3 - back13
+                even_low = 0.5*lost2 + lost20 + lost21
+                even = total21
+                return even, even_low
+
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
+
+            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+            total29 = envelope*even
+            even_halves = halves(xp, even)
+            lost212 = envelope*even_low2 + product_error(total29, envelope_halves, even_halves)
+            fall_of = lost29 + total30
+            rise_of = lost282 + total292
+            swing_of = 2.0*lost212 + 2.0*total29
+            return fall_of, rise_of, swing_of
+
+        def no(gamma, half, lost2, total2):
             envelope = xp.exp(-half)
             stiff = gamma
 
             def yes(lost2, total2):
                 given3 = total2
-                total19 = 0.5*given3 + 1.0
-                back13 = total19 - 1.0
-                lost19 = 0.5*given3 - back13
-                curved3 = (given3*given3)*cos_series(xp, given3)
-                total20 = curved3 + total19
-                back13 = total20 - total19
-                lost20 = curved3 - back13
-                even_low = lost19 + 0.5*lost2 + lost20
-                bent = given3*sin_series(xp, given3)
-                total19 = bent + 1.0
-                back13 = total19 - 1.0
-                lost20 = bent - back13
-                odd_low = 0.16666666666666666*lost2 + lost20
-                even = total20
-                even_low = even_low
-                odd = total19
-                odd_low = odd_low
+                total20 = 0.5*given3 + 1.0
+                back13 = total20 - 1.0
+                lost20 = 0.5*given3 - back13
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total21 = curved3 + total20
+                back13 = total21 - total20
+                lost21 = curved3 - back13
+                even_low = 0.5*lost2 + lost20 + lost21
+                sin_series_of = sin_series(xp, given3)
+                bent = given3*sin_series_of
+                total20 = bent + 1.0
+                back13 = total20 - 1.0
+                lost21 = bent - back13
+                odd_low = 0.16666666666666666*lost2 + lost21
+                even = total21
+                odd = total20
                 return even, even_low, odd, odd_low
 
-            def no(root, root_low):
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
                 sine = xp.sin(root)
                 cosine = xp.cos(root)
                 some = root
-                total22 = sine/some
-                left13 = sine - some*total22
-                total22_halves = halves(xp, total22)
+                total23 = sine/some
+                left = sine - some*total23
+                total23_halves = halves(xp, total23)
                 some_halves = halves(xp, some)
-                left13 = left13 - product_error(total22*some, total22_halves, some_halves)
-                left13 = cosine*root_low + left13 - root_low*total22
-                lost22 = left13/some
+                left = left - product_error(total23*some, total23_halves, some_halves)
+                left = cosine*root_low + left - root_low*total23
+                lost23 = left/some
                 even = cosine
                 even_low2 = -root_low*sine
-                odd = total22
-                odd_low2 = lost22
+                odd = total23
+                odd_low2 = lost23
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
 
-            total23 = half*odd
+            total24 = half*odd
             half_halves = halves(xp, half)
             odd_halves = halves(xp, odd)
-            lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-            total24 = even + total23
-            back16 = total24 - even
-            rest4 = total24 - back16
-            one3 = even - rest4
-            two3 = total23 - back16
-            lost24 = one3 + two3
-            total23 = envelope*total24
+            lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+            total25 = total24 - even
+            back16 = total25 - total24
+            rest4 = total25 - back16
+            one3 = total24 - rest4
+            two3 = -back16 - even
+            lost25 = one3 + two3
+            total26 = envelope + total25
+            back16 = total26 - total25
+            rest4 = total26 - back16
+            one3 = total25 - rest4
+            two3 = envelope - back16
+            lost26 = one3 + two3
+            total25 = envelope*total26
             envelope_halves = halves(xp, envelope)
-            total24_halves = halves(xp, total24)
-            lost24 = envelope*(even_low2 + lost23 + lost24) + product_error(total23, envelope_halves, total24_halves)
-            total24 = 1.0 - total23
-            back16 = total24 - 1.0
-            lost23 = -back16 - total23
-            total23 = total24/stiff
-            left16 = total24 - stiff*total23
-            total23_halves = halves(xp, total23)
+            total26_halves = halves(xp, total26)
+            lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total26_halves)
+            total26 = total25/stiff
+            left16 = total25 - stiff*total26
+            total26_halves = halves(xp, total26)
             stiff_halves = halves(xp, stiff)
-            left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-            left16 = left16 - lost24 + lost23
-            lost23 = left16/stiff
-            return lost23 + total23
+            left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
+            left16 = left16 + lost26
+            lost26 = left16/stiff
+            total25 = even + total24
+            back16 = total25 - even
+            rest4 = total25 - back16
+            one3 = even - rest4
+            two3 = total24 - back16
+            lost25 = one3 + two3
+            total24 = envelope*total25
+            total25_halves = halves(xp, total25)
+            lost25 = envelope*(even_low2 + lost24 + lost25) + product_error(total24, envelope_halves, total25_halves)
+            total25 = 1.0 - total24
+            back16 = total25 - 1.0
+            lost24 = -back16 - total24
+            total24 = total25/stiff
+            left16 = total25 - stiff*total24
+            total24_halves = halves(xp, total24)
+            left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+            left16 = left16 - lost25 + lost24
+            lost24 = left16/stiff
+            total25 = envelope*even
+            even_halves = halves(xp, even)
+            lost25 = envelope*even_low2 + product_error(total25, envelope_halves, even_halves)
+            fall_of = lost26 + total26
+            rise_of = lost24 + total24
+            swing_of = 2.0*lost25 + 2.0*total25
+            return fall_of, rise_of, swing_of
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, lost2, root, root_low, total2))
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
 
-    def no(half, p_low, q, q_low, root, root_low, total2, total3, whole2):
+        return fall_of, rise_of, swing_of
+
+    def no(delta, gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
         reach = 0.4444444444444444*total3
 
-        def yes(half, total2):
-            rest5 = rise_series(xp, half, total2)
-            total28 = rest5 + 0.5
-            back18 = total28 - rest5
-            rest6 = total28 - back18
-            one4 = rest5 - rest6
-            two4 = 0.5 - back18
-            lost28 = one4 + two4
-            envelope2 = xp.exp(-half)
-            total29 = envelope2*total28
+        def yes(delta, gamma, half, lost2, root, size, total2, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            envelope = xp.exp(-half)
+            rest6 = fall_series(xp, gamma, delta)
+            total29 = rest6 + 0.5
+            back3 = total29 - rest6
+            rest7 = total29 - back3
+            one5 = rest6 - rest7
+            two5 = 0.5 - back3
+            lost3 = one5 + two5
+            envelope2 = xp.exp(-delta)
+            total30 = envelope2*total29
             envelope2_halves = halves(xp, envelope2)
-            total28_halves = halves(xp, total28)
-            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
-            return lost28 + total29
+            total29_halves = halves(xp, total29)
+            lost3 = envelope2*lost3 + product_error(total30, envelope2_halves, total29_halves)
+            rest7 = rise_series(xp, half, total2)
+            total29 = rest7 + 0.5
+            back3 = total29 - rest7
+            rest6 = total29 - back3
+            one5 = rest7 - rest6
+            two5 = 0.5 - back3
+            lost282 = one5 + two5
+            total292 = envelope*total29
+            envelope_halves = halves(xp, envelope)
+            total29_halves = halves(xp, total29)
+            lost282 = envelope*lost282 + product_error(total292, envelope_halves, total29_halves)
 
-        def no(p_low, q, q_low, root, root_low, whole2):
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                return fall_, fall_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                fall_ = sunk
+                fall_low2 = sunk_low
+                return fall_, fall_low2
+
+            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
+
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total29 = fall2 + 1.0
+            back3 = total29 - 1.0
+            lost222 = fall2 - back3
+            total232 = fall_*total29
+            fall__halves = halves(xp, fall_)
+            total29_halves = halves(xp, total29)
+            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total29_halves)
+            creep2 = fall_low2*total29 + lost222 + total232
+            fall_of = lost3 + total30
+            rise_of = lost282 + total292
+            swing_of = creep2
+            return fall_of, rise_of, swing_of
+
+        def no(gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            mean_halves = halves(xp, mean)
+            lost3 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost3
+            total17 = mean2 - total16
+            back3 = total17 - mean2
+            rest3 = total17 - back3
+            one2 = mean2 - rest3
+            two2 = -back3 - total16
+            lost3 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost3 + mean_low4 - p_low*total16 - pulled_low
+            lost3 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost3 = fall_*lost3 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost3 + total17
+            total17 = fall_*mean2
+            mean2_halves = halves(xp, mean2)
+            lost3 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost3
+            total16 = mean - total17
+            back3 = total16 - mean
+            rest3 = total16 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total17
+            lost3 = one2 + two2
+            total17 = total16/whole
+            left = total16 - total17*whole
+            total17_halves = halves(xp, total17)
+            left = left - product_error(total17*whole, total17_halves, whole_halves)
+            left = left + lost3 + mean_low2 - p_low*total17 - pulled_low
+            lost3 = left/whole
+            total16 = fall2 + 1.0
+            back3 = total16 - 1.0
+            lost222 = fall2 - back3
+            total232 = fall_*total16
+            total16_halves = halves(xp, total16)
+            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            creep2 = fall_low2*total16 + lost222 + total232
+            fall_of = creep_
+            rise_of = lost3 + total17
+            swing_of = creep2
+            return fall_of, rise_of, swing_of
+
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
+
+        return fall_of, rise_of, swing_of
+
+    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+
+    return fall_of, rise_of, swing_of
+
+
+def fall(xp, gamma, delta):
+    """n0, the same device with its time reversed, times exp(-delta)"""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+
+    def yes(delta, gamma, half, rest2, total, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, gamma):
+            rest6 = fall_series(xp, gamma, delta)
+            total29 = rest6 + 0.5
+            back18 = total29 - rest6
+            rest7 = total29 - back18
+            one5 = rest6 - rest7
+            two5 = 0.5 - back18
+            lost29 = one5 + two5
+            envelope2 = xp.exp(-delta)
+            total30 = envelope2*total29
+            envelope2_halves = halves(xp, envelope2)
+            total29_halves = halves(xp, total29)
+            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
+            return lost29 + total30
+
+        def no(gamma, half, rest2, total, total2):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            envelope = xp.exp(-half)
+            stiff = gamma
+
+            def yes(lost2, total2):
+                given3 = total2
+                total20 = 0.5*given3 + 1.0
+                back13 = total20 - 1.0
+                lost20 = 0.5*given3 - back13
+                curved3 = (given3*given3)*cos_series(xp, given3)
+                total21 = curved3 + total20
+                back13 = total21 - total20
+                lost21 = curved3 - back13
+                even_low = 0.5*lost2 + lost20 + lost21
+                bent = given3*sin_series(xp, given3)
+                total20 = bent + 1.0
+                back13 = total20 - 1.0
+                lost21 = bent - back13
+                odd_low = 0.16666666666666666*lost2 + lost21
+                even = total21
+                odd = total20
+                return even, even_low, odd, odd_low
+
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total23 = sine/some
+                left = sine - some*total23
+                total23_halves = halves(xp, total23)
+                some_halves = halves(xp, some)
+                left = left - product_error(total23*some, total23_halves, some_halves)
+                left = cosine*root_low + left - root_low*total23
+                lost23 = left/some
+                even = cosine
+                even_low2 = -root_low*sine
+                odd = total23
+                odd_low2 = lost23
+                return even, even_low2, odd, odd_low2
+
+            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+            total24 = half*odd
+            half_halves = halves(xp, half)
+            odd_halves = halves(xp, odd)
+            lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+            total25 = total24 - even
+            back2 = total25 - total24
+            rest4 = total25 - back2
+            one3 = total24 - rest4
+            two3 = -back2 - even
+            lost25 = one3 + two3
+            total24 = envelope + total25
+            back2 = total24 - total25
+            rest4 = total24 - back2
+            one3 = total25 - rest4
+            two3 = envelope - back2
+            lost26 = one3 + two3
+            total25 = envelope*total24
+            envelope_halves = halves(xp, envelope)
+            total24_halves = halves(xp, total24)
+            lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total24_halves)
+            total24 = total25/stiff
+            left16 = total25 - stiff*total24
+            total24_halves = halves(xp, total24)
+            stiff_halves = halves(xp, stiff)
+            left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+            left16 = left16 + lost26
+            lost26 = left16/stiff
+            return lost26 + total24
+
+        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (gamma, half, rest2, total, total2))
+
+    def no(delta, gamma, half, rest2, total, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(delta, gamma):
+            rest6 = fall_series(xp, gamma, delta)
+            total29 = rest6 + 0.5
+            back18 = total29 - rest6
+            rest7 = total29 - back18
+            one5 = rest6 - rest7
+            two5 = 0.5 - back18
+            lost29 = one5 + two5
+            envelope2 = xp.exp(-delta)
+            total30 = envelope2*total29
+            envelope2_halves = halves(xp, envelope2)
+            total29_halves = halves(xp, total29)
+            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
+            return lost29 + total30
+
+        def no(gamma, half, rest2, root, size, total, total2, total3):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back2 = total3 - half
+            lost2 = root - back2
+            p_low = lost2 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
             rate = q
             rate2 = 2.0*root
 
@@ -1247,9 +1506,282 @@ def rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, w
                 lost4 = -back4 - total4
                 fall_low = lost4 - lost5 - q_low*total5
                 fall_ = total7
-                fall_low = fall_low
                 mean = total5
-                mean_low = mean_low
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            mean_halves = halves(xp, mean)
+            lost2 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost2
+            total17 = mean2 - total16
+            back2 = total17 - mean2
+            rest3 = total17 - back2
+            one2 = mean2 - rest3
+            two2 = -back2 - total16
+            lost2 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost2 + mean_low4 - p_low*total16 - pulled_low
+            lost2 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost2 = fall_*lost2 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost2 + total17
+            return creep_
+
+        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (gamma, half, rest2, root, size, total, total2, total3))
+
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+
+
+def rise(xp, gamma, delta):
+    """n1, how far a unit force moves the device in a period"""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+
+    def yes(gamma, half, rest2, total, total2):
+        reach = 0.25*gamma
+
+        def yes(half, total2):
+            rest5 = rise_series(xp, half, total2)
+            total28 = rest5 + 0.5
+            back18 = total28 - rest5
+            rest6 = total28 - back18
+            one4 = rest5 - rest6
+            two4 = 0.5 - back18
+            lost28 = one4 + two4
+            envelope2 = xp.exp(-half)
+            total29 = envelope2*total28
+            envelope2_halves = halves(xp, envelope2)
+            total28_halves = halves(xp, total28)
+            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
+            return lost28 + total29
+
+        def no(gamma, half, rest2, total, total2):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            envelope = xp.exp(-half)
+            stiff = gamma
+
+            def yes(lost2, total2):
+                given3 = total2
+                total19 = 0.5*given3 + 1.0
+                back13 = total19 - 1.0
+                lost19 = 0.5*given3 - back13
+                curved3 = (given3*given3)*cos_series(xp, given3)
+                total20 = curved3 + total19
+                back13 = total20 - total19
+                lost20 = curved3 - back13
+                even_low = lost19 + 0.5*lost2 + lost20
+                bent = given3*sin_series(xp, given3)
+                total19 = bent + 1.0
+                back13 = total19 - 1.0
+                lost20 = bent - back13
+                odd_low = 0.16666666666666666*lost2 + lost20
+                even = total20
+                odd = total19
+                return even, even_low, odd, odd_low
+
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left = left - product_error(total22*some, total22_halves, some_halves)
+                left = cosine*root_low + left - root_low*total22
+                lost22 = left/some
+                even = cosine
+                even_low2 = -root_low*sine
+                odd = total22
+                odd_low2 = lost22
+                return even, even_low2, odd, odd_low2
+
+            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+            total23 = half*odd
+            half_halves = halves(xp, half)
+            odd_halves = halves(xp, odd)
+            lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+            total24 = even + total23
+            back2 = total24 - even
+            rest4 = total24 - back2
+            one3 = even - rest4
+            two3 = total23 - back2
+            lost24 = one3 + two3
+            total23 = envelope*total24
+            envelope_halves = halves(xp, envelope)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope*(even_low2 + lost23 + lost24) + product_error(total23, envelope_halves, total24_halves)
+            total24 = 1.0 - total23
+            back2 = total24 - 1.0
+            lost23 = -back2 - total23
+            total23 = total24/stiff
+            left16 = total24 - stiff*total23
+            total23_halves = halves(xp, total23)
+            stiff_halves = halves(xp, stiff)
+            left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+            left16 = left16 - lost24 + lost23
+            lost23 = left16/stiff
+            return lost23 + total23
+
+        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, total, total2))
+
+    def no(gamma, half, rest2, total, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(half, total2):
+            rest5 = rise_series(xp, half, total2)
+            total28 = rest5 + 0.5
+            back18 = total28 - rest5
+            rest6 = total28 - back18
+            one4 = rest5 - rest6
+            two4 = 0.5 - back18
+            lost28 = one4 + two4
+            envelope2 = xp.exp(-half)
+            total29 = envelope2*total28
+            envelope2_halves = halves(xp, envelope2)
+            total28_halves = halves(xp, total28)
+            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
+            return lost28 + total29
+
+        def no(gamma, half, rest2, root, size, total, total2, total3):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back2 = total3 - half
+            lost2 = root - back2
+            p_low = lost2 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate = q
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                curved = (given*given)*decay_series(xp, given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
                 return fall_, fall_low, mean, mean_low
 
             def no(q, q_low):
@@ -1286,7 +1818,6 @@ def rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, w
                 lost11 = curved2 - back8
                 mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
                 mean2 = total11
-                mean_low3 = mean_low3
                 return mean2, mean_low3
 
             def no(root, root_low):
@@ -1312,141 +1843,25 @@ def rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, w
             total16 = fall_*mean2
             fall__halves = halves(xp, fall_)
             mean2_halves = halves(xp, mean2)
-            lost16 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost16
+            lost2 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost2
             total17 = mean - total16
-            back12 = total17 - mean
-            rest3 = total17 - back12
+            back2 = total17 - mean
+            rest3 = total17 - back2
             one2 = mean - rest3
-            two2 = -back12 - total16
-            lost16 = one2 + two2
-            total16 = total17/whole2
-            left10 = total17 - total16*whole2
+            two2 = -back2 - total16
+            lost2 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
             total16_halves = halves(xp, total16)
-            whole2_halves = halves(xp, whole2)
-            left10 = left10 - product_error(total16*whole2, total16_halves, whole2_halves)
-            left10 = left10 + lost16 + mean_low2 - p_low*total16 - pulled_low
-            lost16 = left10/whole2
-            return lost16 + total16
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost2 + mean_low2 - p_low*total16 - pulled_low
+            lost2 = left/whole
+            return lost2 + total16
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (p_low, q, q_low, root, root_low, whole2))
+        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (gamma, half, lost2, root, root_low, total2), no, (half, p_low, q, q_low, root, root_low, total2, total3, whole2))
-
-
-def swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
-    """a, the sum of the sampled device's poles"""
-
-    def yes(half, lost2, root, root_low, total2):
-        envelope = xp.exp(-half)
-
-        def yes(lost2, total2):
-            given3 = total2
-            total16 = 0.5*given3 + 1.0
-            back12 = total16 - 1.0
-            lost16 = 0.5*given3 - back12
-            curved3 = (given3*given3)*cos_series(xp, given3)
-            total17 = curved3 + total16
-            back12 = total17 - total16
-            lost17 = curved3 - back12
-            even_low = lost16 + lost17 + 0.5*lost2
-            even = total17
-            even_low = even_low
-            return even, even_low
-
-        def no(root, root_low):
-            sine = xp.sin(root)
-            cosine = xp.cos(root)
-            even = cosine
-            even_low2 = -root_low*sine
-            return even, even_low2
-
-        even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
-
-        total21 = envelope*even
-        envelope_halves = halves(xp, envelope)
-        even_halves = halves(xp, even)
-        lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
-        return 2.0*lost21 + 2.0*total21
-
-    def no(q, q_low, root, root_low):
-        rate = q
-        rate2 = 2.0*root
-
-        def yes(q, q_low):
-            given = q
-            total4 = 1.0 - 0.5*given
-            back4 = total4 - 1.0
-            lost4 = -back4 - 0.5*given
-            curved = (given*given)*decay_series(xp, given)
-            total5 = curved + total4
-            back4 = total5 - total4
-            lost5 = curved - back4
-            mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-            total4 = given*total5
-            given_halves = halves(xp, given)
-            total5_halves = halves(xp, total5)
-            lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-            total7 = 1.0 - total4
-            back4 = total7 - 1.0
-            lost4 = -back4 - total4
-            fall_low = lost4 - lost5 - q_low*total5
-            fall_ = total7
-            fall_low = fall_low
-            return fall_, fall_low
-
-        def no(q, q_low):
-            sunk = xp.exp(-q)
-            sunk_low = -q_low*sunk
-            fall_ = sunk
-            fall_low2 = sunk_low
-            return fall_, fall_low2
-
-        fall_, fall_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-
-
-        def yes(root, root_low):
-            given2 = 2.0*root
-            total10 = 1.0 - 0.5*given2
-            back8 = total10 - 1.0
-            lost10 = -back8 - 0.5*given2
-            curved2 = (given2*given2)*decay_series(xp, given2)
-            total11 = curved2 + total10
-            back8 = total11 - total10
-            lost11 = curved2 - back8
-            mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-            total10 = given2*total11
-            given2_halves = halves(xp, given2)
-            total11_halves = halves(xp, total11)
-            lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-            total13 = 1.0 - total10
-            back8 = total13 - 1.0
-            lost10 = -back8 - total10
-            fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-            fall2 = total13
-            fall_low3 = fall_low3
-            return fall2, fall_low3
-
-        def no(root, root_low):
-            sunk2 = xp.exp(-2.0*root)
-            sunk_low2 = -2.0*root_low*sunk2
-            fall2 = sunk2
-            fall_low4 = sunk_low2
-            return fall2, fall_low4
-
-        fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-        total22 = fall2 + 1.0
-        back15 = total22 - 1.0
-        lost22 = fall2 - back15
-        total23 = fall_*total22
-        fall__halves = halves(xp, fall_)
-        total22_halves = halves(xp, total22)
-        lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total22_halves)
-        creep_ = fall_low2*total22 + lost22 + total23
-        return creep_
-
-    return select(xp, total2 < 0.0, yes, (half, lost2, root, root_low, total2), no, (q, q_low, root, root_low))
+    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no, (gamma, half, rest, total, total2))
 
 
 def sinhc_root(xp, w):
@@ -1571,112 +1986,404 @@ def together_series(xp, h, w):
     return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
-def together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low):
-    """n1 + n0"""
+def swing_together(xp, gamma, delta):
+    """a, the sum of the sampled device's poles; n1 + n0"""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
 
-    def yes(delta, gamma, half, root, root_low, total2):
+    def yes(delta, gamma, half, lost2, total2):
         reach = 0.25*gamma
 
-        def yes(half, total2):
+        def yes(half, lost2, total2):
+            envelope = xp.exp(-half)
             rest3 = together_series(xp, half, total2)
-            total21 = rest3 + 0.5
-            back15 = total21 - rest3
-            rest4 = total21 - back15
+            total212 = rest3 + 0.5
+            back152 = total212 - rest3
+            rest4 = total212 - back152
             one2 = rest3 - rest4
-            two2 = 0.5 - back15
-            lost21 = one2 + two2
-            envelope2 = xp.exp(-half)
-            total22 = envelope2*total21
-            envelope2_halves = halves(xp, envelope2)
-            total21_halves = halves(xp, total21)
-            lost21 = envelope2*lost21 + product_error(total22, envelope2_halves, total21_halves)
-            return 2.0*lost21 + 2.0*total22
+            two2 = 0.5 - back152
+            lost212 = one2 + two2
+            total222 = envelope*total212
+            envelope_halves = halves(xp, envelope)
+            total212_halves = halves(xp, total212)
+            lost212 = envelope*lost212 + product_error(total222, envelope_halves, total212_halves)
 
-        def no(delta, gamma, half, root, root_low):
+            def yes(lost2, total2):
+                given3 = total2
+                total16 = 0.5*given3 + 1.0
+                back12 = total16 - 1.0
+                lost16 = 0.5*given3 - back12
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total17 = curved3 + total16
+                back12 = total17 - total16
+                lost17 = curved3 - back12
+                even_low = lost16 + lost17 + 0.5*lost2
+                even = total17
+                return even, even_low
 
-            def yes(gamma):
-                return (sinhc_root(xp, -0.25*gamma)*sinhc_root(xp, -0.25*gamma))
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
 
-            def no(gamma, half, root, root_low):
+            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+            total212 = envelope*even
+            even_halves = halves(xp, even)
+            lost21 = envelope*even_low2 + product_error(total212, envelope_halves, even_halves)
+            swing_of = 2.0*lost21 + 2.0*total212
+            together_of = 2.0*lost212 + 2.0*total222
+            return swing_of, together_of
+
+        def no(delta, gamma, half, lost2, total2):
+
+            def yes(gamma, half, lost2, total2):
+                envelope = xp.exp(-half)
+                sinhc_root_of = sinhc_root(xp, -0.25*gamma)
+
+                def yes(lost2, total2):
+                    given3 = total2
+                    total16 = 0.5*given3 + 1.0
+                    back12 = total16 - 1.0
+                    lost16 = 0.5*given3 - back12
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total17 = curved3 + total16
+                    back12 = total17 - total16
+                    lost17 = curved3 - back12
+                    even_low = lost16 + lost17 + 0.5*lost2
+                    even = total17
+                    return even, even_low
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    return even, even_low2
+
+                even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                total21 = envelope*even
+                envelope_halves = halves(xp, envelope)
+                even_halves = halves(xp, even)
+                lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
+                swing_of = 2.0*lost21 + 2.0*total21
+                together_of = (sinhc_root_of*sinhc_root_of)
+                return swing_of, together_of
+
+            def no(gamma, half, lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
                 envelope = xp.exp(-half)
                 stiff = gamma
-                grown = -0.5*xp.expm1(-half)
+                expm1_of = xp.expm1(-half)
+                grown = -0.5*expm1_of
                 angle = 0.5*root
                 wave = xp.sin(angle)
-                wave = 0.5*root_low*xp.cos(angle) + wave
-                return 4.0*(envelope*(wave*wave) + (grown*grown))/stiff
+                cos_of = xp.cos(angle)
+                wave = 0.5*cos_of*root_low + wave
 
-            return select(xp, delta == 0.0, yes, (gamma,), no, (gamma, half, root, root_low))
+                def yes(lost2, total2):
+                    given3 = total2
+                    total16 = 0.5*given3 + 1.0
+                    back12 = total16 - 1.0
+                    lost16 = 0.5*given3 - back12
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total17 = curved3 + total16
+                    back12 = total17 - total16
+                    lost17 = curved3 - back12
+                    even_low = lost16 + lost17 + 0.5*lost2
+                    even = total17
+                    return even, even_low
 
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, root, root_low))
+                def no(root, root_low):
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    return even, even_low2
 
-    def no(half, q, root, total2, total3, whole2):
+                even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+                total21 = envelope*even
+                envelope_halves = halves(xp, envelope)
+                even_halves = halves(xp, even)
+                lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
+                swing_of = 2.0*lost21 + 2.0*total21
+                together_of = 4.0*(envelope*(wave*wave) + (grown*grown))/stiff
+                return swing_of, together_of
+
+            swing_of, together_of = select(xp, delta == 0.0, yes, (gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+
+            return swing_of, together_of
+
+        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+
+        return swing_of, together_of
+
+    def no(gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
         reach = 0.4444444444444444*total3
 
-        def yes(half, total2):
+        def yes(gamma, half, lost2, root, size, total2, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            envelope = xp.exp(-half)
             rest3 = together_series(xp, half, total2)
-            total21 = rest3 + 0.5
-            back15 = total21 - rest3
-            rest4 = total21 - back15
+            total212 = rest3 + 0.5
+            back3 = total212 - rest3
+            rest4 = total212 - back3
             one2 = rest3 - rest4
-            two2 = 0.5 - back15
-            lost21 = one2 + two2
-            envelope2 = xp.exp(-half)
-            total22 = envelope2*total21
-            envelope2_halves = halves(xp, envelope2)
-            total21_halves = halves(xp, total21)
-            lost21 = envelope2*lost21 + product_error(total22, envelope2_halves, total21_halves)
-            return 2.0*lost21 + 2.0*total22
+            two2 = 0.5 - back3
+            lost3 = one2 + two2
+            total222 = envelope*total212
+            envelope_halves = halves(xp, envelope)
+            total212_halves = halves(xp, total212)
+            lost3 = envelope*lost3 + product_error(total222, envelope_halves, total212_halves)
 
-        def no(q, root, whole2):
-            rate = q
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                return fall_, fall_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                fall_ = sunk
+                fall_low2 = sunk_low
+                return fall_, fall_low2
+
+            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
+
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total212 = fall2 + 1.0
+            back3 = total212 - 1.0
+            lost22 = fall2 - back3
+            total23 = fall_*total212
+            fall__halves = halves(xp, fall_)
+            total212_halves = halves(xp, total212)
+            lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total212_halves)
+            creep_ = fall_low2*total212 + lost22 + total23
+            swing_of = creep_
+            together_of = 2.0*lost3 + 2.0*total222
+            return swing_of, together_of
+
+        def no(gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
             rate2 = 2.0*root
 
-            def yes(q):
-                given2 = q
-                total9 = 1.0 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
-                total9 = curved2 + total9
-                total11 = given2*total9
-                total11 = 1.0 - total11
-                fall_ = total11
-                mean = total9
-                return fall_, mean
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean
 
-            def no(q):
+            def no(q, q_low):
                 sunk = xp.exp(-q)
-                total13 = 1.0 - sunk
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
                 bottom = q
-                total13 = total13/bottom
+                total8 = total8/bottom
                 fall_ = sunk
-                mean = total13
-                return fall_, mean
+                fall_low2 = sunk_low
+                mean = total8
+                return fall_, fall_low2, mean
 
-            fall_, mean = select(xp, rate < 0.75, yes, (q,), no, (q,))
+            fall_, fall_low2, mean = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
 
-            def yes(root):
-                given3 = 2.0*root
-                total15 = 1.0 - 0.5*given3
-                curved3 = (given3*given3)*decay_series(xp, given3)
-                total15 = curved3 + total15
-                total15 = given3*total15
-                total15 = 1.0 - total15
-                fall2 = total15
-                return fall2
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
 
-            def no(root):
+            def no(root, root_low):
                 sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
                 fall2 = sunk2
-                return fall2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
 
-            fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-            return mean*(1.0 - fall_*fall2)/whole2
+            total22 = fall2 + 1.0
+            back3 = total22 - 1.0
+            lost3 = fall2 - back3
+            total23 = fall_*total22
+            fall__halves = halves(xp, fall_)
+            total22_halves = halves(xp, total22)
+            lost3 = fall_*(fall_low4 + lost3) + product_error(total23, fall__halves, total22_halves)
+            creep_ = fall_low2*total22 + lost3 + total23
+            swing_of = creep_
+            together_of = mean*(1.0 - fall_*fall2)/whole
+            return swing_of, together_of
 
-        return select(xp, reach < 1.0, yes, (half, total2), no, (q, root, whole2))
+        swing_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
 
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, root_low, total2), no, (half, q, root, total2, total3, whole2))
+        return swing_of, together_of
+
+    swing_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (gamma, half, lost, total2))
+
+    return swing_of, together_of
 
 
 def apart_series_single(xp, h, w):
@@ -1690,7 +2397,7 @@ def apart_series_single(xp, h, w):
         b2 = b2*y + e2
         e2 = e2*w
         b2 = b2*y + e2
-        return b2
+        return b2 - 4.967053879312289e-09
 
     def no(h, w):
         y2 = (h*h)
@@ -1710,13 +2417,13 @@ def apart_series_single(xp, h, w):
         b7 = b7*y2 + e7
         e7 = e7*w
         b7 = b7*y2 + e7
-        return b7
+        return b7 - 4.967053879312289e-09
 
     return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
 def apart_series(xp, h, w):
-    """divided difference of sinh(sqrt)/sqrt at h^2 and w, less 1/6"""
+    """divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6"""
     if h.dtype == xp.float32:
         return apart_series_single(xp, h, w)
 
@@ -1732,7 +2439,7 @@ def apart_series(xp, h, w):
         b4 = b4*y + e4
         e4 = e4*w
         b4 = b4*y + e4
-        return b4
+        return b4 + 9.25185853854297e-18
 
     def no(h, w):
         y2 = (h*h)
@@ -1760,7 +2467,7 @@ def apart_series(xp, h, w):
         b11 = b11*y2 + e11
         e11 = e11*w
         b11 = b11*y2 + e11
-        return b11
+        return b11 + 9.25185853854297e-18
 
     return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
@@ -1778,8 +2485,859 @@ def decay(xp, x):
     return select(xp, x == 0.0, yes, (x,), no, (x,))
 
 
-def apart_single(xp, gamma, delta):
-    """The same in single precision."""
+def apart_fall_kick_kick_low_rise(xp, gamma, delta):
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); displacement by a unit impulse after a period; what the float of Kick misses; n1, how far a unit force moves the device in a period"""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
+
+    def yes(delta, gamma, half, lost2, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, gamma, half, lost2, reach, total2):
+
+            def yes(delta, gamma, half, lost2, total2):
+                envelope = xp.exp(-half)
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back16 = total24 - rest4
+                rest5 = total24 - back16
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back16
+                lost24 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+                rest5 = fall_series(xp, gamma, delta)
+                total24 = rest5 + 0.5
+                back16 = total24 - rest5
+                rest4 = total24 - back16
+                one3 = rest5 - rest4
+                two3 = 0.5 - back16
+                lost29 = one3 + two3
+                envelope2 = xp.exp(-delta)
+                total30 = envelope2*total24
+                envelope2_halves = halves(xp, envelope2)
+                total24_halves = halves(xp, total24)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
+                rest4 = rise_series(xp, half, total2)
+                total24 = rest4 + 0.5
+                back16 = total24 - rest4
+                rest5 = total24 - back16
+                one3 = rest4 - rest5
+                two3 = 0.5 - back16
+                lost282 = one3 + two3
+                total292 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
+
+                def yes(lost2, total2):
+                    given3 = total2
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total21 = bent + 1.0
+                    back15 = total21 - 1.0
+                    lost21 = bent - back15
+                    odd_low = 0.16666666666666666*lost2 + lost21
+                    odd = total21
+                    return odd, odd_low
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    odd = total22
+                    odd_low2 = lost22
+                    return odd, odd_low2
+
+                odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                total24 = envelope*odd
+                odd_halves = halves(xp, odd)
+                lost212 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+                total222 = lost212 + total24
+                back16 = total222 - total24
+                lost212 = lost212 - back16
+                apart_of = lost24 + total25
+                fall_of = lost29 + total30
+                kick_of = total222
+                kick_low_of = lost212
+                rise_of = lost282 + total292
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            def no(gamma, half, lost2, total2):
+                envelope = xp.exp(-half)
+                stiff = gamma
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back16 = total24 - rest4
+                rest5 = total24 - back16
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back16
+                lost24 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+
+                def yes(lost2, total2):
+                    given3 = total2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total19 = bent + 1.0
+                    back13 = total19 - 1.0
+                    lost20 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost20
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd, odd_low
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    odd_low2 = lost22
+                    return even, even_low2, odd, odd_low2
+
+                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                total24 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+                total252 = total24 - even
+                back16 = total252 - total24
+                rest5 = total252 - back16
+                one3 = total24 - rest5
+                two3 = -back16 - even
+                lost252 = one3 + two3
+                total26 = envelope + total252
+                back16 = total26 - total252
+                rest5 = total26 - back16
+                one3 = total252 - rest5
+                two3 = envelope - back16
+                lost26 = one3 + two3
+                total252 = envelope*total26
+                total26_halves = halves(xp, total26)
+                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
+                total26 = total252/stiff
+                left16 = total252 - stiff*total26
+                total26_halves = halves(xp, total26)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
+                left16 = left16 + lost26
+                lost26 = left16/stiff
+                total252 = envelope*odd
+                lost252 = envelope*odd_low2 + product_error(total252, envelope_halves, odd_halves)
+                total222 = lost252 + total252
+                back16 = total222 - total252
+                lost252 = lost252 - back16
+                total252 = even + total24
+                back16 = total252 - even
+                rest5 = total252 - back16
+                one3 = even - rest5
+                two3 = total24 - back16
+                lost242 = one3 + two3
+                total24 = envelope*total252
+                total252_halves = halves(xp, total252)
+                lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total24, envelope_halves, total252_halves)
+                total252 = 1.0 - total24
+                back16 = total252 - 1.0
+                lost23 = -back16 - total24
+                total24 = total252/stiff
+                left16 = total252 - stiff*total24
+                total24_halves = halves(xp, total24)
+                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+                left16 = left16 - lost242 + lost23
+                lost23 = left16/stiff
+                apart_of = lost24 + total25
+                fall_of = lost26 + total26
+                kick_of = total222
+                kick_low_of = lost252
+                rise_of = lost23 + total24
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        def no(delta, gamma, half, lost2, total2):
+            envelope = xp.exp(-half)
+            stiff = gamma
+            whole4 = xp.where(delta == 0.0, 1.0, delta)
+            decay_of = decay(xp, delta)
+
+            def yes(lost2, total2):
+                given3 = total2
+                total19 = 0.5*given3 + 1.0
+                back13 = total19 - 1.0
+                lost19 = 0.5*given3 - back13
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total20 = curved3 + total19
+                back13 = total20 - total19
+                lost20 = curved3 - back13
+                even_low = lost19 + 0.5*lost2 + lost20
+                sin_series_of = sin_series(xp, given3)
+                bent = given3*sin_series_of
+                total19 = bent + 1.0
+                back13 = total19 - 1.0
+                lost20 = bent - back13
+                odd_low = 0.16666666666666666*lost2 + lost20
+                even = total20
+                odd = total19
+                return even, even_low, odd, odd_low
+
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left = left - product_error(total22*some, total22_halves, some_halves)
+                left = cosine*root_low + left - root_low*total22
+                lost22 = left/some
+                even = cosine
+                even_low2 = -root_low*sine
+                odd = total22
+                odd_low2 = lost22
+                return even, even_low2, odd, odd_low2
+
+            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+            total23 = half*odd
+            half_halves = halves(xp, half)
+            odd_halves = halves(xp, odd)
+            lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+            total252 = total23 - even
+            back162 = total252 - total23
+            rest42 = total252 - back162
+            one32 = total23 - rest42
+            two32 = -back162 - even
+            lost252 = one32 + two32
+            total26 = envelope + total252
+            back162 = total26 - total252
+            rest42 = total26 - back162
+            one32 = total252 - rest42
+            two32 = envelope - back162
+            lost26 = one32 + two32
+            total252 = envelope*total26
+            envelope_halves = halves(xp, envelope)
+            total26_halves = halves(xp, total26)
+            lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
+            total26 = total252/stiff
+            left16 = total252 - stiff*total26
+            total26_halves = halves(xp, total26)
+            stiff_halves = halves(xp, stiff)
+            left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
+            left16 = left16 + lost26
+            lost26 = left16/stiff
+            total252 = envelope*odd
+            lost252 = envelope*odd_low2 + product_error(total252, envelope_halves, odd_halves)
+            total222 = lost252 + total252
+            back162 = total222 - total252
+            lost252 = lost252 - back162
+            total252 = even + total23
+            back162 = total252 - even
+            rest42 = total252 - back162
+            one32 = even - rest42
+            two32 = total23 - back162
+            lost242 = one32 + two32
+            total253 = envelope*total252
+            total252_halves = halves(xp, total252)
+            lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total253, envelope_halves, total252_halves)
+            total252 = 1.0 - total253
+            back162 = total252 - 1.0
+            lost23 = -back162 - total253
+            total253 = total252/stiff
+            left16 = total252 - stiff*total253
+            total253_halves = halves(xp, total253)
+            left16 = left16 - product_error(total253*stiff, total253_halves, stiff_halves)
+            left16 = left16 - lost242 + lost23
+            lost23 = left16/stiff
+            apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+            fall_of = lost26 + total26
+            kick_of = total222
+            kick_low_of = lost252
+            rise_of = lost23 + total253
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
+
+        return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+    def no(delta, gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
+
+            def yes(delta, gamma, half, lost2, root, size, total2, total3):
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back3 = total24 - rest4
+                rest5 = total24 - back3
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back3
+                lost3 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost3 = envelope*lost3 + product_error(total25, envelope_halves, total24_halves)
+                rest5 = fall_series(xp, gamma, delta)
+                total24 = rest5 + 0.5
+                back3 = total24 - rest5
+                rest4 = total24 - back3
+                one3 = rest5 - rest4
+                two3 = 0.5 - back3
+                lost29 = one3 + two3
+                envelope2 = xp.exp(-delta)
+                total30 = envelope2*total24
+                envelope2_halves = halves(xp, envelope2)
+                total24_halves = halves(xp, total24)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
+                rest4 = rise_series(xp, half, total2)
+                total24 = rest4 + 0.5
+                back3 = total24 - rest4
+                rest5 = total24 - back3
+                one3 = rest4 - rest5
+                two3 = 0.5 - back3
+                lost282 = one3 + two3
+                total292 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    return fall_, fall_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    return fall_, fall_low2
+
+                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean2 = total11
+                    return mean2, mean_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    total14 = 1.0 - sunk2
+                    back11 = total14 - 1.0
+                    lost14 = -back11 - sunk2
+                    bottom2 = 2.0*root
+                    total15 = total14/bottom2
+                    left7 = total14 - bottom2*total15
+                    total15_halves = halves(xp, total15)
+                    bottom2_halves = halves(xp, bottom2)
+                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                    lost14 = left7/bottom2
+                    mean2 = total15
+                    mean_low4 = lost14
+                    return mean2, mean_low4
+
+                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+                total24 = fall_*mean2
+                fall__halves = halves(xp, fall_)
+                mean2_halves = halves(xp, mean2)
+                lost163 = fall_*mean_low4 + product_error(total24, fall__halves, mean2_halves)
+                creep_low = fall_low2*mean2 + lost163
+                total232 = creep_low + total24
+                back3 = total232 - total24
+                lost163 = creep_low - back3
+                apart_of = lost3 + total25
+                fall_of = lost29 + total30
+                kick_of = total232
+                kick_low_of = lost163
+                rise_of = lost282 + total292
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            def no(gamma, half, lost2, root, size, total2, total3):
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back3 = total24 - rest4
+                rest5 = total24 - back3
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back3
+                lost3 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost3 = envelope*lost3 + product_error(total25, envelope_halves, total24_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    mean = total5
+                    return fall_, fall_low, mean, mean_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    total8 = 1.0 - sunk
+                    back7 = total8 - 1.0
+                    lost8 = -back7 - sunk
+                    bottom = q
+                    total9 = total8/bottom
+                    left4 = total8 - bottom*total9
+                    total9_halves = halves(xp, total9)
+                    bottom_halves = halves(xp, bottom)
+                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                    left4 = left4 + lost8 - q_low*total9 - sunk_low
+                    lost8 = left4/bottom
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    mean = total9
+                    mean_low2 = lost8
+                    return fall_, fall_low2, mean, mean_low2
+
+                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    total10 = given2*total11
+                    given2_halves = halves(xp, given2)
+                    total11_halves = halves(xp, total11)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    total13 = 1.0 - total10
+                    back8 = total13 - 1.0
+                    lost10 = -back8 - total10
+                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                    fall2 = total13
+                    mean2 = total11
+                    return fall2, fall_low3, mean2, mean_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    total14 = 1.0 - sunk2
+                    back11 = total14 - 1.0
+                    lost14 = -back11 - sunk2
+                    bottom2 = 2.0*root
+                    total15 = total14/bottom2
+                    left7 = total14 - bottom2*total15
+                    total15_halves = halves(xp, total15)
+                    bottom2_halves = halves(xp, bottom2)
+                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                    lost14 = left7/bottom2
+                    fall2 = sunk2
+                    fall_low4 = sunk_low2
+                    mean2 = total15
+                    mean_low4 = lost14
+                    return fall2, fall_low4, mean2, mean_low4
+
+                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+                total24 = fall2*mean
+                fall2_halves = halves(xp, fall2)
+                mean_halves = halves(xp, mean)
+                lost162 = fall2*mean_low2 + product_error(total24, fall2_halves, mean_halves)
+                pulled_low = fall_low4*mean + lost162
+                total172 = mean2 - total24
+                back3 = total172 - mean2
+                rest5 = total172 - back3
+                one3 = mean2 - rest5
+                two3 = -back3 - total24
+                lost162 = one3 + two3
+                total24 = total172/whole
+                left = total172 - total24*whole
+                total24_halves = halves(xp, total24)
+                left = left - product_error(total24*whole, total24_halves, whole_halves)
+                left = left + lost162 + mean_low4 - p_low*total24 - pulled_low
+                lost162 = left/whole
+                total172 = fall_*total24
+                fall__halves = halves(xp, fall_)
+                lost162 = fall_*lost162 + product_error(total172, fall__halves, total24_halves)
+                creep_ = fall_low2*total24 + lost162 + total172
+                total172 = fall_*mean2
+                mean2_halves = halves(xp, mean2)
+                lost162 = fall_*mean_low4 + product_error(total172, fall__halves, mean2_halves)
+                creep_low = fall_low2*mean2 + lost162
+                total24 = creep_low + total172
+                back3 = total24 - total172
+                lost162 = creep_low - back3
+                total173 = mean - total172
+                back3 = total173 - mean
+                rest5 = total173 - back3
+                one3 = mean - rest5
+                two3 = -back3 - total172
+                lost173 = one3 + two3
+                total172 = total173/whole
+                left = total173 - total172*whole
+                total172_halves = halves(xp, total172)
+                left = left - product_error(total172*whole, total172_halves, whole_halves)
+                left = left - creep_low + lost173 + mean_low2 - p_low*total172
+                lost173 = left/whole
+                apart_of = lost3 + total25
+                fall_of = creep_
+                kick_of = total24
+                kick_low_of = lost162
+                rise_of = lost173 + total172
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
+
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        def no(delta, gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+            twice = 2.0*fall_
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            fast = fall_*fall2
+            total16 = mean2*twice
+            twice_halves = halves(xp, twice)
+            mean2_halves = halves(xp, mean2)
+            lost3 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            total17 = mean - total16
+            back3 = total17 - mean
+            rest3 = total17 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total16
+            lost17 = one2 + two2
+            total16 = fast*mean
+            fast_halves = halves(xp, fast)
+            mean_halves = halves(xp, mean)
+            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
+            top = total17 + total16
+            low = lost17 - lost3 + lost18 + mean_low2
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost18
+            total17 = mean2 - total16
+            back3 = total17 - mean2
+            rest3 = total17 - back3
+            one2 = mean2 - rest3
+            two2 = -back3 - total16
+            lost18 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
+            lost18 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost18 + total17
+            total17 = fall_*mean2
+            lost18 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
+            creep_low = fall_low2*mean2 + lost18
+            total16 = creep_low + total17
+            back3 = total16 - total17
+            lost18 = creep_low - back3
+            total173 = mean - total17
+            back3 = total173 - mean
+            rest3 = total173 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total17
+            lost17 = one2 + two2
+            total17 = total173/whole
+            left = total173 - total17*whole
+            total17_halves = halves(xp, total17)
+            left = left - product_error(total17*whole, total17_halves, whole_halves)
+            left = left - creep_low + lost17 + mean_low2 - p_low*total17
+            lost17 = left/whole
+            apart_of = (low + top)/whole3
+            fall_of = creep_
+            kick_of = total16
+            kick_low_of = lost18
+            rise_of = lost17 + total17
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+
+        return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+    apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+
+    return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+
+def apart_fall_nyquist_rise_together(xp, gamma, delta):
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a + e; n1, how far a unit force moves the device in a period; n1 + n0"""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -1792,51 +3350,576 @@ def apart_single(xp, gamma, delta):
     rest = lost + product_error(square, half_halves, half_halves)
     total2 = rest + total
 
-    def yes(delta, gamma, half, total2):
+    def yes(delta, gamma, half, rest2, total, total2):
         reach = 0.25*gamma
 
-        def yes(half, total2):
-            rest4 = apart_series(xp, half, total2) - 4.967053879312289e-09
-            total24 = rest4 + 0.1666666716337204
-            back16 = total24 - rest4
-            rest5 = total24 - back16
-            one3 = rest4 - rest5
-            two3 = 0.1666666716337204 - back16
-            lost24 = one3 + two3
-            envelope2 = xp.exp(-half)
-            total25 = envelope2*total24
-            envelope2_halves = halves(xp, envelope2)
-            total24_halves = halves(xp, total24)
-            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
-            return lost24 + total25
+        def yes(delta, gamma, half, reach, rest2, total, total2):
 
-        def no(delta, gamma, half, total2):
-            envelope = xp.exp(-half)
-            stiff = gamma
-            whole4 = xp.where(delta == 0.0, 1.0, delta)
+            def yes(delta, gamma, half, rest2, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                envelope = xp.exp(-half)
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back2 = total24 - rest4
+                rest5 = total24 - back2
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back2
+                lost24 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+                rest5 = fall_series(xp, gamma, delta)
+                total24 = rest5 + 0.5
+                back2 = total24 - rest5
+                rest4 = total24 - back2
+                one3 = rest5 - rest4
+                two3 = 0.5 - back2
+                lost29 = one3 + two3
+                envelope2 = xp.exp(-delta)
+                total30 = envelope2*total24
+                envelope2_halves = halves(xp, envelope2)
+                total24_halves = halves(xp, total24)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
+                rest4 = rise_series(xp, half, total2)
+                total24 = rest4 + 0.5
+                back2 = total24 - rest4
+                rest5 = total24 - back2
+                one3 = rest4 - rest5
+                two3 = 0.5 - back2
+                lost282 = one3 + two3
+                total292 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
+                rest5 = together_series(xp, half, total2)
+                total24 = rest5 + 0.5
+                back2 = total24 - rest5
+                rest4 = total24 - back2
+                one3 = rest5 - rest4
+                two3 = 0.5 - back2
+                lost212 = one3 + two3
+                total222 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
 
-            def yes(total2):
-                given3 = total2
-                bent = given3*sin_series(xp, given3)
-                total21 = bent + 1.0
-                odd = total21
-                return odd
+                def yes(lost2, total2):
+                    given3 = total2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    even = total20
+                    return even, even_low
 
-            def no(total2):
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    return even, even_low2
+
+                even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                even2 = even + even_low2
+
+                def yes(envelope, envelope2, even2, lost222, lost25, lost292, lost30, total222, total25, total292, total30):
+                    ends = envelope2 + 1.0
+                    apart_of = lost25 + total25
+                    fall_of = lost30 + total30
+                    nyquist_of = ends + 2.0*envelope*even2
+                    rise_of = lost292 + total292
+                    together_of = 2.0*lost222 + 2.0*total222
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(envelope, half, lost2, lost222, lost25, lost292, lost30, total2, total222, total25, total292, total30):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    wave = wave - 0.5*root_low*sin_of
+                    apart_of = lost25 + total25
+                    fall_of = lost30 + total30
+                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
+                    rise_of = lost292 + total292
+                    together_of = 2.0*lost222 + 2.0*total222
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (envelope, envelope2, even2, lost212, lost24, lost282, lost29, total222, total25, total292, total30), no, (envelope, half, lost2, lost212, lost24, lost282, lost29, total2, total222, total25, total292, total30))
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            def no(delta, gamma, half, rest2, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                envelope = xp.exp(-half)
+                stiff = gamma
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back2 = total24 - rest4
+                rest5 = total24 - back2
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back2
+                lost24 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+                rest5 = together_series(xp, half, total2)
+                total24 = rest5 + 0.5
+                back2 = total24 - rest5
+                rest4 = total24 - back2
+                one3 = rest5 - rest4
+                two3 = 0.5 - back2
+                lost212 = one3 + two3
+                total222 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+
+                def yes(lost2, total2):
+                    given3 = total2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total19 = bent + 1.0
+                    back13 = total19 - 1.0
+                    lost20 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost20
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd, odd_low
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    odd_low2 = lost22
+                    return even, even_low2, odd, odd_low2
+
+                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                total24 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+                total252 = total24 - even
+                back2 = total252 - total24
+                rest4 = total252 - back2
+                one3 = total24 - rest4
+                two3 = -back2 - even
+                lost252 = one3 + two3
+                total26 = envelope + total252
+                back2 = total26 - total252
+                rest4 = total26 - back2
+                one3 = total252 - rest4
+                two3 = envelope - back2
+                lost26 = one3 + two3
+                total252 = envelope*total26
+                total26_halves = halves(xp, total26)
+                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
+                total26 = total252/stiff
+                left16 = total252 - stiff*total26
+                total26_halves = halves(xp, total26)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
+                left16 = left16 + lost26
+                lost26 = left16/stiff
+                even2 = even + even_low2
+                total252 = even + total24
+                back2 = total252 - even
+                rest4 = total252 - back2
+                one3 = even - rest4
+                two3 = total24 - back2
+                lost252 = one3 + two3
+                total24 = envelope*total252
+                total252_halves = halves(xp, total252)
+                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total24, envelope_halves, total252_halves)
+                total252 = 1.0 - total24
+                back2 = total252 - 1.0
+                lost23 = -back2 - total24
+                total24 = total252/stiff
+                left16 = total252 - stiff*total24
+                total24_halves = halves(xp, total24)
+                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+                left16 = left16 - lost252 + lost23
+                lost23 = left16/stiff
+
+                def yes(delta, envelope, even2, lost222, lost25, lost272, lost28, total222, total25, total272, total28):
+                    envelope2 = xp.exp(-delta)
+                    ends = envelope2 + 1.0
+                    apart_of = lost25 + total25
+                    fall_of = lost28 + total28
+                    nyquist_of = ends + 2.0*envelope*even2
+                    rise_of = lost272 + total272
+                    together_of = 2.0*lost222 + 2.0*total222
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(envelope, half, lost2, lost222, lost25, lost272, lost28, total2, total222, total25, total272, total28):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    wave = wave - 0.5*root_low*sin_of
+                    apart_of = lost25 + total25
+                    fall_of = lost28 + total28
+                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
+                    rise_of = lost272 + total272
+                    together_of = 2.0*lost222 + 2.0*total222
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (delta, envelope, even2, lost212, lost24, lost23, lost26, total222, total25, total24, total26), no, (envelope, half, lost2, lost212, lost24, lost23, lost26, total2, total222, total25, total24, total26))
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+        def no(delta, gamma, half, rest2, total, total2):
+
+            def yes(delta, gamma, half, rest2, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                envelope = xp.exp(-half)
+                stiff = gamma
+                whole4 = 1.0
+                decay_of = decay(xp, delta)
+                sinhc_root_of = sinhc_root(xp, -0.25*gamma)
+
+                def yes(lost2, total2):
+                    given3 = total2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total19 = bent + 1.0
+                    back13 = total19 - 1.0
+                    lost20 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost20
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd, odd_low
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    odd_low2 = lost22
+                    return even, even_low2, odd, odd_low2
+
+                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                total23 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                total252 = total23 - even
+                back2 = total252 - total23
+                rest42 = total252 - back2
+                one32 = total23 - rest42
+                two32 = -back2 - even
+                lost252 = one32 + two32
+                total26 = envelope + total252
+                back2 = total26 - total252
+                rest42 = total26 - back2
+                one32 = total252 - rest42
+                two32 = envelope - back2
+                lost26 = one32 + two32
+                total252 = envelope*total26
+                envelope_halves = halves(xp, envelope)
+                total26_halves = halves(xp, total26)
+                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
+                total26 = total252/stiff
+                left16 = total252 - stiff*total26
+                total26_halves = halves(xp, total26)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
+                left16 = left16 + lost26
+                lost26 = left16/stiff
+                even2 = even + even_low2
+                total252 = even + total23
+                back2 = total252 - even
+                rest42 = total252 - back2
+                one32 = even - rest42
+                two32 = total23 - back2
+                lost252 = one32 + two32
+                total253 = envelope*total252
+                total252_halves = halves(xp, total252)
+                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total253, envelope_halves, total252_halves)
+                total252 = 1.0 - total253
+                back2 = total252 - 1.0
+                lost23 = -back2 - total253
+                total253 = total252/stiff
+                left16 = total252 - stiff*total253
+                total253_halves = halves(xp, total253)
+                left16 = left16 - product_error(total253*stiff, total253_halves, stiff_halves)
+                left16 = left16 - lost252 + lost23
+                lost23 = left16/stiff
+
+                def yes(decay_of, delta, envelope, even2, lost272, lost28, sinhc_root_of, stiff, total23, total272, total28, whole4):
+                    envelope2 = xp.exp(-delta)
+                    ends = envelope2 + 1.0
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    fall_of = lost28 + total28
+                    nyquist_of = ends + 2.0*envelope*even2
+                    rise_of = lost272 + total272
+                    together_of = (sinhc_root_of*sinhc_root_of)
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(decay_of, envelope, half, lost2, lost272, lost28, sinhc_root_of, stiff, total2, total23, total272, total28, whole4):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    wave = wave - 0.5*root_low*sin_of
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    fall_of = lost28 + total28
+                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
+                    rise_of = lost272 + total272
+                    together_of = (sinhc_root_of*sinhc_root_of)
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, lost23, lost26, sinhc_root_of, stiff, total23, total253, total26, whole4), no, (decay_of, envelope, half, lost2, lost23, lost26, sinhc_root_of, stiff, total2, total23, total253, total26, whole4))
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            def no(delta, gamma, half, rest2, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
                 size = xp.abs(total2)
                 root = square_root(xp, size)
-                sine = xp.sin(root)
-                some = root
-                total22 = sine/some
-                odd = total22
-                return odd
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                envelope = xp.exp(-half)
+                stiff = gamma
+                whole = delta
+                decay_of = decay(xp, delta)
+                expm1_of = xp.expm1(-half)
+                grown = -0.5*expm1_of
+                angle = 0.5*root
+                wave = xp.cos(angle)
+                sin_of = xp.sin(angle)
+                wave22 = 0.5*root_low*wave + sin_of
 
-            odd = select(xp, total2 > -1.5, yes, (total2,), no, (total2,))
+                def yes(lost2, total2):
+                    given3 = total2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total19 = bent + 1.0
+                    back13 = total19 - 1.0
+                    lost20 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost20
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd, odd_low
 
-            total23 = half*odd
-            return (decay(xp, delta) - 2.0*envelope*total23/whole4)/stiff
+                def no(root, root_low):
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left10 = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left10 = left10 - product_error(total22*some, total22_halves, some_halves)
+                    left10 = cosine*root_low + left10 - root_low*total22
+                    lost22 = left10/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    odd_low2 = lost22
+                    return even, even_low2, odd, odd_low2
 
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, total2))
+                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+                total23 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                total252 = total23 - even
+                back2 = total252 - total23
+                rest42 = total252 - back2
+                one32 = total23 - rest42
+                two32 = -back2 - even
+                lost252 = one32 + two32
+                total26 = envelope + total252
+                back2 = total26 - total252
+                rest42 = total26 - back2
+                one32 = total252 - rest42
+                two32 = envelope - back2
+                lost26 = one32 + two32
+                total252 = envelope*total26
+                envelope_halves = halves(xp, envelope)
+                total26_halves = halves(xp, total26)
+                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
+                total26 = total252/stiff
+                left = total252 - stiff*total26
+                total26_halves = halves(xp, total26)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total26*stiff, total26_halves, stiff_halves)
+                left = left + lost26
+                lost26 = left/stiff
+                even2 = even + even_low2
+                total252 = even + total23
+                back2 = total252 - even
+                rest42 = total252 - back2
+                one32 = even - rest42
+                two32 = total23 - back2
+                lost252 = one32 + two32
+                total253 = envelope*total252
+                total252_halves = halves(xp, total252)
+                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total253, envelope_halves, total252_halves)
+                total252 = 1.0 - total253
+                back2 = total252 - 1.0
+                lost23 = -back2 - total253
+                total253 = total252/stiff
+                left = total252 - stiff*total253
+                total253_halves = halves(xp, total253)
+                left = left - product_error(total253*stiff, total253_halves, stiff_halves)
+                left = left - lost252 + lost23
+                lost23 = left/stiff
+
+                def yes(decay_of, delta, envelope, even2, grown, lost272, lost28, stiff, total23, total272, total28, wave22, whole4):
+                    envelope2 = xp.exp(-delta)
+                    ends = envelope2 + 1.0
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    fall_of = lost28 + total28
+                    nyquist_of = ends + 2.0*envelope*even2
+                    rise_of = lost272 + total272
+                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(decay_of, envelope, grown, lost272, lost28, root_low, sin_of, stiff, total23, total272, total28, wave, wave22, whole4):
+                    wave2 = wave - 0.5*root_low*sin_of
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    fall_of = lost28 + total28
+                    nyquist_of = 4.0*envelope*(wave2*wave2) + 4.0*(grown*grown)
+                    rise_of = lost272 + total272
+                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, grown, lost23, lost26, stiff, total23, total253, total26, wave22, whole), no, (decay_of, envelope, grown, lost23, lost26, root_low, sin_of, stiff, total23, total253, total26, wave, wave22, whole))
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, delta == 0.0, yes, (delta, gamma, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, reach, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+
+        return apart_of, fall_of, nyquist_of, rise_of, together_of
 
     def no(delta, gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -1844,20 +3927,284 @@ def apart_single(xp, gamma, delta):
         total3 = half + root
         reach = 0.4444444444444444*total3
 
-        def yes(half, total2):
-            rest4 = apart_series(xp, half, total2) - 4.967053879312289e-09
-            total24 = rest4 + 0.1666666716337204
-            back16 = total24 - rest4
-            rest5 = total24 - back16
-            one3 = rest4 - rest5
-            two3 = 0.1666666716337204 - back16
-            lost24 = one3 + two3
-            envelope2 = xp.exp(-half)
-            total25 = envelope2*total24
-            envelope2_halves = halves(xp, envelope2)
-            total24_halves = halves(xp, total24)
-            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
-            return lost24 + total25
+        def yes(delta, gamma, half, reach, rest2, root, size, total, total2, total3):
+
+            def yes(delta, gamma, half, root, total2, total3):
+                whole2 = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole2
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back16 = total24 - rest4
+                rest5 = total24 - back16
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back16
+                lost24 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+                rest5 = fall_series(xp, gamma, delta)
+                total24 = rest5 + 0.5
+                back16 = total24 - rest5
+                rest4 = total24 - back16
+                one3 = rest5 - rest4
+                two3 = 0.5 - back16
+                lost29 = one3 + two3
+                envelope2 = xp.exp(-delta)
+                total30 = envelope2*total24
+                envelope2_halves = halves(xp, envelope2)
+                total24_halves = halves(xp, total24)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
+                rest4 = rise_series(xp, half, total2)
+                total24 = rest4 + 0.5
+                back16 = total24 - rest4
+                rest5 = total24 - back16
+                one3 = rest4 - rest5
+                two3 = 0.5 - back16
+                lost282 = one3 + two3
+                total292 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
+                rest5 = together_series(xp, half, total2)
+                total24 = rest5 + 0.5
+                back16 = total24 - rest5
+                rest4 = total24 - back16
+                one3 = rest5 - rest4
+                two3 = 0.5 - back16
+                lost212 = one3 + two3
+                total222 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+
+                def yes(q):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total4 = curved + total4
+                    total4 = given*total4
+                    total4 = 1.0 - total4
+                    fall_ = total4
+                    return fall_
+
+                def no(q):
+                    sunk = xp.exp(-q)
+                    fall_ = sunk
+                    return fall_
+
+                fall_ = select(xp, q < 0.75, yes, (q,), no, (q,))
+
+
+                def yes(root):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total10 = curved2 + total10
+                    total10 = given2*total10
+                    total10 = 1.0 - total10
+                    fall2 = total10
+                    return fall2
+
+                def no(root):
+                    sunk2 = xp.exp(-2.0*root)
+                    fall2 = sunk2
+                    return fall2
+
+                fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
+
+                apart_of = lost24 + total25
+                fall_of = lost29 + total30
+                nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
+                rise_of = lost282 + total292
+                together_of = 2.0*lost212 + 2.0*total222
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            def no(gamma, half, rest2, root, size, total, total2, total3):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back2 = total3 - half
+                lost2 = root - back2
+                p_low = lost2 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest4 = apart_series(xp, half, total2)
+                total24 = rest4 + 0.16666666666666666
+                back2 = total24 - rest4
+                rest5 = total24 - back2
+                one3 = rest4 - rest5
+                two3 = 0.16666666666666666 - back2
+                lost2 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost2 = envelope*lost2 + product_error(total25, envelope_halves, total24_halves)
+                rest5 = together_series(xp, half, total2)
+                total24 = rest5 + 0.5
+                back2 = total24 - rest5
+                rest4 = total24 - back2
+                one3 = rest5 - rest4
+                two3 = 0.5 - back2
+                lost212 = one3 + two3
+                total222 = envelope*total24
+                total24_halves = halves(xp, total24)
+                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    mean = total5
+                    return fall_, fall_low, mean, mean_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    total8 = 1.0 - sunk
+                    back7 = total8 - 1.0
+                    lost8 = -back7 - sunk
+                    bottom = q
+                    total9 = total8/bottom
+                    left4 = total8 - bottom*total9
+                    total9_halves = halves(xp, total9)
+                    bottom_halves = halves(xp, bottom)
+                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                    left4 = left4 + lost8 - q_low*total9 - sunk_low
+                    lost8 = left4/bottom
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    mean = total9
+                    mean_low2 = lost8
+                    return fall_, fall_low2, mean, mean_low2
+
+                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    total10 = given2*total11
+                    given2_halves = halves(xp, given2)
+                    total11_halves = halves(xp, total11)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    total13 = 1.0 - total10
+                    back8 = total13 - 1.0
+                    lost10 = -back8 - total10
+                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                    fall2 = total13
+                    mean2 = total11
+                    return fall2, fall_low3, mean2, mean_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    total14 = 1.0 - sunk2
+                    back11 = total14 - 1.0
+                    lost14 = -back11 - sunk2
+                    bottom2 = 2.0*root
+                    total15 = total14/bottom2
+                    left7 = total14 - bottom2*total15
+                    total15_halves = halves(xp, total15)
+                    bottom2_halves = halves(xp, bottom2)
+                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                    lost14 = left7/bottom2
+                    fall2 = sunk2
+                    fall_low4 = sunk_low2
+                    mean2 = total15
+                    mean_low4 = lost14
+                    return fall2, fall_low4, mean2, mean_low4
+
+                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+                total24 = fall2*mean
+                fall2_halves = halves(xp, fall2)
+                mean_halves = halves(xp, mean)
+                lost162 = fall2*mean_low2 + product_error(total24, fall2_halves, mean_halves)
+                pulled_low = fall_low4*mean + lost162
+                total172 = mean2 - total24
+                back2 = total172 - mean2
+                rest4 = total172 - back2
+                one3 = mean2 - rest4
+                two3 = -back2 - total24
+                lost162 = one3 + two3
+                total24 = total172/whole
+                left = total172 - total24*whole
+                total24_halves = halves(xp, total24)
+                left = left - product_error(total24*whole, total24_halves, whole_halves)
+                left = left + lost162 + mean_low4 - p_low*total24 - pulled_low
+                lost162 = left/whole
+                total172 = fall_*total24
+                fall__halves = halves(xp, fall_)
+                lost162 = fall_*lost162 + product_error(total172, fall__halves, total24_halves)
+                creep_ = fall_low2*total24 + lost162 + total172
+                total172 = fall_*mean2
+                mean2_halves = halves(xp, mean2)
+                lost162 = fall_*mean_low4 + product_error(total172, fall__halves, mean2_halves)
+                pulled_low = fall_low2*mean2 + lost162
+                total24 = mean - total172
+                back2 = total24 - mean
+                rest4 = total24 - back2
+                one3 = mean - rest4
+                two3 = -back2 - total172
+                lost162 = one3 + two3
+                total172 = total24/whole
+                left = total24 - total172*whole
+                total172_halves = halves(xp, total172)
+                left = left - product_error(total172*whole, total172_halves, whole_halves)
+                left = left + lost162 + mean_low2 - p_low*total172 - pulled_low
+                lost162 = left/whole
+                apart_of = lost2 + total25
+                fall_of = creep_
+                nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
+                rise_of = lost162 + total172
+                together_of = 2.0*lost212 + 2.0*total222
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, root, total2, total3), no, (gamma, half, rest2, root, size, total, total2, total3))
+
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
 
         def no(delta, gamma, half, rest2, root, size, total, total2, total3):
             back2 = total2 - total
@@ -1880,26 +4227,31 @@ def apart_single(xp, gamma, delta):
             off = off - product_error(whole*q, whole_halves, q_halves)
             off = off - p_low*q
             q_low = off/whole
-            rate = q
             rate2 = 2.0*root
-            whole = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
 
             def yes(q, q_low):
                 given = q
                 total4 = 1.0 - 0.5*given
                 back4 = total4 - 1.0
                 lost4 = -back4 - 0.5*given
-                curved = (given*given)*decay_series(xp, given)
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
                 mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
                 total4 = given*total5
-                total4 = 1.0 - total4
-                fall_ = total4
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
                 mean = total5
-                mean_low = mean_low
-                return fall_, mean, mean_low
+                return fall_, fall_low, mean, mean_low
 
             def no(q, q_low):
                 sunk = xp.exp(-q)
@@ -1916,11 +4268,12 @@ def apart_single(xp, gamma, delta):
                 left4 = left4 + lost8 - q_low*total9 - sunk_low
                 lost8 = left4/bottom
                 fall_ = sunk
+                fall_low2 = sunk_low
                 mean = total9
                 mean_low2 = lost8
-                return fall_, mean, mean_low2
+                return fall_, fall_low2, mean, mean_low2
 
-            fall_, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
             twice = 2.0*fall_
 
@@ -1929,17 +4282,23 @@ def apart_single(xp, gamma, delta):
                 total10 = 1.0 - 0.5*given2
                 back8 = total10 - 1.0
                 lost10 = -back8 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
                 mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
                 total10 = given2*total11
-                total10 = 1.0 - total10
-                fall2 = total10
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
                 mean2 = total11
-                mean_low3 = mean_low3
-                return fall2, mean2, mean_low3
+                return fall2, fall_low3, mean2, mean_low3
 
             def no(root, root_low):
                 sunk2 = xp.exp(-2.0*root)
@@ -1956,11 +4315,12 @@ def apart_single(xp, gamma, delta):
                 left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
                 lost14 = left7/bottom2
                 fall2 = sunk2
+                fall_low4 = sunk_low2
                 mean2 = total15
                 mean_low4 = lost14
-                return fall2, mean2, mean_low4
+                return fall2, fall_low4, mean2, mean_low4
 
-            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -1979,189 +4339,59 @@ def apart_single(xp, gamma, delta):
             lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
             top = total17 + total16
             low = lost17 - lost2 + lost18 + mean_low2
-            return (low + top)/whole
-
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, rest2, root, size, total, total2, total3))
-
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, total2), no, (delta, gamma, half, rest, total, total2))
-
-
-def apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
-    """(n1 - n0)/delta"""
-    if gamma.dtype == xp.float32:
-        return apart_single(xp, gamma, delta)
-
-    def yes(delta, gamma, half, root, total2):
-        reach = 0.25*gamma
-
-        def yes(half, total2):
-            rest4 = apart_series(xp, half, total2) + 9.25185853854297e-18
-            total24 = rest4 + 0.16666666666666666
-            back16 = total24 - rest4
-            rest5 = total24 - back16
-            one3 = rest4 - rest5
-            two3 = 0.16666666666666666 - back16
-            lost24 = one3 + two3
-            envelope2 = xp.exp(-half)
-            total25 = envelope2*total24
-            envelope2_halves = halves(xp, envelope2)
-            total24_halves = halves(xp, total24)
-            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
-            return lost24 + total25
-
-        def no(delta, gamma, half, root, total2):
-            envelope = xp.exp(-half)
-            stiff = gamma
-            whole4 = xp.where(delta == 0.0, 1.0, delta)
-
-            def yes(total2):
-                given3 = total2
-                bent = given3*sin_series(xp, given3)
-                total21 = bent + 1.0
-                odd = total21
-                return odd
-
-            def no(root):
-                sine = xp.sin(root)
-                some = root
-                total22 = sine/some
-                odd = total22
-                return odd
-
-            odd = select(xp, total2 > -1.5, yes, (total2,), no, (root,))
-
-            total23 = half*odd
-            return (decay(xp, delta) - 2.0*envelope*total23/whole4)/stiff
-
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, gamma, half, root, total2))
-
-    def no(delta, half, q, q_low, root, root_low, total2, total3):
-        reach = 0.4444444444444444*total3
-
-        def yes(half, total2):
-            rest4 = apart_series(xp, half, total2) + 9.25185853854297e-18
-            total24 = rest4 + 0.16666666666666666
-            back16 = total24 - rest4
-            rest5 = total24 - back16
-            one3 = rest4 - rest5
-            two3 = 0.16666666666666666 - back16
-            lost24 = one3 + two3
-            envelope2 = xp.exp(-half)
-            total25 = envelope2*total24
-            envelope2_halves = halves(xp, envelope2)
-            total24_halves = halves(xp, total24)
-            lost24 = envelope2*lost24 + product_error(total25, envelope2_halves, total24_halves)
-            return lost24 + total25
-
-        def no(delta, q, q_low, root, root_low, total3):
-            rate = q
-            rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                curved = (given*given)*decay_series(xp, given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                total4 = given*total5
-                total4 = 1.0 - total4
-                fall_ = total4
-                mean = total5
-                mean_low = mean_low
-                return fall_, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                mean = total9
-                mean_low2 = lost8
-                return fall_, mean, mean_low2
-
-            fall_, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-
-            twice = 2.0*fall_
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                total10 = given2*total11
-                total10 = 1.0 - total10
-                fall2 = total10
-                mean2 = total11
-                mean_low3 = mean_low3
-                return fall2, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, mean2, mean_low4
-
-            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            fast = fall_*fall2
-            total16 = mean2*twice
-            twice_halves = halves(xp, twice)
-            mean2_halves = halves(xp, mean2)
-            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
-            total17 = mean - total16
-            back12 = total17 - mean
-            rest3 = total17 - back12
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost18
+            total17 = mean2 - total16
+            back2 = total17 - mean2
+            rest3 = total17 - back2
+            one2 = mean2 - rest3
+            two2 = -back2 - total16
+            lost18 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
+            lost18 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost18 + total17
+            total17 = fall_*mean2
+            lost18 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost18
+            total16 = mean - total17
+            back2 = total16 - mean
+            rest3 = total16 - back2
             one2 = mean - rest3
-            two2 = -back12 - total16
-            lost17 = one2 + two2
-            total16 = fast*mean
-            fast_halves = halves(xp, fast)
-            mean_halves = halves(xp, mean)
-            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
-            top = total17 + total16
-            low = lost17 - lost16 + lost18 + mean_low2
-            return (low + top)/whole3
+            two2 = -back2 - total17
+            lost18 = one2 + two2
+            total17 = total16/whole
+            left = total16 - total17*whole
+            total17_halves = halves(xp, total17)
+            left = left - product_error(total17*whole, total17_halves, whole_halves)
+            left = left + lost18 + mean_low2 - p_low*total17 - pulled_low
+            lost18 = left/whole
+            apart_of = (low + top)/whole3
+            fall_of = creep_
+            nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
+            rise_of = lost18 + total17
+            together_of = mean*(1.0 - fall_*fall2)/whole
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        return select(xp, reach < 1.0, yes, (half, total2), no, (delta, q, q_low, root, root_low, total3))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, reach, rest2, root, size, total, total2, total3), no, (delta, gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, root, total2), no, (delta, half, q, q_low, root, root_low, total2, total3))
+        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+
+    return apart_of, fall_of, nyquist_of, rise_of, together_of
 
 
-def both_kicks(xp, epsilon, rest, begun):
-    """epsilon (1 - epsilon) x y"""
+def late_apart(xp, epsilon, x, x_low, y, y_low, first, last, turned):
+    """m2 - m1 + m0, M at z = -1 behind a fraction of a period"""
     total = 1.0 - epsilon
     back = total - 1.0
     lost = -back - epsilon
@@ -2169,136 +4399,38 @@ def both_kicks(xp, epsilon, rest, begun):
     epsilon_halves = halves(xp, epsilon)
     total_halves = halves(xp, total)
     lost = epsilon*lost + product_error(total2, epsilon_halves, total_halves)
-    total = begun*rest
-    rest_halves = halves(xp, rest)
-    begun_halves = halves(xp, begun)
-    lost3 = product_error(total, rest_halves, begun_halves)
+    total = x*y
+    x_halves = halves(xp, x)
+    y_halves = halves(xp, y)
+    lost3 = x*y_low + product_error(total, x_halves, y_halves)
+    both_low = lost3 + x_low*y
     total4 = total2*total
     total2_halves = halves(xp, total2)
     total_halves = halves(xp, total)
-    lost3 = lost3*total2 + product_error(total4, total2_halves, total_halves)
+    lost3 = both_low*total2 + product_error(total4, total2_halves, total_halves)
     low = lost*total + lost3
-    return low + total4
-
-
-def kick(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
-    """displacement by a unit impulse after a period"""
-
-    def yes(half, lost2, root, root_low, total2):
-        envelope = xp.exp(-half)
-
-        def yes(lost2, total2):
-            given3 = total2
-            bent = given3*sin_series(xp, given3)
-            total19 = bent + 1.0
-            back14 = total19 - 1.0
-            lost19 = bent - back14
-            odd_low = lost19 + 0.16666666666666666*lost2
-            odd = total19
-            odd_low = odd_low
-            return odd, odd_low
-
-        def no(root, root_low):
-            sine = xp.sin(root)
-            cosine = xp.cos(root)
-            some = root
-            total20 = sine/some
-            left10 = sine - some*total20
-            total20_halves = halves(xp, total20)
-            some_halves = halves(xp, some)
-            left10 = left10 - product_error(total20*some, total20_halves, some_halves)
-            left10 = cosine*root_low + left10 - root_low*total20
-            lost20 = left10/some
-            odd = total20
-            odd_low2 = lost20
-            return odd, odd_low2
-
-        odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
-
-        total21 = envelope*odd
-        envelope_halves = halves(xp, envelope)
-        odd_halves = halves(xp, odd)
-        lost21 = envelope*odd_low2 + product_error(total21, envelope_halves, odd_halves)
-        return lost21 + total21
-
-    def no(q, q_low, root, root_low):
-        rate = q
-        rate2 = 2.0*root
-
-        def yes(q, q_low):
-            given = q
-            total4 = 1.0 - 0.5*given
-            back4 = total4 - 1.0
-            lost4 = -back4 - 0.5*given
-            curved = (given*given)*decay_series(xp, given)
-            total5 = curved + total4
-            back4 = total5 - total4
-            lost5 = curved - back4
-            mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-            total4 = given*total5
-            given_halves = halves(xp, given)
-            total5_halves = halves(xp, total5)
-            lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-            total7 = 1.0 - total4
-            back4 = total7 - 1.0
-            lost4 = -back4 - total4
-            fall_low = lost4 - lost5 - q_low*total5
-            fall_ = total7
-            fall_low = fall_low
-            return fall_, fall_low
-
-        def no(q, q_low):
-            sunk = xp.exp(-q)
-            sunk_low = -q_low*sunk
-            fall_ = sunk
-            fall_low2 = sunk_low
-            return fall_, fall_low2
-
-        fall_, fall_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-
-
-        def yes(root, root_low):
-            given2 = 2.0*root
-            total10 = 1.0 - 0.5*given2
-            back8 = total10 - 1.0
-            lost10 = -back8 - 0.5*given2
-            curved2 = (given2*given2)*decay_series(xp, given2)
-            total11 = curved2 + total10
-            back8 = total11 - total10
-            lost11 = curved2 - back8
-            mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-            mean2 = total11
-            mean_low3 = mean_low3
-            return mean2, mean_low3
-
-        def no(root, root_low):
-            sunk2 = xp.exp(-2.0*root)
-            sunk_low2 = -2.0*root_low*sunk2
-            total14 = 1.0 - sunk2
-            back11 = total14 - 1.0
-            lost14 = -back11 - sunk2
-            bottom2 = 2.0*root
-            total15 = total14/bottom2
-            left7 = total14 - bottom2*total15
-            total15_halves = halves(xp, total15)
-            bottom2_halves = halves(xp, bottom2)
-            left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-            left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-            lost14 = left7/bottom2
-            mean2 = total15
-            mean_low4 = lost14
-            return mean2, mean_low4
-
-        mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-        total16 = fall_*mean2
-        fall__halves = halves(xp, fall_)
-        mean2_halves = halves(xp, mean2)
-        lost16 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
-        creep_low = fall_low2*mean2 + lost16
-        return creep_low + total16
-
-    return select(xp, total2 < 0.0, yes, (half, lost2, root, root_low, total2), no, (q, q_low, root, root_low))
+    total = first - 2.0*total4
+    back = total - first
+    rest = total - back
+    one = first - rest
+    two = -back - 2.0*total4
+    lost3 = one + two
+    total4 = total - last
+    back = total4 - total
+    rest = total4 - back
+    one = total - rest
+    two = -back - last
+    lost = one + two
+    total = total4 + turned
+    back = total - total4
+    rest = total - back
+    one = total4 - rest
+    two = turned - back
+    lost7 = one + two
+    rest = lost3 + lost
+    rest = lost7 + rest
+    rest = rest - 2.0*low
+    return rest + total
 
 
 def late_part(xp, d):
@@ -2478,95 +4610,6 @@ def late_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together_
     return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
 
 
-def nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low):
-    """1 + a + e"""
-
-    def yes(delta, half, lost2, root, root_low, total2):
-
-        def yes(lost2, total2):
-            given = total2
-            total4 = 0.5*given + 1.0
-            back4 = total4 - 1.0
-            lost4 = 0.5*given - back4
-            curved = (given*given)*cos_series(xp, given)
-            total5 = curved + total4
-            back4 = total5 - total4
-            lost5 = curved - back4
-            even_low = 0.5*lost2 + lost4 + lost5
-            even = total5
-            even_low = even_low
-            return even, even_low
-
-        def no(root, root_low):
-            sine = xp.sin(root)
-            cosine = xp.cos(root)
-            even = cosine
-            even_low2 = -root_low*sine
-            return even, even_low2
-
-        even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
-
-        even2 = even + even_low2
-
-        def yes(delta, even2, half):
-            envelope = xp.exp(-half)
-            ends = 1.0 + xp.exp(-delta)
-            return ends + 2.0*envelope*even2
-
-        def no(half, root, root_low):
-            envelope = xp.exp(-half)
-            grown = -0.5*xp.expm1(-half)
-            angle = 0.5*root
-            wave = xp.cos(angle)
-            wave = wave - 0.5*root_low*xp.sin(angle)
-            return 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
-
-        return select(xp, even2 > 0.0, yes, (delta, even2, half), no, (half, root, root_low))
-
-    def no(q, root):
-        rate = q
-        rate2 = 2.0*root
-
-        def yes(q):
-            given2 = q
-            total9 = 1.0 - 0.5*given2
-            curved2 = (given2*given2)*decay_series(xp, given2)
-            total9 = curved2 + total9
-            total9 = given2*total9
-            total9 = 1.0 - total9
-            fall_ = total9
-            return fall_
-
-        def no(q):
-            sunk = xp.exp(-q)
-            fall_ = sunk
-            return fall_
-
-        fall_ = select(xp, rate < 0.75, yes, (q,), no, (q,))
-
-
-        def yes(root):
-            given3 = 2.0*root
-            total15 = 1.0 - 0.5*given3
-            curved3 = (given3*given3)*decay_series(xp, given3)
-            total15 = curved3 + total15
-            total15 = given3*total15
-            total15 = 1.0 - total15
-            fall2 = total15
-            return fall2
-
-        def no(root):
-            sunk2 = xp.exp(-2.0*root)
-            fall2 = sunk2
-            return fall2
-
-        fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
-
-        return (fall_ + 1.0)*(fall_*fall2 + 1.0)
-
-    return select(xp, total2 < 0.0, yes, (delta, half, lost2, root, root_low, total2), no, (q, root))
-
-
 def some_part(xp, d):
     """the same, or 1/2 where it is 0"""
     part = d - xp.floor(d)
@@ -2628,19 +4671,16 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
 
     def yes(product2, square3):
         disc2 = square3 - product2
-        disc2 = disc2
         return disc2
 
     def no(product, product3, size, size2, size3, square2, square4):
 
         def yes(product3, square4):
             disc3 = square4 - product3
-            disc3 = disc3
             return disc3
 
         def no(product, square2):
             disc = square2 - product
-            disc = disc
             return disc
 
         disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no, (product, square2))
@@ -2836,8 +4876,6 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             at = xp.where(case2, center + low2, xp.where(case1, low, 4.0 - high3))
             still = xp.where(case2, beyond - low2, xp.where(case1, 4.0 - low, high3))
             away = xp.where(case2, low2, xp.where(case1, low - center, beyond - high3))
-            at = at
-            still = still
             at = xp.where(0.0 > at, 0.0, at)
             still = xp.where(0.0 > still, 0.0, still)
             sine2 = 2.0*square_root(xp, at*still)
@@ -2922,8 +4960,6 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             at4 = xp.where(case2, center + high2, xp.where(case1, high, 4.0 - low3))
             still4 = xp.where(case2, beyond - high2, xp.where(case1, 4.0 - high, low3))
             away2 = xp.where(case2, high2, xp.where(case1, high - center, beyond - low3))
-            at4 = at4
-            still4 = still4
             at4 = xp.where(0.0 > at4, 0.0, at4)
             still4 = xp.where(0.0 > still4, 0.0, still4)
             sine3 = 2.0*square_root(xp, at4*still4)
@@ -2959,7 +4995,6 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
         found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far), no, (edge2,))
 
         total = found2 + total
-        total = total
         return total
 
     def no(disc4):
@@ -2977,8 +5012,8 @@ def whole_part(xp, d):
     return xp.floor(d)
 
 
-def force(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
-    """A/z and M at z = exp(2 j psi), and the squared size of M"""
+def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
+    """the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)"""
     t = xp.tan(psi)
     square = (t*t)
     t_halves = halves(xp, t)
@@ -3009,16 +5044,567 @@ def force(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
     above_j = 2.0*loss*t
     below_j = across*t
     size = (below_j*below_j) + (left2*left2)
-    return left, left2, above_j, below_j, size
+    ahead_of = (above_j*left2 - below_j*left)/size
+    in_phase_of = (above_j*below_j + left*left2)/size
+    return ahead_of, in_phase_of
 
 
-def ahead(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, left, left2, above_j, below_j, size):
-    """the imaginary part of A/(z M) at z = exp(2 j psi)"""
-    return (above_j*left2 - below_j*left)/size
+def apart_nyquist_together(xp, gamma, delta):
+    """(n1 - n0)/delta; 1 + a + e; n1 + n0"""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+
+    def yes(delta, gamma, half, rest2, total, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, half, rest2, total, total2):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            envelope = xp.exp(-half)
+            rest4 = apart_series(xp, half, total2)
+            total24 = rest4 + 0.16666666666666666
+            back2 = total24 - rest4
+            rest5 = total24 - back2
+            one3 = rest4 - rest5
+            two3 = 0.16666666666666666 - back2
+            lost24 = one3 + two3
+            total25 = envelope*total24
+            envelope_halves = halves(xp, envelope)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+            rest5 = together_series(xp, half, total2)
+            total24 = rest5 + 0.5
+            back2 = total24 - rest5
+            rest4 = total24 - back2
+            one3 = rest5 - rest4
+            two3 = 0.5 - back2
+            lost212 = one3 + two3
+            total222 = envelope*total24
+            total24_halves = halves(xp, total24)
+            lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+
+            def yes(lost2, total2):
+                given3 = total2
+                total19 = 0.5*given3 + 1.0
+                back13 = total19 - 1.0
+                lost19 = 0.5*given3 - back13
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total20 = curved3 + total19
+                back13 = total20 - total19
+                lost20 = curved3 - back13
+                even_low = lost19 + 0.5*lost2 + lost20
+                even = total20
+                return even, even_low
+
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
+
+            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+            even2 = even + even_low2
+
+            def yes(delta, envelope, even2, lost222, lost25, total222, total25):
+                exp_of = xp.exp(-delta)
+                ends = exp_of + 1.0
+                apart_of = lost25 + total25
+                nyquist_of = ends + 2.0*envelope*even2
+                together_of = 2.0*lost222 + 2.0*total222
+                return apart_of, nyquist_of, together_of
+
+            def no(envelope, half, lost2, lost222, lost25, total2, total222, total25):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                expm1_of = xp.expm1(-half)
+                grown = -0.5*expm1_of
+                angle = 0.5*root
+                wave = xp.cos(angle)
+                sin_of = xp.sin(angle)
+                wave = wave - 0.5*root_low*sin_of
+                apart_of = lost25 + total25
+                nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
+                together_of = 2.0*lost222 + 2.0*total222
+                return apart_of, nyquist_of, together_of
+
+            apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (delta, envelope, even2, lost212, lost24, total222, total25), no, (envelope, half, lost2, lost212, lost24, total2, total222, total25))
+
+            return apart_of, nyquist_of, together_of
+
+        def no(delta, gamma, half, rest2, total, total2):
+
+            def yes(delta, gamma, half, rest2, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                envelope = xp.exp(-half)
+                stiff = gamma
+                whole4 = 1.0
+                decay_of = decay(xp, delta)
+                sinhc_root_of = sinhc_root(xp, -0.25*gamma)
+
+                def yes(lost2, total2):
+                    given3 = total2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total19 = bent + 1.0
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    return even, even_low2, odd
+
+                even, even_low2, odd = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                total23 = half*odd
+                even2 = even + even_low2
+
+                def yes(decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23, whole4):
+                    exp_of = xp.exp(-delta)
+                    ends = exp_of + 1.0
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    nyquist_of = ends + 2.0*envelope*even2
+                    together_of = (sinhc_root_of*sinhc_root_of)
+                    return apart_of, nyquist_of, together_of
+
+                def no(decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23, whole4):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    wave = wave - 0.5*root_low*sin_of
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
+                    together_of = (sinhc_root_of*sinhc_root_of)
+                    return apart_of, nyquist_of, together_of
+
+                apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23, whole4), no, (decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23, whole4))
+
+                return apart_of, nyquist_of, together_of
+
+            def no(delta, gamma, half, rest2, total, total2):
+                back2 = total2 - total
+                lost2 = rest2 - back2
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                envelope = xp.exp(-half)
+                stiff = gamma
+                whole = delta
+                decay_of = decay(xp, delta)
+                expm1_of = xp.expm1(-half)
+                grown = -0.5*expm1_of
+                angle = 0.5*root
+                wave = xp.cos(angle)
+                sin_of = xp.sin(angle)
+                wave22 = 0.5*root_low*wave + sin_of
+
+                def yes(lost2, total2):
+                    given3 = total2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total19 = bent + 1.0
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd
+
+                def no(root, root_low):
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    return even, even_low2, odd
+
+                even, even_low2, odd = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+                total23 = half*odd
+                even2 = even + even_low2
+
+                def yes(decay_of, delta, envelope, even2, grown, stiff, total23, wave22, whole4):
+                    exp_of = xp.exp(-delta)
+                    ends = exp_of + 1.0
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    nyquist_of = ends + 2.0*envelope*even2
+                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
+                    return apart_of, nyquist_of, together_of
+
+                def no(decay_of, envelope, grown, root_low, sin_of, stiff, total23, wave, wave22, whole4):
+                    wave2 = wave - 0.5*root_low*sin_of
+                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    nyquist_of = 4.0*envelope*(wave2*wave2) + 4.0*(grown*grown)
+                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
+                    return apart_of, nyquist_of, together_of
+
+                apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, grown, stiff, total23, wave22, whole), no, (decay_of, envelope, grown, root_low, sin_of, stiff, total23, wave, wave22, whole))
+
+                return apart_of, nyquist_of, together_of
+
+            apart_of, nyquist_of, together_of = select(xp, delta == 0.0, yes, (delta, gamma, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+
+            return apart_of, nyquist_of, together_of
+
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (delta, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+
+        return apart_of, nyquist_of, together_of
+
+    def no(delta, gamma, half, rest2, total, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(gamma, half, root, total2, total3):
+            whole2 = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole2
+            rate2 = 2.0*root
+            envelope = xp.exp(-half)
+            rest4 = apart_series(xp, half, total2)
+            total24 = rest4 + 0.16666666666666666
+            back16 = total24 - rest4
+            rest5 = total24 - back16
+            one3 = rest4 - rest5
+            two3 = 0.16666666666666666 - back16
+            lost24 = one3 + two3
+            total25 = envelope*total24
+            envelope_halves = halves(xp, envelope)
+            total24_halves = halves(xp, total24)
+            lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+            rest5 = together_series(xp, half, total2)
+            total24 = rest5 + 0.5
+            back16 = total24 - rest5
+            rest4 = total24 - back16
+            one3 = rest5 - rest4
+            two3 = 0.5 - back16
+            lost212 = one3 + two3
+            total222 = envelope*total24
+            total24_halves = halves(xp, total24)
+            lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+
+            def yes(q):
+                given = q
+                total4 = 1.0 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total4 = curved + total4
+                total4 = given*total4
+                total4 = 1.0 - total4
+                fall_ = total4
+                return fall_
+
+            def no(q):
+                sunk = xp.exp(-q)
+                fall_ = sunk
+                return fall_
+
+            fall_ = select(xp, q < 0.75, yes, (q,), no, (q,))
 
 
-def next_angle(xp, k, x):
-    """cosine and sine of (k + 1) x as it is rounded, and the rest of the angle"""
+            def yes(root):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total10 = curved2 + total10
+                total10 = given2*total10
+                total10 = 1.0 - total10
+                fall2 = total10
+                return fall2
+
+            def no(root):
+                sunk2 = xp.exp(-2.0*root)
+                fall2 = sunk2
+                return fall2
+
+            fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
+
+            apart_of = lost24 + total25
+            nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
+            together_of = 2.0*lost212 + 2.0*total222
+            return apart_of, nyquist_of, together_of
+
+        def no(delta, gamma, half, rest2, root, size, total, total2, total3):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back2 = total3 - half
+            lost2 = root - back2
+            p_low = lost2 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                total4 = 1.0 - total4
+                fall_ = total4
+                mean = total5
+                return fall_, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                mean = total9
+                mean_low2 = lost8
+                return fall_, mean, mean_low2
+
+            fall_, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+            twice = 2.0*fall_
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                total10 = 1.0 - total10
+                fall2 = total10
+                mean2 = total11
+                return fall2, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, mean2, mean_low4
+
+            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            fast = fall_*fall2
+            total16 = mean2*twice
+            twice_halves = halves(xp, twice)
+            mean2_halves = halves(xp, mean2)
+            lost2 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            total17 = mean - total16
+            back2 = total17 - mean
+            rest3 = total17 - back2
+            one2 = mean - rest3
+            two2 = -back2 - total16
+            lost17 = one2 + two2
+            total16 = fast*mean
+            fast_halves = halves(xp, fast)
+            mean_halves = halves(xp, mean)
+            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
+            top = total17 + total16
+            low = lost17 - lost2 + lost18 + mean_low2
+            apart_of = (low + top)/whole3
+            nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
+            together_of = mean*(1.0 - fall_*fall2)/whole
+            return apart_of, nyquist_of, together_of
+
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, root, total2, total3), no, (delta, gamma, half, rest2, root, size, total, total2, total3))
+
+        return apart_of, nyquist_of, together_of
+
+    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+
+    return apart_of, nyquist_of, together_of
+
+
+def cos_next_sin_next_single(xp, k, x):
+    """The same in single precision."""
+    count = k + 1.0
+    before = count - 1.0
+    angle = count*x
+    missed = k - before
+    quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
+    left = angle - 1.5707963705062866*quarters
+    quarters_halves = halves(xp, quarters)
+    number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
+    total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+    back = total - left
+    rest = total - back
+    one = left - rest
+    two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
+    lost = one + two
+    total2 = 4.371138828673793e-08*quarters + total
+    back = total2 - total
+    rest = total2 - back
+    one = total - rest
+    two = 4.371138828673793e-08*quarters - back
+    lost2 = one + two
+    count_halves = halves(xp, count)
+    x_halves = halves(xp, x)
+    total = total2 + product_error(angle, count_halves, x_halves)
+    back = total - total2
+    rest = total - back
+    one = total2 - rest
+    two = product_error(angle, count_halves, x_halves) - back
+    lost3 = one + two
+    total2 = missed*x + total
+    back = total2 - total
+    rest = total2 - back
+    one = total - rest
+    two = missed*x - back
+    lost4 = one + two
+    number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
+    low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+    missed_halves = halves(xp, missed)
+    low = low + product_error(missed*x, missed_halves, x_halves)
+    wave = xp.sin(total2)
+    still = xp.cos(total2)
+    turn_ = quarters - 4.0*xp.floor(0.25*quarters)
+
+    def yes(low2, still, wave):
+        sine = low2*still + wave
+        cosine = still - low2*wave
+        value = sine
+        value2 = cosine
+        return value, value2
+
+    def no(low2, still, wave):
+        sine = low2*still + wave
+        cosine = still - low2*wave
+        value = cosine
+        value2 = sine
+        return value, value2
+
+    value, value2 = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+
+    cos_next_of = xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value, value)
+    sin_next_of = xp.where(turn_ >= 2.0, -value2, value2)
+    return cos_next_of, sin_next_of
+
+
+def cos_next_sin_next(xp, k, x):
+    """cos((k + 1) x); sin((k + 1) x)"""
+    if k.dtype == xp.float32:
+        return cos_next_sin_next_single(xp, k, x)
     count = k + 1.0
     before = count - 1.0
     angle = count*x
@@ -3028,7 +5614,9 @@ def next_angle(xp, k, x):
     off = missed*x + product_error(angle, count_halves, x_halves)
     cosine = xp.cos(angle)
     sine = xp.sin(angle)
-    return off, cosine, sine
+    cos_next_of = cosine - off*sine
+    sin_next_of = cosine*off + sine
+    return cos_next_of, sin_next_of
 
 
 def cos_next_single(xp, k, x):
@@ -3147,16 +5735,20 @@ def cos_next_single(xp, k, x):
     return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
 
 
-def cos_next(xp, k, x, off, cosine, sine):
+def cos_next(xp, k, x):
     """cos((k + 1) x)"""
     if k.dtype == xp.float32:
         return cos_next_single(xp, k, x)
+    count = k + 1.0
+    before = count - 1.0
+    angle = count*x
+    missed = k - before
+    count_halves = halves(xp, count)
+    x_halves = halves(xp, x)
+    off = missed*x + product_error(angle, count_halves, x_halves)
+    cosine = xp.cos(angle)
+    sine = xp.sin(angle)
     return cosine - off*sine
-
-
-def in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across, left, left2, above_j, below_j, size):
-    """the real part of A/(z M) at z = exp(2 j psi)"""
-    return (above_j*below_j + left*left2)/size
 
 
 def sin_next_single(xp, k, x):
@@ -3275,10 +5867,19 @@ def sin_next_single(xp, k, x):
     return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
 
 
-def sin_next(xp, k, x, off, cosine, sine):
+def sin_next(xp, k, x):
     """sin((k + 1) x)"""
     if k.dtype == xp.float32:
         return sin_next_single(xp, k, x)
+    count = k + 1.0
+    before = count - 1.0
+    angle = count*x
+    missed = k - before
+    count_halves = halves(xp, count)
+    x_halves = halves(xp, x)
+    off = missed*x + product_error(angle, count_halves, x_halves)
+    cosine = xp.cos(angle)
+    sine = xp.sin(angle)
     return cosine*off + sine
 
 
@@ -3286,8 +5887,7 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     """has the sign of the slope of the boundary's alpha"""
     t = 2.0*l + 2.0
     t2 = 0.5*theta
-    off, cosine, sine = next_angle(xp, t, t2)
-    t3 = sin_next(xp, t, t2, off, cosine, sine)
+    t3 = sin_next(xp, t, t2)
     t4 = xp.tan(t2)
     t5 = (t4*t4)
     t6 = 4.0*t5
@@ -3296,7 +5896,7 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     t9 = at_minus_one*t5
     t10 = at_one - t9
     t11 = across*loss*t6 + t10*t8
-    t2 = cos_next(xp, t, t2, off, cosine, sine)
+    t2 = cos_next(xp, t, t2)
     t = 2.0*loss*t4*t8 - 2.0*across*t10*t4
     t14 = (across*across)
     t15 = t14*t6 + (t8*t8)
@@ -3380,7 +5980,6 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
             def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
                 high = 0.041666666666666664*count*turn_
                 low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
-                low = low
                 above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
                 def yes(low2):
@@ -3457,8 +6056,7 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
 
         theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
-        off, cosine, sine = next_angle(xp, l, theta)
-        t = sin_next(xp, l, theta, off, cosine, sine)
+        t = sin_next(xp, l, theta)
         t2 = 0.5*theta
         t3 = xp.sin(t2)
         t2 = xp.cos(t2)
@@ -3470,7 +6068,7 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         t5 = at_one*t5 - at_minus_one*t6
         t11 = 2.0*loss*t8 - 2.0*across*t5
         t5 = across*loss*t7 + t5*t8
-        t8 = t9*cos_next(xp, l, theta, off, cosine, sine)
+        t8 = t9*cos_next(xp, l, theta)
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
         damping = t7
@@ -3526,7 +6124,6 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
             def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
                 high = 0.041666666666666664*count*turn_
                 low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
-                low = low
                 above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
                 def yes(low2):
@@ -3603,8 +6200,7 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
 
         theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
-        off, cosine, sine = next_angle(xp, l, theta)
-        t = sin_next(xp, l, theta, off, cosine, sine)
+        t = sin_next(xp, l, theta)
         t2 = 0.5*theta
         t3 = xp.sin(t2)
         t2 = xp.cos(t2)
@@ -3616,7 +6212,7 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         t5 = at_one*t5 - at_minus_one*t6
         t11 = 2.0*loss*t8 - 2.0*across*t5
         t5 = across*loss*t7 + t5*t8
-        t8 = t9*cos_next(xp, l, theta, off, cosine, sine)
+        t8 = t9*cos_next(xp, l, theta)
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
         damping = t7
@@ -3711,15 +6307,12 @@ def need(xp, alpha, beta, l, epsilon, psi):
     """the damping that the wall needs at the angle 2 psi"""
 
     def yes(alpha, beta, l, psi):
-        off, cosine, sine = next_angle(xp, l, 2.0*psi)
-        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi, off, cosine, sine)
+        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
         return early
 
     def no(alpha, beta, epsilon, l, psi):
-        off, cosine, sine = next_angle(xp, l, 2.0*psi)
-        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi, off, cosine, sine)
-        off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*psi)
-        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi, off_2, cosine_2, sine_2) - early)
+        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
+        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
         root = square_root(xp, epsilon*(1.0 - epsilon)*((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(xp.sin(psi)*xp.sin(psi))) + (n*n))
         return 0.5*n + 0.5*root
 
@@ -3733,8 +6326,7 @@ def chord(xp, k, x):
     def yes(k, turn_, x):
         angle = turn_
         order = 2.0*k + 2.0
-        off, cosine, sine = next_angle(xp, k, x)
-        along = cos_next(xp, k, x, off, cosine, sine)
+        along = cos_next(xp, k, x)
         wave = sinc(xp, 0.5*angle)
         inner = 0.5*(wave*wave) - gap(xp, angle)
         return order*(along*gap(xp, x) + 0.25*inner*(order*order))
@@ -3742,9 +6334,8 @@ def chord(xp, k, x):
     def no(k, x):
         some = x
         order = 2.0*k + 2.0
-        off, cosine, sine = next_angle(xp, k, x)
-        along = cos_next(xp, k, x, off, cosine, sine)
-        return (2.0*sin_next(xp, k, x, off, cosine, sine) - along*order*xp.sin(x))/(some*some*some)
+        along = cos_next(xp, k, x)
+        return (2.0*sin_next(xp, k, x) - along*order*xp.sin(x))/(some*some*some)
 
     return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
 
@@ -3959,8 +6550,7 @@ def spread(xp, k, x):
     def no(k, x):
         some = x
         order = 2.0*k + 2.0
-        off, cosine, sine = next_angle(xp, k, x)
-        return (order*xp.sin(x) - 2.0*cos_next(xp, k, x, off, cosine, sine)*sin_next(xp, k, x, off, cosine, sine))/(some*some*some)
+        return (order*xp.sin(x) - 2.0*cos_next(xp, k, x)*sin_next(xp, k, x))/(some*some*some)
 
     return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
 
@@ -3970,10 +6560,8 @@ def turn_single(xp, psi, l, epsilon):
     wave2 = xp.cos(psi)
     wave3 = chord(xp, l, 2.0*psi)
     wave4 = chord(xp, l + 1.0, 2.0*psi)
-    off, cosine, sine = next_angle(xp, l, 2.0*psi)
-    wave5 = cos_next(xp, l, 2.0*psi, off, cosine, sine)
-    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*psi)
-    wave6 = cos_next(xp, l + 1.0, 2.0*psi, off_2, cosine_2, sine_2)
+    wave5 = cos_next(xp, l, 2.0*psi)
+    wave6 = cos_next(xp, l + 1.0, 2.0*psi)
     wave7 = sinc(xp, psi)
     wave8 = sinc(xp, 2.0*psi)
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
@@ -4088,10 +6676,8 @@ def turn(xp, psi, l, epsilon):
     wave2 = xp.cos(psi)
     wave3 = chord(xp, l, 2.0*psi)
     wave4 = chord(xp, l + 1.0, 2.0*psi)
-    off, cosine, sine = next_angle(xp, l, 2.0*psi)
-    wave5 = cos_next(xp, l, 2.0*psi, off, cosine, sine)
-    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*psi)
-    wave6 = cos_next(xp, l + 1.0, 2.0*psi, off_2, cosine_2, sine_2)
+    wave5 = cos_next(xp, l, 2.0*psi)
+    wave6 = cos_next(xp, l + 1.0, 2.0*psi)
     wave7 = sinc(xp, psi)
     wave8 = sinc(xp, 2.0*psi)
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
@@ -4212,9 +6798,7 @@ def passive_angle_single(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    off, cosine, sine = next_angle(xp, l, 2.0*low)
-    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*low, off, cosine, sine)) + cos_next(xp, l, 2.0*low, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
 
     def yes(low):
         root = low
@@ -4226,9 +6810,7 @@ def passive_angle_single(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        off, cosine, sine = next_angle(xp, l, 2.0*high)
-        off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*high, off, cosine, sine)) + cos_next(xp, l, 2.0*high, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
 
         def yes(high):
             root = high
@@ -4267,9 +6849,7 @@ def passive_angle_single(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                off, cosine, sine = next_angle(xp, l, 2.0*new)
-                off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*new, off, cosine, sine)) + cos_next(xp, l, 2.0*new, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -4301,9 +6881,7 @@ def passive_angle(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    off, cosine, sine = next_angle(xp, l, 2.0*low)
-    off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*low, off, cosine, sine)) + cos_next(xp, l, 2.0*low, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
 
     def yes(low):
         root = low
@@ -4315,9 +6893,7 @@ def passive_angle(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        off, cosine, sine = next_angle(xp, l, 2.0*high)
-        off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*high, off, cosine, sine)) + cos_next(xp, l, 2.0*high, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
 
         def yes(high):
             root = high
@@ -4356,9 +6932,7 @@ def passive_angle(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                off, cosine, sine = next_angle(xp, l, 2.0*new)
-                off_2, cosine_2, sine_2 = next_angle(xp, l + 1.0, 2.0*new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new, off_2, cosine_2, sine_2) - cos_next(xp, l, 2.0*new, off, cosine, sine)) + cos_next(xp, l, 2.0*new, off, cosine, sine)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -4392,8 +6966,8 @@ def discretize(gamma, delta):
     xp, gamma, delta = arrays(gamma, delta)
 
     def work(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), xp.exp(-delta)
+        fall_of, rise_of, swing_of = fall_rise_swing(xp, gamma, delta)
+        return rise_of, fall_of, swing_of, xp.exp(-delta)
 
     return elementwise(xp, work, gamma, delta)
 
@@ -4410,23 +6984,23 @@ def discretize_late(gamma, delta, epsilon):
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), swing(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
+        swing_of, together_of = swing_together(xp, gamma, delta)
+        return swing_of, together_of
 
-    together_, swing_ = elementwise(xp, plant, gamma, delta)
+    swing_of, together_of = elementwise(xp, plant, gamma, delta)
 
-    def work(gamma, delta, epsilon, together_, swing_):
+    def work(gamma, delta, epsilon, swing_of, together_of):
         t0 = 1.0 - epsilon
         t1 = (t0*t0)
         t0 = delta*t0
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma*t1, t0)
-        t1 = t1*rise(xp, gamma*t1, t0, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+        rise_of = rise(xp, gamma*t1, t0)
+        t1 = rise_of*t1
         t4 = (epsilon*epsilon)
-        half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, gamma*t4, delta*epsilon)
-        t4 = t4*xp.exp(-t0)*fall(xp, gamma*t4, delta*epsilon, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-        return t1, together_ - t1 - t4, t4, swing_, xp.exp(-delta)
+        fall_of = fall(xp, gamma*t4, delta*epsilon)
+        t4 = fall_of*t4*xp.exp(-t0)
+        return t1, together_of - t1 - t4, t4, swing_of, xp.exp(-delta)
 
-    return elementwise(xp, work, gamma, delta, epsilon, together_, swing_)
+    return elementwise(xp, work, gamma, delta, epsilon, swing_of, together_of)
 
 
 @by_value
@@ -4443,40 +7017,37 @@ def is_stable(alpha, beta, gamma, delta, d):
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
+        apart_of, fall_of, nyquist_of, rise_of, together_of = apart_fall_nyquist_rise_together(xp, gamma, delta)
+        t1 = gamma*together_of
+        t3 = delta*decay(xp, delta)
+        return apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3
 
-    t0, t2, t3, rise_, fall_, apart_ = elementwise(xp, plant, gamma, delta)
+    apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3 = elementwise(xp, plant, gamma, delta)
 
-    def work(alpha, beta, gamma, delta, d, t0, t2, t3, rise_, fall_, apart_):
+    def work(alpha, beta, gamma, delta, d, apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3):
 
-        def yes(alpha, apart_, beta, d, delta, fall_, gamma, rise_, t0, t2, t3):
-            t1 = gamma*t0
-            t1 = unstable_roots(xp, alpha, beta, d, rise_, fall_, t1, t2, t3, t0, apart_*delta)
-            return t1, stable(xp, t1, alpha, beta, gamma, delta)
+        def yes(alpha, apart_of, beta, d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t3, together_of):
+            t4 = unstable_roots(xp, alpha, beta, d, rise_of, fall_of, t1, nyquist_of, t3, together_of, apart_of*delta)
+            return t4, stable(xp, t4, alpha, beta, gamma, delta)
 
-        def no(alpha, beta, d, delta, gamma, t0, t2, t3):
-            t1 = gamma*t0
+        def no(alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of):
             t5 = some_part(xp, d)
             t6 = 1.0 - t5
             t7 = (t6*t6)
             t8 = gamma*t7
             t9 = delta*t6
-            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, t8, t9)
-            t10 = rise(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of2 = apart_fall_kick_kick_low_rise(xp, t8, t9)
             t11 = (t5*t5)
             t12 = gamma*t11
             t13 = delta*t5
-            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t12, t13)
-            t14 = t11*fall(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t15 = kick(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2)
-            t16 = rise(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t16 = late_roots(xp, alpha, beta, whole_part(xp, d), t10*t7, t14*xp.exp(-t9), t1, t2, t3, t0, delta*(t6*t6*t6)*apart(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t5*t5*t5)*apart(xp, t12, t13, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t10*t11*t16*t8 - t14*t9*decay(xp, t9) + t7*(t12*t16 + t13*t15)*fall(xp, t8, t9, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) - 2.0*both_kicks(xp, t5, kick(xp, t8, t9, half, total2, lost2, root, root_low, total3, q, q_low), t15))
-            return t16, stable(xp, t16, alpha, beta, gamma, delta)
+            apart_of2, fall_of2, kick_of, kick_low_of, rise_of3 = apart_fall_kick_kick_low_rise(xp, t12, t13)
+            t14 = fall_of2*t11
+            t14 = late_roots(xp, alpha, beta, whole_part(xp, d), rise_of2*t7, t14*xp.exp(-t9), t1, nyquist_of, t3, together_of, late_apart(xp, t5, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*delta*(t6*t6*t6), apart_of2*delta*(t5*t5*t5), fall_of3*t7*(kick_of*t13 + rise_of3*t12) + rise_of2*rise_of3*t11*t8 - t14*t9*decay(xp, t9)))
+            return t14, stable(xp, t14, alpha, beta, gamma, delta)
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_, beta, d, delta, fall_, gamma, rise_, t0, t2, t3), no, (alpha, beta, d, delta, gamma, t0, t2, t3))
+        return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_of, beta, d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t3, together_of), no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
 
-    return elementwise(xp, work, alpha, beta, gamma, delta, d, t0, t2, t3, rise_, fall_, apart_)
+    return elementwise(xp, work, alpha, beta, gamma, delta, d, apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3)
 
 
 @by_value
@@ -4492,62 +7063,52 @@ def stability_boundary(theta, gamma, delta, d):
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low)
+        apart_of, nyquist_of, together_of = apart_nyquist_together(xp, gamma, delta)
+        t3 = gamma*together_of
+        t5 = delta*decay(xp, delta)
+        t6 = apart_of*delta
+        t7 = t6 + together_of
+        return nyquist_of, together_of, t3, t5, t6, t7
 
-    t2, t4, t5, t6 = elementwise(xp, plant, gamma, delta)
+    nyquist_of, together_of, t3, t5, t6, t7 = elementwise(xp, plant, gamma, delta)
 
-    def work(theta, gamma, delta, d, t2, t4, t5, t6):
+    def work(theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7):
 
-        def yes(d, gamma, t2, t4, t5, t6, theta):
-            off, cosine, sine = next_angle(xp, d, theta)
-            t0 = sin_next(xp, d, theta, off, cosine, sine)
+        def yes(d, nyquist_of, t3, t5, t6, t7, theta, together_of):
+            cos_next_of, sin_next_of = cos_next_sin_next(xp, d, theta)
             t1 = 0.5*theta
-            t3 = gamma*t2
-            t7 = t2 + t6
-            left_2, left2_2, above_j_2, below_j_2, size_2 = force(xp, t1, t3, t4, t5, t2, t6, t7)
-            t8 = ahead(xp, t1, t3, t4, t5, t2, t6, t7, left_2, left2_2, above_j_2, below_j_2, size_2)
-            t9 = cos_next(xp, d, theta, off, cosine, sine)
-            t7 = in_phase(xp, t1, t3, t4, t5, t2, t6, t7, left_2, left2_2, above_j_2, below_j_2, size_2)
+            ahead_of, in_phase_of = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t6, t7)
             t1 = xp.tan(t1)
-            t3 = t0*t7 + t8*t9
+            t12 = ahead_of*cos_next_of + in_phase_of*sin_next_of
             t13 = xp.sin(theta)
-            return t0*t8 - t7*t9 + t1*t3, -t3/t13
+            return ahead_of*sin_next_of - cos_next_of*in_phase_of + t1*t12, -t12/t13
 
-        def no(d, delta, gamma, t2, t4, t5, theta):
+        def no(d, delta, gamma, nyquist_of, t3, t5, theta, together_of):
             t1 = 0.5*theta
-            t3 = gamma*t2
             t11 = xp.tan(t1)
             t13 = xp.sin(theta)
             t14 = whole_part(xp, d)
-            off, cosine, sine = next_angle(xp, t14, theta)
-            t15 = sin_next(xp, t14, theta, off, cosine, sine)
+            cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t14, theta)
             t16 = some_part(xp, d)
-            t17 = (t16*t16)
-            t18 = gamma*t17
-            t19 = delta*t16
-            t20 = 1.0 - t16
-            t21 = (t20*t20)
+            t17 = 1.0 - t16
+            t18 = (t17*t17)
+            t19 = gamma*t18
+            t20 = delta*t17
+            apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2 = apart_fall_kick_kick_low_rise(xp, t19, t20)
+            t21 = (t16*t16)
             t22 = gamma*t21
-            t23 = delta*t20
-            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t18, t19)
-            t24 = t17*fall(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t25 = kick(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2)
-            t26 = rise(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3 = motion(xp, t22, t23)
-            t27 = rise(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3)
-            t26 = delta*(t20*t20*t20)*apart(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3) - delta*(t16*t16*t16)*apart(xp, t18, t19, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t17*t22*t26*t27 + t21*(t18*t26 + t19*t25)*fall(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, p_low_3, whole2_3, q_3, q_low_3) - t23*t24*decay(xp, t23) - 2.0*both_kicks(xp, t16, kick(xp, t22, t23, half_3, total2_3, lost2_3, root_3, root_low_3, total3_3, q_3, q_low_3), t25)
-            t27 = 2.0*t21*t27 - 2.0*t24*xp.exp(-t23)
-            left_4, left2_4, above_j_4, below_j_4, size_4 = force(xp, t1, t3, t4, t5, t2, t26, t27)
-            t24 = ahead(xp, t1, t3, t4, t5, t2, t26, t27, left_4, left2_4, above_j_4, below_j_4, size_4)
-            t14 = cos_next(xp, t14, theta, off, cosine, sine)
-            t3 = in_phase(xp, t1, t3, t4, t5, t2, t26, t27, left_4, left2_4, above_j_4, below_j_4, size_4)
-            t27 = t15*t3 + t24*t14
-            return t11*t27 + t15*t24 - t14*t3, -t27/t13
+            t23 = delta*t16
+            apart_of3, fall_of, kick_of, kick_low_of2, rise_of = apart_fall_kick_kick_low_rise(xp, t22, t23)
+            t25 = fall_of*t21
+            t23 = late_apart(xp, t16, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*(t17*t17*t17), apart_of3*delta*(t16*t16*t16), fall_of2*t18*(kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(xp, t20))
+            t25 = 2.0*rise_of2*t18 - 2.0*t25*xp.exp(-t20)
+            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t23, t25)
+            t20 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2
+            return ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t20, -t20/t13
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, gamma, t2, t4, t5, t6, theta), no, (d, delta, gamma, t2, t4, t5, theta))
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, nyquist_of, t3, t5, t6, t7, theta, together_of), no, (d, delta, gamma, nyquist_of, t3, t5, theta, together_of))
 
-    return elementwise(xp, work, theta, gamma, delta, d, t2, t4, t5, t6)
+    return elementwise(xp, work, theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7)
 
 
 @by_value
@@ -4562,78 +7123,73 @@ def max_stable_stiffness(gamma, delta, d):
     xp, gamma, delta, d = arrays(gamma, delta, d)
 
     def plant(gamma, delta):
-        half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, gamma, delta)
-        return together(xp, gamma, delta, half, total2, lost2, root, root_low, total3, whole2, q, q_low), nyquist(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), delta*decay(xp, delta), delta*apart(xp, gamma, delta, half, total2, lost2, root, root_low, total3, q, q_low), rise(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low), fall(xp, gamma, delta, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
+        apart_of, fall_of, nyquist_of, rise_of, together_of = apart_fall_nyquist_rise_together(xp, gamma, delta)
+        t1 = gamma*together_of
+        t3 = delta*decay(xp, delta)
+        t4 = apart_of*delta
+        t10 = t4 + together_of
+        t16 = 2.0*t3
+        return fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16
 
-    t0, t2, t3, t4, rise_, fall_ = elementwise(xp, plant, gamma, delta)
+    fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16 = elementwise(xp, plant, gamma, delta)
 
-    def work(gamma, delta, d, t0, t2, t3, t4, rise_, fall_):
+    def work(gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16):
 
-        def yes(d, delta, fall_, gamma, rise_, t0, t2, t3, t4):
-            t1 = gamma*t0
-            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_, fall_, t1, t2, t3, t0, t4)
-            off, cosine, sine = next_angle(xp, d, t5)
-            t6 = sin_next(xp, d, t5, off, cosine, sine)
+        def yes(d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of):
+            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_of, fall_of, t1, nyquist_of, t3, together_of, t4)
+            cos_next_of, sin_next_of = cos_next_sin_next(xp, d, t5)
             t7 = 0.5*t5
             t8 = xp.sin(t7)
             t7 = xp.cos(t7)
-            t10 = t0 + t4
             t11 = (t7*t7)
             t12 = (t8*t8)
             t13 = t11*t12
-            t14 = t0*t11 - t12*t4
+            t14 = t11*together_of - t12*t4
             t15 = 1.0/((t10*t10)*t13 + (t14*t14))
-            t16 = 2.0*t3
-            t11 = t1*t11 - t12*t2
-            t1 = t14*t16 - t10*t11
+            t11 = t1*t11 - nyquist_of*t12
+            t18 = t14*t16 - t10*t11
             t11 = t10*t13*t16 + t14*t11
-            t16 = t15*cos_next(xp, d, t5, off, cosine, sine)
-            t14 = -t15*t11*t6/xp.sin(t5) - 0.5*t1*t16
-            return t15*t1*t6*t8*t7 - 2.0*t12*t14 - t11*t16, t14, t5
+            t14 = cos_next_of*t15
+            t13 = -sin_next_of*t15*t11/xp.sin(t5) - 0.5*t18*t14
+            return sin_next_of*t15*t18*t8*t7 - 2.0*t12*t13 - t11*t14, t13, t5
 
-        def no(d, delta, gamma, t0, t2, t3):
-            t1 = gamma*t0
-            t16 = 2.0*t3
+        def no(d, delta, gamma, nyquist_of, t1, t16, t3, together_of):
             t22 = whole_part(xp, d)
             t23 = some_part(xp, d)
             t24 = 1.0 - t23
             t25 = (t24*t24)
             t26 = gamma*t25
             t27 = delta*t24
-            half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low = motion(xp, t26, t27)
-            t28 = rise(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low)
-            t29 = t25*t28
+            apart_of2, fall_of3, kick_of2, kick_low_of, rise_of2 = apart_fall_kick_kick_low_rise(xp, t26, t27)
+            t29 = rise_of2*t25
             t30 = (t23*t23)
             t31 = gamma*t30
             t32 = delta*t23
-            half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2 = motion(xp, t31, t32)
-            t33 = t30*fall(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
+            apart_of3, fall_of2, kick_of, kick_low_of2, rise_of3 = apart_fall_kick_kick_low_rise(xp, t31, t32)
+            t33 = fall_of2*t30
             t34 = t33*xp.exp(-t27)
-            t35 = kick(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2)
-            t36 = rise(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, p_low_2, whole2_2, q_2, q_low_2)
-            t36 = delta*(t24*t24*t24)*apart(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low) - delta*(t23*t23*t23)*apart(xp, t31, t32, half_2, total2_2, lost2_2, root_2, root_low_2, total3_2, q_2, q_low_2) + t25*(t31*t36 + t32*t35)*fall(xp, t26, t27, half, total2, lost2, root, root_low, total3, p_low, whole2, q, q_low) + t26*t28*t30*t36 - t27*t33*decay(xp, t27) - 2.0*both_kicks(xp, t23, kick(xp, t26, t27, half, total2, lost2, root, root_low, total3, q, q_low), t35)
-            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, t2, t3, t0, t36)
-            t35 = 0.5*t23
-            t33 = xp.sin(t35)
-            t35 = xp.cos(t35)
-            off_3, cosine_3, sine_3 = next_angle(xp, t22, t23)
-            t32 = sin_next(xp, t22, t23, off_3, cosine_3, sine_3)
+            t33 = late_apart(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*(t24*t24*t24), apart_of3*delta*(t23*t23*t23), fall_of3*t25*(kick_of*t32 + rise_of3*t31) + rise_of2*rise_of3*t26*t30 - t27*t33*decay(xp, t27))
+            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3, together_of, t33)
+            cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t22, t23)
+            t32 = 0.5*t23
+            t31 = xp.sin(t32)
+            t32 = xp.cos(t32)
             t34 = 2.0*t29 - 2.0*t34
-            t29 = (t35*t35)
-            t31 = (t33*t33)
-            t30 = t29*t31
-            t36 = t0*t29 - t36*t31
-            t28 = 1.0/((t34*t34)*t30 + (t36*t36))
-            t29 = t1*t29 - t2*t31
-            t1 = t16*t36 - t34*t29
-            t29 = t16*t34*t30 + t36*t29
-            t22 = t28*cos_next(xp, t22, t23, off_3, cosine_3, sine_3)
-            t16 = -t32*t28*t29/xp.sin(t23) - 0.5*t1*t22
-            return t33*t35*t32*t28*t1 - 2.0*t31*t16 - t29*t22, t16, t23
+            t29 = (t32*t32)
+            t30 = (t31*t31)
+            t27 = t29*t30
+            t33 = t29*together_of - t33*t30
+            t26 = 1.0/((t34*t34)*t27 + (t33*t33))
+            t29 = t1*t29 - nyquist_of*t30
+            t25 = t16*t33 - t34*t29
+            t29 = t16*t34*t27 + t33*t29
+            t33 = cos_next_of2*t26
+            t27 = -sin_next_of2*t26*t29/xp.sin(t23) - 0.5*t25*t33
+            return sin_next_of2*t31*t32*t26*t25 - 2.0*t30*t27 - t29*t33, t27, t23
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, fall_, gamma, rise_, t0, t2, t3, t4), no, (d, delta, gamma, t0, t2, t3))
+        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of), no, (d, delta, gamma, nyquist_of, t1, t16, t3, together_of))
 
-    return elementwise(xp, work, gamma, delta, d, t0, t2, t3, t4, rise_, fall_)
+    return elementwise(xp, work, gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16)
 
 
 @by_value
@@ -4651,9 +7207,9 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
 
     def work(theta, alpha, beta, delta, d):
         t0 = 0.5*theta
-        off, cosine, sine = next_angle(xp, d, theta)
-        off_2, cosine_2, sine_2 = next_angle(xp, 2.0*d, t0)
-        return beta*cos_next(xp, d, theta, off, cosine, sine) - 0.5*alpha*sin_next(xp, 2.0*d, t0, off_2, cosine_2, sine_2)/xp.sin(t0) + delta
+        cos_next_of = cos_next(xp, d, theta)
+        sin_next_of = sin_next(xp, 2.0*d, t0)
+        return beta*cos_next_of - 0.5*alpha*sin_next_of/xp.sin(t0) + delta
 
     return elementwise(xp, work, theta, alpha, beta, delta, d)
 
@@ -4693,8 +7249,8 @@ def passivity_boundary(theta, delta, d):
             t0 = delta/spread(xp, d, theta)
             t1 = 0.5*theta
             t1 = sinc(xp, t1)
-            off, cosine, sine = next_angle(xp, d, theta)
-            t1 = (t1*t1)*(d + 1.0)*sin_next(xp, d, theta, off, cosine, sine)/theta
+            sin_next_of = sin_next(xp, d, theta)
+            t1 = sin_next_of*(t1*t1)*(d + 1.0)/theta
             return 2.0*t0*t1, t0*(chord(xp, d, theta) - t1)
 
         def no(d, delta, theta):
@@ -4710,16 +7266,16 @@ def passivity_boundary(theta, delta, d):
             t8 = xp.sin(t8)
             t12 = 0.5*t10
             t13 = t8 - t12
-            off, cosine, sine = next_angle(xp, t4, theta)
-            t14 = t13*cos_next(xp, t4, theta, off, cosine, sine)
+            cos_next_of = cos_next(xp, t4, theta)
+            t14 = cos_next_of*t13
             t2 = 1.0/t2
             t4 = 2.0*t4
             t17 = t4 + 1.0
             t17 = t17*sinc(xp, t1*t17)
             t4 = t4 + 3.0
             t12 = t12*t2*t17 - t14
-            off_2, cosine_2, sine_2 = next_angle(xp, t5, theta)
-            t4 = t7*(0.5*t2*t4*t6*t9*sinc(xp, t1*t4) - t13*cos_next(xp, t5, theta, off_2, cosine_2, sine_2) - t12)
+            cos_next_of = cos_next(xp, t5, theta)
+            t4 = t7*(0.5*t2*t4*t6*t9*sinc(xp, t1*t4) - cos_next_of*t13 - t12)
             t12 = t12 + t4
             t6 = xp.sin(t1)
             t1 = xp.cos(t1)
@@ -4761,8 +7317,8 @@ def max_passive_stiffness(delta, d):
             t8 = xp.sin(t8)
             t12 = 0.5*t10
             t13 = t8 - t12
-            off, cosine, sine = next_angle(xp, t3, t7)
-            t14 = t13*cos_next(xp, t3, t7, off, cosine, sine)
+            cos_next_of = cos_next(xp, t3, t7)
+            t14 = cos_next_of*t13
             t15 = 0.5*t7
             t16 = sinc(xp, t15)
             t3 = 2.0*t3
@@ -4770,8 +7326,8 @@ def max_passive_stiffness(delta, d):
             t18 = t18*sinc(xp, t15*t18)
             t3 = t3 + 3.0
             t12 = t12*t18/t16 - t14
-            off_2, cosine_2, sine_2 = next_angle(xp, t4, t7)
-            t3 = t6*(0.5*t3*t5*t9*sinc(xp, t15*t3)/t16 - t13*cos_next(xp, t4, t7, off_2, cosine_2, sine_2) - t12)
+            cos_next_of = cos_next(xp, t4, t7)
+            t3 = t6*(0.5*t3*t5*t9*sinc(xp, t15*t3)/t16 - cos_next_of*t13 - t12)
             t12 = t12 + t3
             t5 = xp.sin(t15)
             t15 = xp.cos(t15)

@@ -19,7 +19,7 @@ from symhaptic.model.entire_device import Apart, Fall, Rise
 from symhaptic.model.fractional import Late
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, Sampled
-from symhaptic.model.response import BothKicks, closed
+from symhaptic.model.response import KickLow, LateApart, closed
 from symhaptic.model.slopes import Kick
 from symhaptic.notation import a, c, delta, e, epsilon, gamma, l, m_0, m_1, m_2, n_0, n_1, z
 from symhaptic.scene import Parts
@@ -62,6 +62,8 @@ class Brief:
     """n_1 - n_0."""
     kick: Expr
     """Its displacement by a unit impulse."""
+    kick_low: Expr
+    """What the float of that over the time misses."""
     loss: Expr
     """1 - e."""
 
@@ -70,14 +72,15 @@ def brief(parts: Parts, time: Expr) -> Brief:
     """In entire functions."""
     own, sunk = rise(parts, time), fall(parts, time)
     loss = delta * time * Decay(delta * time) if parts.damping else sp.S.Zero
+    low = sp.S.Zero
     if parts.stiffness and parts.damping:
         given = gamma * time**2, delta * time
-        apart, kick = delta * time * Apart(*given), Kick(*given)
+        apart, kick, low = delta * time * Apart(*given), Kick(*given), KickLow(*given)
     elif parts.damping:
         apart, kick = delta * time * Lag(delta * time), Decay(delta * time)
     else:
         apart, kick = sp.S.Zero, S(-gamma * time**2) if parts.stiffness else sp.S.One
-    return Brief(time**2 * own, time**2 * sunk, time**2 * apart, time * kick, loss)
+    return Brief(time**2 * own, time**2 * sunk, time**2 * apart, time * kick, low, loss)
 
 
 def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
@@ -91,8 +94,8 @@ def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
     damper = delta if parts.damping else sp.S.Zero
     slowed = damper * last.kick + spring * last.rise
     turned = slowed * first.fall - first.loss * last.fall + spring * first.rise * last.rise
-    both = BothKicks(epsilon, first.kick / (1 - epsilon), last.kick / epsilon)
-    return first.apart - last.apart - 2 * both + turned
+    kicks = first.kick / (1 - epsilon), first.kick_low, last.kick / epsilon, last.kick_low
+    return LateApart(epsilon, *kicks, first.apart, last.apart, turned)
 
 
 def _shortened(parts: Parts, time: Expr) -> Brief:
@@ -102,7 +105,8 @@ def _shortened(parts: Parts, time: Expr) -> Brief:
     split = c * time if parts.stiffness else None
     short = Plant(sp.S.One, damping, stiffness)
     x, kick = plant.sampled(short, split=split), short.transition(sp.S.One, split)[0, 1]
-    return Brief(time**2 * x.n1, time**2 * x.n0, time**2 * (x.n1 - x.n0), time * kick, 1 - x.e)
+    moved = time**2 * x.n1, time**2 * x.n0, time**2 * (x.n1 - x.n0)
+    return Brief(*moved, time * kick, sp.S.Zero, 1 - x.e)
 
 
 @cache

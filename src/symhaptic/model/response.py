@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from functools import cache
 
+import sympy as sp
 from sympy import Expr, Function, cos, sin
 
 
@@ -67,22 +68,39 @@ class Ahead(Response):
         return sin(psi) * cos(psi) * parts(*args)[1]
 
 
-class BothKicks(Careful):
-    """What an impulse moves in both parts of a period, whose square the boundary has near pi."""
+class LateApart(Careful):
+    """M at z = -1 behind a fraction of a period, whose square the boundary has near pi.
 
-    nargs = 3
-    meaning = "epsilon (1 - epsilon) x y"
+    Of epsilon, what an impulse moves in the period's rest and in its beginning, each with what its
+    float misses, and three more terms.
+    """
+
+    nargs = 8
+    meaning = "first - last + turned - 2 epsilon (1 - epsilon) (x y + x_low y + x y_low)"
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
-        """The product."""
-        epsilon, rest, begun = args
-        return epsilon * (1 - epsilon) * rest * begun
+        """The sum."""
+        epsilon, x, x_low, y, y_low, first, last, turned = args
+        both = epsilon * (1 - epsilon) * (x * y + x_low * y + x * y_low)
+        return first - last + turned - 2 * both
 
     @classmethod
     def eval(cls, *args: Expr) -> Expr | None:
-        """The product, of mere numbers."""
-        return cls.definition(*args) if any(x.is_number for x in args) else None
+        """The sum, for a device that an impulse moves by a mere number."""
+        return cls.definition(*args) if args[1].is_number else None
+
+
+class KickLow(Careful):
+    """What the float of Kick misses: nothing, where nothing is rounded."""
+
+    nargs = 2
+    meaning = "what the float of Kick misses"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """0."""
+        return sp.S.Zero
 
 
 def parts(

@@ -78,7 +78,7 @@ def is_passive(
 def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
     """(27) of the paper at any real delay, for a damping of 1."""
     half = haptic.sinc(xp, theta / 2)
-    up = haptic.sin_next(xp, delay, theta, *haptic.next_angle(xp, delay, theta))
+    up = haptic.sin_next(xp, delay, theta)
     rise = half * half * (delay + 1) * up / theta
     below = haptic.spread(xp, delay, theta)
     return 2 * rise / below, (haptic.chord(xp, delay, theta) - rise) / below
