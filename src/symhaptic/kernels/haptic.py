@@ -144,7 +144,7 @@ def select(xp, condition, yes, yes_values, no, no_values):
         if found is None:
             found = [xp.empty_like(condition, dtype=like.dtype) for _ in rows]
         for whole, row in zip(found, rows, strict=True):
-            whole[where] = row
+            whole[at] = row
     return _all(found)
 
 
