@@ -135,7 +135,7 @@ def select(xp, condition, yes, yes_values, no, no_values):
         return _all(_rows(xp, like, yes(*yes_values)))
     if count == 0:
         return _all(_rows(xp, like, no(*no_values)))
-    found = None
+    found, quick = None, is_numpy_array(condition)  # the standard has only masks here
     for where, work, values in ((condition, yes, yes_values), (~condition, no, no_values)):
         (at,) = xp.nonzero(where)
         rows = work(*(v if v.shape[0] == 1 else xp.take(v, at) for v in values))
@@ -143,7 +143,7 @@ def select(xp, condition, yes, yes_values, no, no_values):
         if found is None:
             found = [xp.empty_like(condition, dtype=like.dtype) for _ in rows]
         for whole, row in zip(found, rows, strict=True):
-            whole[at] = row
+            whole[at if quick else where] = row
     return _all(found)
 
 

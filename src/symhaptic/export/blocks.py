@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from sympy import Expr, Symbol
 from sympy.logic.boolalg import Boolean
@@ -67,21 +69,34 @@ def expressions(statement: Statement) -> tuple[Expr, ...]:
     return statement.results if isinstance(statement, Return) else (statement.condition,)
 
 
-def functional(block: Block) -> Block:
-    """The same with sides that return the values of the names that are set in them."""
+def functional(block: Block, numbers: Mapping[Symbol, Expr] = MappingProxyType({})) -> Block:
+    """The same with sides that return the values of the names that are set in them.
+
+    A name of a mere number is replaced by it: what it is given to takes arrays.
+    """
+    numbers = dict(numbers)
     found: list[Statement] = []
     for statement in block:
-        if isinstance(statement, Set):
-            found.append(Assign(statement.name, statement.expr))
+        if isinstance(statement, (Assign, Set)):
+            value = statement.expr.xreplace(numbers)
+            if value.is_number:
+                numbers[statement.name] = value
+            else:
+                found.append(Assign(statement.name, value))
         elif isinstance(statement, Join):
             names = statement.names or _set_in(statement.yes)
-            yes, no = ((*functional(side), Return(names)) for side in (statement.yes, statement.no))
-            found.append(Join(names, statement.condition, yes, no))
+            yes, no = (
+                functional((*side, Return(names)), numbers)
+                for side in (statement.yes, statement.no)
+            )
+            found.append(Join(names, statement.condition.xreplace(numbers), yes, no))
         elif isinstance(statement, Choice):
-            sides = functional(statement.yes), functional(statement.no)
-            found.append(Choice(statement.condition, *sides))
+            sides = (functional(side, numbers) for side in (statement.yes, statement.no))
+            found.append(Choice(statement.condition.xreplace(numbers), *sides))
+        elif isinstance(statement, Return):
+            found.append(Return(tuple(r.xreplace(numbers) for r in statement.results)))
         else:
-            found.append(statement)
+            found.append(statement.xreplace(numbers))
     return tuple(found)
 
 

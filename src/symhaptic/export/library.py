@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -53,8 +53,6 @@ class Known(Mapping[str, Routine]):
 
     def __getitem__(self, name: str) -> Routine:
         """The routine of that name: its maker has the name that it has in source code."""
-        if "_" in name and name not in self.made:
-            self.made[name] = joint(name, self)
         if name not in self.made:
             try:
                 make, precise = _makers()[code_name(name)]
@@ -186,9 +184,14 @@ def merged(user: Routine) -> Routine:
     return replace(user, steps=tuple(done), results=results)
 
 
-def joint(name: str, routines: Mapping[str, Routine]) -> Routine:
-    """Routines of the same arguments as one; a step that two of them have is done once."""
+def named(name: str, routines: Mapping[str, Routine]) -> Routine:
+    """The routine of that name, or the joint one of several names."""
     parts = name.split("_")
+    return joint(parts, routines) if len(parts) > 1 else routines[name]
+
+
+def joint(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
+    """Routines of the same arguments as one; a step that two of them have is done once."""
     arguments = routines[parts[0]].arguments
     taken = {s.name for s in arguments}
     done: dict[Expr, Symbol] = {}
@@ -225,7 +228,9 @@ def joint(name: str, routines: Mapping[str, Routine]) -> Routine:
 
     results = tuple((code_name(part), result(part)) for part in parts)
     about = "; ".join(routines[part].about for part in parts)
-    return Routine(name, about, arguments, tuple((s, e) for e, s in done.items()), results)
+    return Routine(
+        "_".join(parts), about, arguments, tuple((s, e) for e, s in done.items()), results
+    )
 
 
 def _calls(call: Expr) -> bool:
@@ -262,7 +267,7 @@ def library(
     def add(wanted: Routine) -> None:
         for other in sorted(calls(wanted) | (operations(wanted) & set(own))):
             if other not in ordered:
-                found = own.get(other) or routines[other]
+                found = own.get(other) or named(other, routines)
                 add(found)
                 ordered[other] = found
 

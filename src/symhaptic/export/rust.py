@@ -62,7 +62,7 @@ class Rust(Target):
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.rs, a module."""
-        lines = ["#![allow(unused_parens)]", ""]
+        lines = ["#![allow(unused_parens, unused_variables)]", ""]
         for helper in library.helpers:
             lines += [f"// {helper.about}", *self._written(helper, "fn")]
         for form, routine in zip(library.forms, library.public, strict=True):

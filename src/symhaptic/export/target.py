@@ -34,6 +34,9 @@ OPERATIONS = (
 _PAIRS = ("Max", "Min", "ProductError", "atan2")
 """Those of two arguments; the others have one."""
 
+_LONGEST = 60
+"""Letters of a name: Fortran takes 63."""
+
 _CODE_NAMES = {"C": "cosh_root", "S": "sinhc_root"}
 
 
@@ -236,8 +239,10 @@ class Target:
         return self.words.get(operator, operator)
 
     def call(self, name: str) -> str:
-        """The name of a routine in source code, which is no keyword."""
+        """The name of a routine in source code, which is no keyword and not too long for it."""
         plain = code_name(name)
+        if len(plain) > _LONGEST:
+            plain = "_".join(word[:3] for word in plain.split("_"))
         return f"{plain}_" if self.reserves(plain) else plain
 
     def rename(self, name: str) -> str:

@@ -136,7 +136,7 @@ def select(xp, condition, yes, yes_values, no, no_values):
         return _all(_rows(xp, like, yes(*yes_values)))
     if count == 0:
         return _all(_rows(xp, like, no(*no_values)))
-    found = None
+    found, quick = None, is_numpy_array(condition)  # the standard has only masks here
     for where, work, values in ((condition, yes, yes_values), (~condition, no, no_values)):
         (at,) = xp.nonzero(where)
         rows = work(*(v if v.shape[0] == 1 else xp.take(v, at) for v in values))
@@ -144,7 +144,7 @@ def select(xp, condition, yes, yes_values, no, no_values):
         if found is None:
             found = [xp.empty_like(condition, dtype=like.dtype) for _ in rows]
         for whole, row in zip(found, rows, strict=True):
-            whole[at] = row
+            whole[at if quick else where] = row
     return _all(found)
 
 
@@ -3643,7 +3643,6 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost2 = rest2 - back2
                 envelope = xp.exp(-half)
                 stiff = gamma
-                whole4 = 1.0
                 decay_of = decay(xp, delta)
                 sinhc_root_of = sinhc_root(xp, -0.25*gamma)
 
@@ -3743,17 +3742,17 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 left16 = left16 - lost252 + lost23
                 lost23 = left16/stiff
 
-                def yes(decay_of, delta, envelope, even2, lost272, lost28, sinhc_root_of, stiff, total23, total272, total28, whole4):
+                def yes(decay_of, delta, envelope, even2, lost272, lost28, sinhc_root_of, stiff, total23, total272, total28):
                     envelope2 = xp.exp(-delta)
                     ends = envelope2 + 1.0
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
                     fall_of = lost28 + total28
                     nyquist_of = ends + 2.0*envelope*even2
                     rise_of = lost272 + total272
                     together_of = (sinhc_root_of*sinhc_root_of)
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(decay_of, envelope, half, lost2, lost272, lost28, sinhc_root_of, stiff, total2, total23, total272, total28, whole4):
+                def no(decay_of, envelope, half, lost2, lost272, lost28, sinhc_root_of, stiff, total2, total23, total272, total28):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -3769,14 +3768,14 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     wave = xp.cos(angle)
                     sin_of = xp.sin(angle)
                     wave = wave - 0.5*root_low*sin_of
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
                     fall_of = lost28 + total28
                     nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
                     rise_of = lost272 + total272
                     together_of = (sinhc_root_of*sinhc_root_of)
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, lost23, lost26, sinhc_root_of, stiff, total23, total253, total26, whole4), no, (decay_of, envelope, half, lost2, lost23, lost26, sinhc_root_of, stiff, total2, total23, total253, total26, whole4))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, lost23, lost26, sinhc_root_of, stiff, total23, total253, total26), no, (decay_of, envelope, half, lost2, lost23, lost26, sinhc_root_of, stiff, total2, total23, total253, total26))
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -4504,8 +4503,7 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             return turned3
 
         def no(rest):
-            turned4 = 0.0
-            return turned4
+            return 0.0
 
         turned4 = select(xp, (rest > 0.0) & (y > 0.0), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope, together_, x, y, zone), no, (rest,))
 
@@ -4698,8 +4696,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             q = -0.5*near1 - 0.5*root
 
             def yes(square):
-                one = -1.0
-                return one
+                return -1.0
 
             def no(q, square):
                 lead = square
@@ -4710,8 +4707,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
 
 
             def yes(q):
-                two = -1.0
-                return two
+                return -1.0
 
             def no(near0, q):
                 own = q
@@ -4730,8 +4726,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             q = 0.5*root - 0.5*near1
 
             def yes(square):
-                one = -1.0
-                return one
+                return -1.0
 
             def no(q, square):
                 lead = square
@@ -4742,8 +4737,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
 
 
             def yes(q):
-                two = -1.0
-                return two
+                return -1.0
 
             def no(near0, q):
                 own = q
@@ -4765,8 +4759,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             q3 = -0.5*far1 - 0.5*root
 
             def yes(square):
-                one3 = -1.0
-                return one3
+                return -1.0
 
             def no(q3, square):
                 lead3 = square
@@ -4777,8 +4770,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
 
 
             def yes(q3):
-                two3 = -1.0
-                return two3
+                return -1.0
 
             def no(far0, q3):
                 own4 = q3
@@ -4797,8 +4789,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             q3 = 0.5*root - 0.5*far1
 
             def yes(square):
-                one3 = -1.0
-                return one3
+                return -1.0
 
             def no(q3, square):
                 lead3 = square
@@ -4809,8 +4800,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
 
 
             def yes(q3):
-                two3 = -1.0
-                return two3
+                return -1.0
 
             def no(far0, q3):
                 own4 = q3
@@ -4834,8 +4824,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             def yes(disc4, own1, own2):
 
                 def yes(own2):
-                    one2 = -1.0
-                    return one2
+                    return -1.0
 
                 def no(disc4, own1, own2):
                     positive = disc4
@@ -4856,8 +4845,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
                 q2 = 0.5*root - 0.5*own1
 
                 def yes(q2):
-                    two2 = -1.0
-                    return two2
+                    return -1.0
 
                 def no(own0, q2):
                     own3 = q2
@@ -4905,8 +4893,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             return found
 
         def no(edge):
-            found = 0.0
-            return found
+            return 0.0
 
         found = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far), no, (edge,))
 
@@ -4921,8 +4908,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
                 q2 = -0.5*own1 - 0.5*root
 
                 def yes(q2):
-                    two2 = -1.0
-                    return two2
+                    return -1.0
 
                 def no(own0, q2):
                     own3 = q2
@@ -4937,8 +4923,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             def no(disc4, own1, own2):
 
                 def yes(own2):
-                    one2 = -1.0
-                    return one2
+                    return -1.0
 
                 def no(disc4, own1, own2):
                     positive = disc4
@@ -4989,8 +4974,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             return found2
 
         def no(edge2):
-            found2 = 0.0
-            return found2
+            return 0.0
 
         found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far), no, (edge2,))
 
@@ -4998,8 +4982,7 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
         return total
 
     def no(disc4):
-        total3 = 0.0
-        return total3
+        return 0.0
 
     total3 = select(xp, disc4 >= 0.0, yes, (alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far), no, (disc4,))
 
@@ -5166,7 +5149,6 @@ def apart_nyquist_together(xp, gamma, delta):
                 lost2 = rest2 - back2
                 envelope = xp.exp(-half)
                 stiff = gamma
-                whole4 = 1.0
                 decay_of = decay(xp, delta)
                 sinhc_root_of = sinhc_root(xp, -0.25*gamma)
 
@@ -5212,15 +5194,15 @@ def apart_nyquist_together(xp, gamma, delta):
                 total23 = half*odd
                 even2 = even + even_low2
 
-                def yes(decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23, whole4):
+                def yes(decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23):
                     exp_of = xp.exp(-delta)
                     ends = exp_of + 1.0
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
                     nyquist_of = ends + 2.0*envelope*even2
                     together_of = (sinhc_root_of*sinhc_root_of)
                     return apart_of, nyquist_of, together_of
 
-                def no(decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23, whole4):
+                def no(decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -5236,12 +5218,12 @@ def apart_nyquist_together(xp, gamma, delta):
                     wave = xp.cos(angle)
                     sin_of = xp.sin(angle)
                     wave = wave - 0.5*root_low*sin_of
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
+                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
                     nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
                     together_of = (sinhc_root_of*sinhc_root_of)
                     return apart_of, nyquist_of, together_of
 
-                apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23, whole4), no, (decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23, whole4))
+                apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23), no, (decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23))
 
                 return apart_of, nyquist_of, together_of
 
@@ -5933,8 +5915,7 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
 
         def yes(k3):
             above = 2.0*k3
-            below = 0.0
-            return above, below
+            return above, 0.0
 
         def no(discriminant, k2, k3):
             root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
@@ -5963,7 +5944,6 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
 
         def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
             turn_ = 3.141592653589793/(d + 1.0)
-            start = 1.0
 
             def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
                 return (count > 24.0) | (found > 0.0)
@@ -5975,7 +5955,7 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
                 next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
                 return next_count, next_found
 
-            count, found = repeat(xp, 24, over, step, (start, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+            count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
 
             def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
                 high = 0.041666666666666664*count*turn_
@@ -6047,8 +6027,7 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
                 return theta
 
             def no(found):
-                theta = xp.nan
-                return theta
+                return xp.nan
 
             theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
 
@@ -6107,7 +6086,6 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
 
         def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
             turn_ = 3.141592653589793/(d + 1.0)
-            start = 1.0
 
             def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
                 return (count > 24.0) | (found > 0.0)
@@ -6119,7 +6097,7 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
                 next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
                 return next_count, next_found
 
-            count, found = repeat(xp, 24, over, step, (start, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+            count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
 
             def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
                 high = 0.041666666666666664*count*turn_
@@ -6191,8 +6169,7 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
                 return theta
 
             def no(found):
-                theta = xp.nan
-                return theta
+                return xp.nan
 
             theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
 
@@ -6386,8 +6363,7 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
     above = steepness(xp, stiffness, damping, l, epsilon, xp.full_like(damping, 0.0))
 
     def yes(above):
-        root = 0.0
-        return root
+        return 0.0
 
     def no(above, damping, epsilon, l, stiffness):
         high = 3.141592502593994/(2.0*l + 2.0)
@@ -6460,8 +6436,7 @@ def worst_angle(xp, alpha, beta, l, epsilon):
     above = steepness(xp, stiffness, damping, l, epsilon, xp.full_like(damping, 0.0))
 
     def yes(above):
-        root = 0.0
-        return root
+        return 0.0
 
     def no(above, damping, epsilon, l, stiffness):
         high = 3.141592653589793/(2.0*l + 2.0)
@@ -6583,8 +6558,7 @@ def turn_single(xp, psi, l, epsilon):
     above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
-        root = 0.0
-        return root
+        return 0.0
 
     def no(above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
         wave = xp.sin(psi)
@@ -6598,8 +6572,7 @@ def turn_single(xp, psi, l, epsilon):
         below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
 
         def yes(below):
-            root = 0.5*3.141592653589793
-            return root
+            return 0.5*3.141592653589793
 
         def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
 
@@ -6699,8 +6672,7 @@ def turn(xp, psi, l, epsilon):
     above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
-        root = 0.0
-        return root
+        return 0.0
 
     def no(above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
         wave = xp.sin(psi)
@@ -6714,8 +6686,7 @@ def turn(xp, psi, l, epsilon):
         below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
 
         def yes(below):
-            root = 0.5*3.141592653589793
-            return root
+            return 0.5*3.141592653589793
 
         def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
 
