@@ -32,16 +32,23 @@ def missed(one, two):
     return float(Fraction(one) * Fraction(two) - Fraction(one * two))
 
 
-def run(steps, values, without):
-    """The last step, of floats; one product error may be left out."""
-    at = dict(values)
+def program(steps, arguments, without):
+    """The steps as functions of floats; one product error may be left out."""
+    before = list(arguments)
     for symbol, expr in steps:
         if symbol == without:
             expr = expr.replace(ProductError, lambda *_: sp.S.Zero)
         squares = {x: sp.Mul(x.base, x.base, evaluate=False) for x in expr.atoms(sp.Pow)}
-        found = sp.lambdify(list(at), expr.xreplace(squares), [{"ProductError": missed}, math])
-        at[symbol] = float(found(*at.values()))
-    return at[steps[-1][0]]
+        yield sp.lambdify(before, expr.xreplace(squares), [{"ProductError": missed}, math])
+        before.append(symbol)
+
+
+def run(functions, values):
+    """The value of the last one."""
+    values = list(values)
+    for function in functions:
+        values.append(float(function(*values)))
+    return values[-1]
 
 
 def chances():
@@ -54,7 +61,7 @@ def chances():
 
 def difference():
     """The steps of one - factor t^2, their arguments, and the exact value."""
-    do, (one, factor, t) = Steps(), sp.symbols("one factor tan")
+    do, (one, factor, t) = Steps(), sp.symbols("begin factor tan")
     square, low = do("square", t * t), do("low", ProductError(t, t))
     less(do, one, factor, square, low)
     return do.done, (one, factor, t), lambda one, factor, t: one - factor * t**2
@@ -83,11 +90,12 @@ def late_point(one, x, y):
 def errors(work, without=None):
     """In units of the last place of the exact value."""
     steps, arguments, value = work()
+    functions = list(program(steps, arguments, without))
     for point in chances():
         if work is late:
             point = late_point(*point)
         exact = value(*map(Fraction, point))
-        found = run(steps, zip(arguments, point, strict=True), without)
+        found = run(functions, point)
         yield float(abs(Fraction(found) - exact) / Fraction(math.ulp(float(exact))))
 
 

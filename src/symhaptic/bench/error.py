@@ -101,6 +101,44 @@ def measure(form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE
     return compare(form, arrays, found, precision)
 
 
+def climb(
+    form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE, rounds: int = 4
+) -> Worst:
+    """The same, and what is found around the worst points, and around the worst of these."""
+    rng = np.random.default_rng(seed)
+    arrays = columns(form, rng, count, precision)
+    worst: Worst = {name: (0.0, ()) for name, _ in form.results}
+    with tempfile.TemporaryDirectory() as place:
+        run = compiled(form, Path(place), precision)
+        for _ in range(rounds + 1):
+            off = errors(form, arrays, run(arrays), precision)
+            _keep(worst, arrays, off)
+            top = np.unique(np.argsort(off, axis=1)[:, -_TOP:])
+            arrays = [_around(s.name, a[top], rng, precision)
+                      for s, a in zip(form.arguments, arrays, strict=True)]  # fmt: skip
+    return worst
+
+
+_TOP, _NEAR = 8, 20
+"""Worst points of a result that are gone on from, and points around each."""
+
+
+def _around(name: str, values: Array, rng: np.random.Generator, precision: Precision) -> Array:
+    """Points at all distances from these, which stay among them; whole delays stay whole."""
+    many = np.repeat(values.astype(float), _NEAR)
+    far = rng.choice([-1, 1], many.size) * 10 ** rng.uniform(-16, -1, many.size)
+    moved = many * (1 + far * (rng.random(many.size) < 0.7))
+    if name == "d":
+        moved = np.where(many % 1 == 0, many, moved)
+    if name == "epsilon":
+        moved = np.minimum(moved, 1 - 1e-6)
+    if name == "theta":
+        away = np.pi - (np.pi - many) * (1 + far)
+        moved = np.minimum(np.where(rng.random(many.size) < 0.5, moved, away), 3.14159265)
+    moved = np.concatenate([values, moved]).astype(precision.kind)
+    return np.minimum(moved, precision.kind(precision.below_pi)) if name == "theta" else moved
+
+
 def _suspects(form: Form, arrays: list[Array], found: Array) -> Array:
     """Where single precision is farthest from double, which is right to 1e-8 of its last place."""
     wide = [a.astype(float) for a in arrays]
@@ -135,21 +173,33 @@ def _ends(form: Form, point: list[float], precision: Precision) -> bool:
     return not exactly(form, [theta + precision.ulp(theta), *others])[0].is_finite()
 
 
-def compare(form: Form, arrays: list[Array], found: Array, precision: Precision = DOUBLE) -> Worst:
-    """What was found at these arguments beside exact values; a last place is that of the term."""
+def errors(form: Form, arrays: list[Array], found: Array, precision: Precision = DOUBLE) -> Array:
+    """How far off each result is at each point, in last places of its largest term."""
     sizes = largest(form, arrays)
-    worst: Worst = {name: (0.0, ()) for name, _ in form.results}
+    off = np.zeros(found.shape)
     for k in range(arrays[0].size):
         point = [float(a[k]) for a in arrays]
         with flint.ctx.workprec(bits(point)):
             exact = exactly(form, point)
-            for i, (name, _) in enumerate(form.results):
+            for i in range(len(form.results)):
                 size = float(sizes[i][k])
                 if not precision.tiny <= size <= precision.huge or not exact[i].is_finite():
                     continue
-                off = float(abs(arb(float(found[i][k])) - exact[i])) / precision.ulp(size)
-                if off != off:
-                    off = 0.0 if _ends(form, point, precision) else math.inf
-                if off > worst[name][0]:
-                    worst[name] = (off, tuple(point))
+                off[i, k] = float(abs(arb(float(found[i][k])) - exact[i])) / precision.ulp(size)
+                if np.isnan(off[i, k]):
+                    off[i, k] = 0.0 if _ends(form, point, precision) else math.inf
+    return off
+
+
+def compare(form: Form, arrays: list[Array], found: Array, precision: Precision = DOUBLE) -> Worst:
+    """The largest of these, with its arguments."""
+    worst: Worst = {name: (0.0, ()) for name, _ in form.results}
+    _keep(worst, arrays, errors(form, arrays, found, precision))
     return worst
+
+
+def _keep(worst: Worst, arrays: list[Array], off: Array) -> None:
+    for (name, (most, _)), row in zip(list(worst.items()), off, strict=True):
+        k = int(np.argmax(row))
+        if row[k] > most:
+            worst[name] = float(row[k]), tuple(float(a[k]) for a in arrays)

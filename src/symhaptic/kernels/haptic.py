@@ -6289,7 +6289,7 @@ def need(xp, alpha, beta, l, epsilon, psi):
 
     def no(alpha, beta, epsilon, l, psi):
         early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
-        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
+        n = early*(1.0 - epsilon) + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi))
         root = square_root(xp, epsilon*(1.0 - epsilon)*((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(xp.sin(psi)*xp.sin(psi))) + (n*n))
         return 0.5*n + 0.5*root
 
@@ -6326,7 +6326,7 @@ def rising(xp, alpha, beta, l, epsilon, psi):
     t5 = t4 + 2.0
     t4 = t4 + 4.0
     early = t3*(t5*t5)*sinc(xp, psi*t5) - t2*chord(xp, l, t)
-    steep = early + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - early - t2*chord(xp, l + 1.0, t))
+    steep = early*(1.0 - epsilon) + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - t2*chord(xp, l + 1.0, t))
     return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*need(xp, alpha, beta, l, epsilon, psi)
 
 
@@ -6542,20 +6542,18 @@ def turn_single(xp, psi, l, epsilon):
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
     t2 = l + 1.0
-    t4 = 1.0/t2
-    t5 = 0.5*t4
-    t6 = -t5
-    t7 = epsilon*(1.0 - epsilon)
-    t8 = 2.0*l
-    t9 = 2.0*t4/(wave7*wave7)
-    t10 = -t9*wave3
-    t11 = t6*wave5
+    t3 = 1.0/t2
+    t5 = t3
+    t6 = 0.5*t5
+    t7 = -t6
+    t8 = 1.0 - epsilon
+    t9 = epsilon*t8
+    t10 = 2.0*l
+    t5 = 2.0*t5/(wave7*wave7)
     t12 = 1.0/wave7
-    t13 = wave9*(t8 + 1.0)
-    t14 = t12*t5
-    t15 = t13*t14
-    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    t13 = epsilon*(t12*t6*wave11*(t10 + 3.0) - t7*wave6)
+    t12 = t8*(0.5*t12*t3*wave9*(t10 + 1.0) - t7*wave5)
+    above = -2.0*t6*t7*t9*wave8 - (-epsilon*t5*wave4 - t5*t8*wave3)*(0.5*t13 + 0.5*t12 + 0.5*square_root(xp, ((t13 + t12)*(t13 + t12)) + t9*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         return 0.0
@@ -6564,12 +6562,12 @@ def turn_single(xp, psi, l, epsilon):
         wave = xp.sin(psi)
         wave10 = sinc(xp, psi*(2.0*l + 2.0))
         wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t23 = epsilon*(1.0 - epsilon)
+        t22 = 1.0 - epsilon
+        t23 = epsilon*t22
         t24 = 2.0*l
-        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
-        t27 = wave5
-        t32 = epsilon*(t27 - wave6)
-        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
+        t27 = -epsilon*wave6
+        t28 = -t22*wave5
+        below = -2.0*t23*wave8 - (epsilon*wave12*((t24 + 4.0)*(t24 + 4.0)) + t22*wave10*((t24 + 2.0)*(t24 + 2.0)))*(0.5*t27 + 0.5*t28 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t27 + t28)*(t27 + t28))))
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -6603,23 +6601,21 @@ def turn_single(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                t33 = xp.sin(new)
-                t34 = l + 1.0
-                t35 = xp.cos(new)
-                t36 = t35/t34
-                t37 = 0.5*t36
-                t38 = t33 - t37
-                t39 = epsilon*(1.0 - epsilon)
-                t40 = 2.0*l
-                t41 = 2.0*t36/(wave7*wave7)
-                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
-                t43 = t38*wave5
-                t44 = 1.0/wave7
-                t45 = wave9*(t40 + 1.0)
-                t46 = t37*t44
-                t47 = t45*t46
-                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                t29 = xp.sin(new)
+                t30 = l + 1.0
+                t31 = 1.0/t30
+                t32 = xp.cos(new)
+                t33 = t31*t32
+                t34 = 0.5*t33
+                t35 = t29 - t34
+                t36 = 1.0 - epsilon
+                t37 = epsilon*t36
+                t38 = 2.0*l
+                t33 = 2.0*t33/(wave7*wave7)
+                t40 = 1.0/wave7
+                t41 = epsilon*(t34*t40*wave11*(t38 + 3.0) - t35*wave6)
+                t40 = t36*(0.5*t31*t32*t40*wave9*(t38 + 1.0) - t35*wave5)
+                value = -2.0*t35*t37*wave8*(t29 + t34) - (epsilon*(t29*wave12*((t38 + 4.0)*(t38 + 4.0)) - t33*wave4) + t36*(t29*wave10*((t38 + 2.0)*(t38 + 2.0)) - t33*wave3))*(0.5*t41 + 0.5*t40 + 0.5*square_root(xp, t37*(4.0*(t29*t29)*(wave*wave) + (t32*t32)*(wave2*wave2)/(t30*t30)) + ((t41 + t40)*(t41 + t40))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -6656,20 +6652,18 @@ def turn(xp, psi, l, epsilon):
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
     t2 = l + 1.0
-    t4 = 1.0/t2
-    t5 = 0.5*t4
-    t6 = -t5
-    t7 = epsilon*(1.0 - epsilon)
-    t8 = 2.0*l
-    t9 = 2.0*t4/(wave7*wave7)
-    t10 = -t9*wave3
-    t11 = t6*wave5
+    t3 = 1.0/t2
+    t5 = t3
+    t6 = 0.5*t5
+    t7 = -t6
+    t8 = 1.0 - epsilon
+    t9 = epsilon*t8
+    t10 = 2.0*l
+    t5 = 2.0*t5/(wave7*wave7)
     t12 = 1.0/wave7
-    t13 = wave9*(t8 + 1.0)
-    t14 = t12*t5
-    t15 = t13*t14
-    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    t13 = epsilon*(t12*t6*wave11*(t10 + 3.0) - t7*wave6)
+    t12 = t8*(0.5*t12*t3*wave9*(t10 + 1.0) - t7*wave5)
+    above = -2.0*t6*t7*t9*wave8 - (-epsilon*t5*wave4 - t5*t8*wave3)*(0.5*t13 + 0.5*t12 + 0.5*square_root(xp, ((t13 + t12)*(t13 + t12)) + t9*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         return 0.0
@@ -6678,12 +6672,12 @@ def turn(xp, psi, l, epsilon):
         wave = xp.sin(psi)
         wave10 = sinc(xp, psi*(2.0*l + 2.0))
         wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t23 = epsilon*(1.0 - epsilon)
+        t22 = 1.0 - epsilon
+        t23 = epsilon*t22
         t24 = 2.0*l
-        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
-        t27 = wave5
-        t32 = epsilon*(t27 - wave6)
-        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
+        t27 = -epsilon*wave6
+        t28 = -t22*wave5
+        below = -2.0*t23*wave8 - (epsilon*wave12*((t24 + 4.0)*(t24 + 4.0)) + t22*wave10*((t24 + 2.0)*(t24 + 2.0)))*(0.5*t27 + 0.5*t28 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t27 + t28)*(t27 + t28))))
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -6717,23 +6711,21 @@ def turn(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                t33 = xp.sin(new)
-                t34 = l + 1.0
-                t35 = xp.cos(new)
-                t36 = t35/t34
-                t37 = 0.5*t36
-                t38 = t33 - t37
-                t39 = epsilon*(1.0 - epsilon)
-                t40 = 2.0*l
-                t41 = 2.0*t36/(wave7*wave7)
-                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
-                t43 = t38*wave5
-                t44 = 1.0/wave7
-                t45 = wave9*(t40 + 1.0)
-                t46 = t37*t44
-                t47 = t45*t46
-                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                t29 = xp.sin(new)
+                t30 = l + 1.0
+                t31 = 1.0/t30
+                t32 = xp.cos(new)
+                t33 = t31*t32
+                t34 = 0.5*t33
+                t35 = t29 - t34
+                t36 = 1.0 - epsilon
+                t37 = epsilon*t36
+                t38 = 2.0*l
+                t33 = 2.0*t33/(wave7*wave7)
+                t40 = 1.0/wave7
+                t41 = epsilon*(t34*t40*wave11*(t38 + 3.0) - t35*wave6)
+                t40 = t36*(0.5*t31*t32*t40*wave9*(t38 + 1.0) - t35*wave5)
+                value = -2.0*t35*t37*wave8*(t29 + t34) - (epsilon*(t29*wave12*((t38 + 4.0)*(t38 + 4.0)) - t33*wave4) + t36*(t29*wave10*((t38 + 2.0)*(t38 + 2.0)) - t33*wave3))*(0.5*t41 + 0.5*t40 + 0.5*square_root(xp, t37*(4.0*(t29*t29)*(wave*wave) + (t32*t32)*(wave2*wave2)/(t30*t30)) + ((t41 + t40)*(t41 + t40))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -6769,7 +6761,7 @@ def passive_angle_single(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = need_*(epsilon*cos_next(xp, l + 1.0, 2.0*low) + (1.0 - epsilon)*cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
 
     def yes(low):
         root = low
@@ -6781,7 +6773,7 @@ def passive_angle_single(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = need2*(epsilon*cos_next(xp, l + 1.0, 2.0*high) + (1.0 - epsilon)*cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
 
         def yes(high):
             root = high
@@ -6820,7 +6812,7 @@ def passive_angle_single(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = need3*(epsilon*cos_next(xp, l + 1.0, 2.0*new) + (1.0 - epsilon)*cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -6852,7 +6844,7 @@ def passive_angle(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = need_*(epsilon*cos_next(xp, l + 1.0, 2.0*low) + (1.0 - epsilon)*cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
 
     def yes(low):
         root = low
@@ -6864,7 +6856,7 @@ def passive_angle(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = need2*(epsilon*cos_next(xp, l + 1.0, 2.0*high) + (1.0 - epsilon)*cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
 
         def yes(high):
             root = high
@@ -6903,7 +6895,7 @@ def passive_angle(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = need3*(epsilon*cos_next(xp, l + 1.0, 2.0*new) + (1.0 - epsilon)*cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -7235,23 +7227,21 @@ def passivity_boundary(theta, delta, d):
             t9 = xp.cos(t8)
             t10 = t6*t9
             t8 = xp.sin(t8)
-            t12 = 0.5*t10
-            t13 = t8 - t12
-            cos_next_of = cos_next(xp, t4, theta)
-            t14 = cos_next_of*t13
+            t12 = t8 - 0.5*t10
+            t13 = 2.0*t4
+            t14 = t13 + 3.0
             t2 = 1.0/t2
-            t4 = 2.0*t4
-            t17 = t4 + 1.0
-            t17 = t17*sinc(xp, t1*t17)
-            t4 = t4 + 3.0
-            t12 = t12*t2*t17 - t14
             cos_next_of = cos_next(xp, t5, theta)
-            t4 = t7*(0.5*t2*t4*t6*t9*sinc(xp, t1*t4) - cos_next_of*t13 - t12)
-            t12 = t12 + t4
+            t14 = t7*(0.5*t14*t2*t6*t9*sinc(xp, t1*t14) - cos_next_of*t12)
+            t17 = 1.0 - t7
+            t13 = t13 + 1.0
+            cos_next_of = cos_next(xp, t4, theta)
+            t13 = t17*(0.5*t2*t13*t6*t9*sinc(xp, t1*t13) - cos_next_of*t12)
+            t2 = t14 + t13
             t6 = xp.sin(t1)
             t1 = xp.cos(t1)
-            t1 = delta/(0.25*t10*t2*t17 - 0.5*t14 + 0.5*t4 + 0.5*square_root(xp, (t12*t12) + t7*(1.0 - t7)*(4.0*(t8*t8)*(t6*t6) + (t1*t1)*(t9*t9)/(t5*t5))))
-            return t10*t1, t13*t1
+            t1 = delta/(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, t17*t7*(4.0*(t8*t8)*(t6*t6) + (t1*t1)*(t9*t9)/(t5*t5)) + (t2*t2)))
+            return t10*t1, t12*t1
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
@@ -7286,24 +7276,22 @@ def max_passive_stiffness(delta, d):
             t9 = xp.cos(t8)
             t10 = t5*t9
             t8 = xp.sin(t8)
-            t12 = 0.5*t10
-            t13 = t8 - t12
-            cos_next_of = cos_next(xp, t3, t7)
-            t14 = cos_next_of*t13
+            t12 = t8 - 0.5*t10
+            t13 = 2.0*t3
+            t14 = t13 + 3.0
             t15 = 0.5*t7
             t16 = sinc(xp, t15)
-            t3 = 2.0*t3
-            t18 = t3 + 1.0
-            t18 = t18*sinc(xp, t15*t18)
-            t3 = t3 + 3.0
-            t12 = t12*t18/t16 - t14
             cos_next_of = cos_next(xp, t4, t7)
-            t3 = t6*(0.5*t3*t5*t9*sinc(xp, t15*t3)/t16 - cos_next_of*t13 - t12)
-            t12 = t12 + t3
+            t14 = t6*(0.5*t14*t5*t9*sinc(xp, t14*t15)/t16 - cos_next_of*t12)
+            t18 = 1.0 - t6
+            t13 = t13 + 1.0
+            cos_next_of = cos_next(xp, t3, t7)
+            t13 = t18*(0.5*t13*t5*t9*sinc(xp, t15*t13)/t16 - cos_next_of*t12)
+            t16 = t14 + t13
             t5 = xp.sin(t15)
             t15 = xp.cos(t15)
-            t15 = delta/(0.25*t10*t18/t16 - 0.5*t14 + 0.5*t3 + 0.5*square_root(xp, (t12*t12) + t6*(1.0 - t6)*(4.0*(t8*t8)*(t5*t5) + (t15*t15)*(t9*t9)/(t4*t4))))
-            return t10*t15, t13*t15, t7
+            t15 = delta/(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, t18*t6*(4.0*(t8*t8)*(t5*t5) + (t15*t15)*(t9*t9)/(t4*t4)) + (t16*t16)))
+            return t10*t15, t12*t15, t7
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 

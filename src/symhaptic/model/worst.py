@@ -35,7 +35,7 @@ def steepness(k: Expr) -> Expr:
 
 def between(early: Expr, late: Expr) -> Expr:
     """The mean over the two whole delays."""
-    return early + epsilon * (late - early)
+    return (1 - epsilon) * early + epsilon * late
 
 
 def extra() -> Expr:
