@@ -4,6 +4,10 @@ import os
 
 # matrices are small here: threads of several processes would only get in each other's way
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# JAX's compiler takes most of the time of its tests, and its best code runs only once there
+os.environ.setdefault(
+    "XLA_FLAGS", "--xla_backend_optimization_level=0 --xla_llvm_disable_expensive_passes=true"
+)
 
 
 def pytest_terminal_summary(terminalreporter):

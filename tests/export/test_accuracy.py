@@ -117,3 +117,15 @@ def test_nothing_is_no_error_only_next_to_the_end_of_a_curve():
         nothing = np.full((2, 1), np.nan, dtype=np.float32)
         found = error.compare(form, arrays, nothing, SINGLE)
         assert [off for off, _ in found.values()] == [expected, expected]
+
+
+@needs_gcc
+def test_around_the_worst_points_nothing_is_lost_and_all_is_in_the_domain():
+    (form,) = request.chosen(["discretize_late"])
+    plain = error.measure(form, 150, seed=3)
+    for result, (off, point) in error.climb(form, 150, seed=3, rounds=2).items():
+        assert off >= plain[result][0]
+        gamma, delta, epsilon = point
+        assert gamma >= 0
+        assert delta >= 0
+        assert 0 <= epsilon < 1

@@ -56,9 +56,10 @@ def test_nothing_looks_like_a_program(files):
             assert "_eps" not in text
 
 
-def test_the_same_from_run_to_run(files):
-    again = build.text_files([run(path) for path in shipped()])
-    assert again == files
+def test_the_same_from_run_to_run(some):
+    """Of some chapters; `symhaptic report --check` does the same for all, in another process."""
+    again = [run(path) for path in shipped() if path.stem.startswith("s2")]
+    assert build.text_files(again) == build.text_files(some)
 
 
 def test_committed_text_is_what_is_derived(chapters):

@@ -16,7 +16,7 @@ from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFT
 from symhaptic.export.array_scope import ArrayPrinter, Scope
 from symhaptic.export.blocks import functional
 from symhaptic.export.branches import lazy
-from symhaptic.export.library import Library, known, named
+from symhaptic.export.library import Library, known, named, precise
 from symhaptic.export.precision import SINGLE
 from symhaptic.export.routine import Routine, Step
 from symhaptic.export.stages import staged
@@ -53,8 +53,10 @@ class ArrayApi(Target):
             if helper.name == "ProductError":
                 lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
                 continue
-            other = _without_numbers(named(helper.name, known(SINGLE)))
-            lines += [*self._helper(helper, None if other == helper else other), "", ""]
+            brief = None
+            if precise(helper.name):
+                brief = _without_numbers(named(helper.name, known(SINGLE)))
+            lines += [*self._helper(helper, brief), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
             lines += [*self._public(routine, describe(form)), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}

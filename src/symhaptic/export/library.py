@@ -43,6 +43,14 @@ class Library:
     helpers: tuple[Routine, ...]
     public: tuple[Routine, ...]
 
+    def needed(self, routine: Routine) -> Iterator[Routine]:
+        """The helpers that a routine calls, or one of these does, in their order."""
+        wanted = _called(routine)
+        for helper in reversed(self.helpers):
+            if helper.name in wanted:
+                wanted |= _called(helper)
+        return (helper for helper in self.helpers if helper.name in wanted)
+
 
 class Known(Mapping[str, Routine]):
     """All routines by name, each made when it is first asked for."""
@@ -190,6 +198,11 @@ def named(name: str, routines: Mapping[str, Routine]) -> Routine:
     return joint(parts, routines) if len(parts) > 1 else routines[name]
 
 
+def precise(name: str) -> bool:
+    """Whether the routine, or one of those that it joins, depends on the precision."""
+    return any(_makers()[code_name(part)][1] for part in name.split("_"))
+
+
 def joint(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     """Routines of the same arguments as one; a step that two of them have is done once."""
     arguments = routines[parts[0]].arguments
@@ -245,6 +258,11 @@ MERGED = (
 """Functions that have steps in common with others of the same arguments."""
 
 _CALLS = (Entire, Careful, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
+
+
+def _called(routine: Routine) -> set[str]:
+    """The routines that it calls, and operations that may have to be written out."""
+    return calls(routine) | operations(routine)
 
 
 def library(

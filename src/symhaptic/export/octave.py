@@ -49,18 +49,17 @@ class Octave(Target):
     def source(self, library: Library) -> dict[str, str]:
         """FUNCTION.m for each of them, in a folder +NAME, which is a package."""
         files = {}
+        written = {helper.name: self._helper(helper) for helper in library.helpers}
         for form, routine in zip(library.forms, library.public, strict=True):
             lines = [self._head(routine), *(f"  % {line}" for line in describe(form))]
             lines += [*self._body(routine), "end", ""]
-            for helper in library.helpers:
-                lines += [f"% {helper.about}", self._head(helper)]
-                lines += [
-                    *self._body(helper),
-                    "end",
-                    "",
-                ]
+            for helper in library.needed(routine):
+                lines += written[helper.name]
             files[f"+{library.name}/{routine.name}.m"] = "\n".join([*lines, _PICK])
         return files
+
+    def _helper(self, routine: Routine) -> list[str]:
+        return [f"% {routine.about}", self._head(routine), *self._body(routine), "end", ""]
 
     def _results(self, routine: Routine) -> list[str]:
         return [f"{self.rename(name)}_out" for name, _ in routine.results]
