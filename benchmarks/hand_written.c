@@ -249,6 +249,16 @@ void hand_discretize(double gamma, double delta, double *n1, double *n0, double 
     *n0 = scaled(0.5, 0.0, fall_series(gamma, delta, few), *e);
 }
 
+/* grown^2 + envelope (own + low)^2 */
+static inline pair squares(double grown, double envelope, double own, double low) {
+    const pair wave = sum(own, low);
+    pair square = times(wave.hi, (pair){wave.hi, 0.0});
+    square.lo += 2*wave.hi*wave.lo;
+    const pair turned = times(envelope, square);
+    const pair all = sum(turned.hi, grown*grown);
+    return (pair){all.hi, all.lo + turned.lo};
+}
+
 /* -- the device on the circle ------------------------------------------------------------- */
 
 typedef struct { double at_one, at_minus_one, loss, together, apart, n1, n0; } ends;
@@ -265,23 +275,36 @@ static inline ends device(double gamma, double delta, int counting) {
         const double grown = -0.5*expm1(-m.half), angle = 0.5*m.root.hi;
         const double sine = sin(angle), cosine = cos(angle);
         if (v.even.hi > 0.0) {
-            x.at_minus_one = (1.0 + e) + 2*envelope*(v.even.hi + v.even.lo);
+            const pair begin = fast_sum(1.0, e), turn = times(2*envelope, v.even);
+            const pair both = fast_sum(begin.hi, turn.hi);
+            x.at_minus_one = both.hi + (both.lo + begin.lo + turn.lo);
         } else {
-            const double turned = cosine - 0.5*m.root.lo*sine;
-            x.at_minus_one = 4*(grown*grown + envelope*turned*turned);
+            const pair all = squares(grown, envelope, cosine, -0.5*m.root.lo*sine);
+            x.at_minus_one = 4*(all.hi + all.lo);
         }
         if (!m.near) {
-            const double turned = sine + 0.5*m.root.lo*cosine;
-            x.together = 4*(grown*grown + envelope*turned*turned)/gamma;
-            x.apart = (x.loss - envelope*delta*v.odd.hi)/gamma;
+            const pair all = squares(grown, envelope, sine, 0.5*m.root.lo*cosine);
+            const pair both = over(all, (pair){gamma, 0.0}), turn = times(envelope*delta, v.odd);
+            const pair left = sum(x.loss, -turn.hi);
+            const pair away = over((pair){left.hi, left.lo - turn.lo}, (pair){gamma, 0.0});
+            x.together = 4*(both.hi + both.lo);
+            x.apart = away.hi + away.lo;
             if (counting) swung(gamma, envelope, m.half, &v, &x.n1, &x.n0);
         }
     } else {
         const creeping c = creep(&m);
-        const double fast = c.slow.fall.hi*c.apart.fall.hi;
-        x.at_minus_one = (1.0 + c.slow.fall.hi)*(1.0 + fast);
+        pair quick = times(c.slow.fall.hi, c.apart.fall);
+        quick.lo += c.slow.fall.lo*c.apart.fall.hi;
+        const double fast = quick.hi;
+        const pair one = fast_sum(1.0, c.slow.fall.hi), two = fast_sum(1.0, fast);
+        const pair ended = times(one.hi, (pair){two.hi, two.lo + quick.lo});
+        x.at_minus_one = ended.hi + (ended.lo + (one.lo + c.slow.fall.lo)*two.hi);
         if (!m.near) {
-            x.together = c.slow.mean.hi*((1.0 - fast)/m.p.hi);
+            const pair gone = fast_sum(1.0, -fast);
+            pair moved = times(c.slow.mean.hi, (pair){gone.hi, gone.lo - quick.lo});
+            moved.lo += c.slow.mean.lo*gone.hi;
+            const pair both = over(moved, m.p);
+            x.together = both.hi + both.lo;
             const pair pulled = times(2*c.slow.fall.hi, c.apart.mean);
             const pair top = sum(c.slow.mean.hi, -pulled.hi), more = times(fast, c.slow.mean);
             x.apart = ((top.hi + more.hi) + (top.lo + (c.slow.mean.lo + more.lo - pulled.lo)))/m.p.hi;

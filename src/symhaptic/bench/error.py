@@ -134,7 +134,8 @@ def _around(name: str, values: Array, rng: np.random.Generator, precision: Preci
         moved = np.minimum(moved, 1 - 1e-6)
     if name == "theta":
         away = np.pi - (np.pi - many) * (1 + far)
-        moved = np.minimum(np.where(rng.random(many.size) < 0.5, moved, away), 3.14159265)
+        moved = np.where((rng.random(many.size) < 0.5) | (away <= 0), moved, away)
+        moved = np.minimum(moved, 3.14159265)
     moved = np.concatenate([values, moved]).astype(precision.kind)
     return np.minimum(moved, precision.kind(precision.below_pi)) if name == "theta" else moved
 

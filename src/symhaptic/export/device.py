@@ -31,7 +31,7 @@ from symhaptic.export.routine import (
     product,
     quotient,
 )
-from symhaptic.model.entire import Decay, S
+from symhaptic.model.entire import Decay
 from symhaptic.notation import delta, gamma
 
 SOFT = sp.Rational(9, 16)
@@ -118,11 +118,13 @@ def _creeping(do: Steps, m: Motion) -> Creeping:
 
 @dataclass(frozen=True)
 class Swinging:
-    """exp(-delta/2), cos(root) and (delta/2) sin(root)/root, with what these two miss."""
+    """exp(-delta/2), cos(root), sin(root)/root and delta/2 times that, with what these miss."""
 
     envelope: Expr
     even: Expr
     even_low: Expr
+    wave: Expr
+    wave_low: Expr
     odd: Expr
     odd_low: Expr
     stiff: Expr
@@ -134,7 +136,9 @@ def _swinging(do: Steps, m: Motion) -> Swinging:
     v = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root, m.root_low)
     odd, odd_low = product(do, m.half, v.odd, v.odd_low)
     envelope = do("envelope", exp(-m.half))
-    return Swinging(envelope, v.even, v.even_low, odd, odd_low, do("stiff", swings))
+    return Swinging(
+        envelope, v.even, v.even_low, v.odd, v.odd_low, odd, odd_low, do("stiff", swings)
+    )
 
 
 def rise() -> Routine:
@@ -185,25 +189,37 @@ def together() -> Routine:
     do = Steps()
     m = motion(do)
     v = _swinging(do, m)
-    grown, turned = _halved(do, m, v, sin)
-    still = S(choose(sp.Ne(delta, 0), 0, -gamma / 4))
-    swing = (grown**2 + turned) / v.stiff * 4
+    total, low = _squares(do, m, v, sin)
+    swing, missed = quotient(do, total, v.stiff, low)
+    swing = 4 * (swing + missed)
     c = _creeping(do, m)
-    creep = c.slow.mean * ((1 - c.slow.fall * c.apart.fall) / m.whole)
+    fast, fast_low = _faster(do, c)
+    gone, lost = fast_sum(do, sp.S.One, -fast)
+    moved, moved_low = product(do, c.slow.mean, gone, lost - fast_low)
+    moved_low = do("moved_low", moved_low + c.slow.mean_low * gone)
+    creep, rest = quotient(do, moved, m.whole, moved_low, m.p_low)
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
     near = 2 * number_and(do, exp(-m.half), sp.S.Half, "TogetherSeries", *given)
-    swing = choose(sp.Eq(delta, 0), still**2, swing)
-    return do.routine("Together", "n1 + n0", (gamma, delta), _cases(m, m.small, near, swing, creep))
+    return do.routine("Together", "n1 + n0", (gamma, delta),
+                      _cases(m, m.small, near, swing, creep + rest))  # fmt: skip
 
 
-def _halved(do: Steps, m: Motion, v: Swinging, wave: type[sp.Function]) -> tuple[Expr, Expr]:
-    """(1 - exp(-delta/2))/2 and exp(-delta/2) times the square of sin or cos of root/2."""
+def _faster(do: Steps, c: Creeping) -> tuple[Expr, Expr]:
+    """exp(-p), of the faster pole."""
+    fast, low = product(do, c.slow.fall, c.apart.fall, c.apart.fall_low)
+    return fast, do("low", low + c.slow.fall_low * c.apart.fall)
+
+
+def _squares(do: Steps, m: Motion, v: Swinging, wave: type[sp.Function]) -> tuple[Expr, Expr]:
+    """(1 - exp(-delta/2))^2/4 and exp(-delta/2) times the square of sin or cos of root/2, added."""
     grown = do("grown", -expm1(-m.half) / 2)
     angle = do("angle", m.root / 2)
     own, other = (sin(angle), cos(angle)) if wave is sin else (cos(angle), -sin(angle))
-    first = do("wave", own)
-    turned = do("wave", first + m.root_low / 2 * other)
-    return grown, v.envelope * turned**2
+    first, lost = difference(do, do("wave", own), do("back", -m.root_low / 2 * other))
+    square, low = product(do, first, first)
+    turned, turned_low = product(do, v.envelope, square, do("low", low + 2 * first * lost))
+    total, rest = difference(do, turned, -grown * grown)
+    return total, do("low", rest + turned_low)
 
 
 def nyquist() -> Routine:
@@ -211,12 +227,17 @@ def nyquist() -> Routine:
     do = Steps()
     m = motion(do)
     v = _swinging(do, m)
-    grown, turned = _halved(do, m, v, cos)
+    total, low = _squares(do, m, v, cos)
     c = _creeping(do, m)
-    ends = do("ends", 1 + exp(-delta))
-    even = do("even", v.even + v.even_low)
-    swing = choose(even > 0, ends + 2 * v.envelope * even, 4 * (grown**2 + turned))
-    creep = (1 + c.slow.fall) * (1 + c.slow.fall * c.apart.fall)
+    ends, lost = fast_sum(do, sp.S.One, do("e", exp(-delta)))
+    turn, turn_low = product(do, do("twice", 2 * v.envelope), v.even, v.even_low)
+    both, rest = fast_sum(do, ends, turn)
+    swing = choose(turn > 0, both + (rest + lost + turn_low), 4 * (total + low))
+    one, one_low = fast_sum(do, sp.S.One, c.slow.fall)
+    fast, fast_low = _faster(do, c)
+    two, two_low = fast_sum(do, sp.S.One, fast)
+    found, missed = product(do, one, two, two_low + fast_low)
+    creep = found + (missed + (one_low + c.slow.fall_low) * two)
     return do.routine("Nyquist", "1 + a + e", (gamma, delta), choose(m.w < 0, swing, creep))
 
 
@@ -251,7 +272,11 @@ def apart() -> Routine:
     low = do("low", top_low + (c.slow.mean_low + more_low - pulled_low))
     creep = (top + low) / do.nonzero(m.p * delta)
     v = _swinging(do, m)
-    swing = (Decay(delta) - 2 * v.envelope * v.odd / do.nonzero(delta)) / v.stiff
+    mean = do("mean", Decay(delta))
+    turn, turn_low = product(do, v.envelope, v.wave, v.wave_low)
+    top, rest = difference(do, mean, turn)
+    swing, missed = quotient(do, top, v.stiff, rest - turn_low)
+    swing = swing + missed
     given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
     near = number_and(do, exp(-m.half), SIXTH, "ApartSeries", *given)
     return do.routine(

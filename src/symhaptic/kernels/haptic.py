@@ -1864,38 +1864,6 @@ def rise(xp, gamma, delta):
     return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no, (gamma, half, rest, total, total2))
 
 
-def sinhc_root(xp, w):
-    """sinh(sqrt(w))/sqrt(w)"""
-
-    def yes(w):
-        return 1.0
-
-    def no(w):
-
-        def yes(w):
-            size = xp.abs(w)
-            root = square_root(xp, size)
-            whole = xp.where(root == 0.0, 1.0, root)
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            low = 0.5*left/whole
-            sine = xp.sin(root)
-            turned = low*xp.cos(root) + sine
-            return turned/whole
-
-        def no(w):
-            size = xp.abs(w)
-            root = square_root(xp, size)
-            whole = xp.where(root == 0.0, 1.0, root)
-            grown = xp.expm1(root)
-            return (0.5*grown + 0.5*grown/(grown + 1.0))/whole
-
-        return select(xp, w < 0.0, yes, (w,), no, (w,))
-
-    return select(xp, w == 0.0, yes, (w,), no, (w,))
-
-
 def together_series_single(xp, h, w):
     """The same in single precision."""
 
@@ -2002,22 +1970,22 @@ def swing_together(xp, gamma, delta):
     back = total2 - total
     lost = rest - back
 
-    def yes(delta, gamma, half, lost2, total2):
+    def yes(gamma, half, lost2, total2):
         reach = 0.25*gamma
 
         def yes(half, lost2, total2):
             envelope = xp.exp(-half)
-            rest3 = together_series(xp, half, total2)
-            total212 = rest3 + 0.5
-            back152 = total212 - rest3
-            rest4 = total212 - back152
-            one2 = rest3 - rest4
-            two2 = 0.5 - back152
-            lost212 = one2 + two2
-            total222 = envelope*total212
+            rest5 = together_series(xp, half, total2)
+            total30 = rest5 + 0.5
+            back19 = total30 - rest5
+            rest6 = total30 - back19
+            one4 = rest5 - rest6
+            two4 = 0.5 - back19
+            lost30 = one4 + two4
+            total31 = envelope*total30
             envelope_halves = halves(xp, envelope)
-            total212_halves = halves(xp, total212)
-            lost212 = envelope*lost212 + product_error(total222, envelope_halves, total212_halves)
+            total30_halves = halves(xp, total30)
+            lost30 = envelope*lost30 + product_error(total31, envelope_halves, total30_halves)
 
             def yes(lost2, total2):
                 given3 = total2
@@ -2051,114 +2019,91 @@ def swing_together(xp, gamma, delta):
 
             even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
 
-            total212 = envelope*even
+            total30 = envelope*even
             even_halves = halves(xp, even)
-            lost21 = envelope*even_low2 + product_error(total212, envelope_halves, even_halves)
-            swing_of = 2.0*lost21 + 2.0*total212
-            together_of = 2.0*lost212 + 2.0*total222
+            lost21 = envelope*even_low2 + product_error(total30, envelope_halves, even_halves)
+            swing_of = 2.0*lost21 + 2.0*total30
+            together_of = 2.0*lost30 + 2.0*total31
             return swing_of, together_of
 
-        def no(delta, gamma, half, lost2, total2):
+        def no(gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            sign_low = -lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            envelope = xp.exp(-half)
+            stiff = gamma
+            expm1_of = xp.expm1(-half)
+            grown = -0.5*expm1_of
+            angle = 0.5*root
+            wave = xp.sin(angle)
+            cos_of = xp.cos(angle)
+            back72 = -0.5*cos_of*root_low
+            total92 = wave - back72
+            back82 = total92 - wave
+            rest3 = total92 - back82
+            one2 = wave - rest3
+            two2 = -back72 - back82
+            lost92 = one2 + two2
+            total102 = (total92*total92)
+            total92_halves = halves(xp, total92)
+            lost102 = product_error(total102, total92_halves, total92_halves)
+            low = lost102 + 2.0*lost92*total92
+            total92 = envelope*total102
+            envelope_halves = halves(xp, envelope)
+            total102_halves = halves(xp, total102)
+            lost92 = envelope*low + product_error(total92, envelope_halves, total102_halves)
+            total102 = (grown*grown) + total92
+            back82 = total102 - total92
+            rest3 = total102 - back82
+            one2 = total92 - rest3
+            two2 = (grown*grown) - back82
+            lost102 = one2 + two2
+            low = lost92 + lost102
+            total92 = total102/stiff
+            left = total102 - stiff*total92
+            total92_halves = halves(xp, total92)
+            stiff_halves = halves(xp, stiff)
+            left = left - product_error(total92*stiff, total92_halves, stiff_halves)
+            left = left + low
+            lost102 = left/stiff
 
-            def yes(gamma, half, lost2, total2):
-                envelope = xp.exp(-half)
-                sinhc_root_of = sinhc_root(xp, -0.25*gamma)
+            def yes(lost2, total2):
+                given3 = total2
+                total16 = 0.5*given3 + 1.0
+                back12 = total16 - 1.0
+                lost16 = 0.5*given3 - back12
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total17 = curved3 + total16
+                back12 = total17 - total16
+                lost17 = curved3 - back12
+                even_low = lost16 + lost17 + 0.5*lost2
+                even = total17
+                return even, even_low
 
-                def yes(lost2, total2):
-                    given3 = total2
-                    total16 = 0.5*given3 + 1.0
-                    back12 = total16 - 1.0
-                    lost16 = 0.5*given3 - back12
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total17 = curved3 + total16
-                    back12 = total17 - total16
-                    lost17 = curved3 - back12
-                    even_low = lost16 + lost17 + 0.5*lost2
-                    even = total17
-                    return even, even_low
+            def no(root, root_low):
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
 
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    return even, even_low2
+            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
 
-                even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
-
-                total21 = envelope*even
-                envelope_halves = halves(xp, envelope)
-                even_halves = halves(xp, even)
-                lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
-                swing_of = 2.0*lost21 + 2.0*total21
-                together_of = (sinhc_root_of*sinhc_root_of)
-                return swing_of, together_of
-
-            def no(gamma, half, lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                envelope = xp.exp(-half)
-                stiff = gamma
-                expm1_of = xp.expm1(-half)
-                grown = -0.5*expm1_of
-                angle = 0.5*root
-                wave = xp.sin(angle)
-                cos_of = xp.cos(angle)
-                wave = 0.5*cos_of*root_low + wave
-
-                def yes(lost2, total2):
-                    given3 = total2
-                    total16 = 0.5*given3 + 1.0
-                    back12 = total16 - 1.0
-                    lost16 = 0.5*given3 - back12
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total17 = curved3 + total16
-                    back12 = total17 - total16
-                    lost17 = curved3 - back12
-                    even_low = lost16 + lost17 + 0.5*lost2
-                    even = total17
-                    return even, even_low
-
-                def no(root, root_low):
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    return even, even_low2
-
-                even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
-
-                total21 = envelope*even
-                envelope_halves = halves(xp, envelope)
-                even_halves = halves(xp, even)
-                lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
-                swing_of = 2.0*lost21 + 2.0*total21
-                together_of = 4.0*(envelope*(wave*wave) + (grown*grown))/stiff
-                return swing_of, together_of
-
-            swing_of, together_of = select(xp, delta == 0.0, yes, (gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
-
+            total102 = envelope*even
+            even_halves = halves(xp, even)
+            lost92 = envelope*even_low2 + product_error(total102, envelope_halves, even_halves)
+            swing_of = 2.0*lost92 + 2.0*total102
+            together_of = 4.0*lost102 + 4.0*total92
             return swing_of, together_of
 
-        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no, (gamma, half, lost2, total2))
 
         return swing_of, together_of
 
@@ -2189,17 +2134,17 @@ def swing_together(xp, gamma, delta):
             q_low = off/whole
             rate2 = 2.0*root
             envelope = xp.exp(-half)
-            rest3 = together_series(xp, half, total2)
-            total212 = rest3 + 0.5
-            back3 = total212 - rest3
-            rest4 = total212 - back3
-            one2 = rest3 - rest4
-            two2 = 0.5 - back3
-            lost3 = one2 + two2
-            total222 = envelope*total212
+            rest5 = together_series(xp, half, total2)
+            total30 = rest5 + 0.5
+            back3 = total30 - rest5
+            rest6 = total30 - back3
+            one4 = rest5 - rest6
+            two4 = 0.5 - back3
+            lost3 = one4 + two4
+            total31 = envelope*total30
             envelope_halves = halves(xp, envelope)
-            total212_halves = halves(xp, total212)
-            lost3 = envelope*lost3 + product_error(total222, envelope_halves, total212_halves)
+            total30_halves = halves(xp, total30)
+            lost3 = envelope*lost3 + product_error(total31, envelope_halves, total30_halves)
 
             def yes(q, q_low):
                 given = q
@@ -2264,16 +2209,16 @@ def swing_together(xp, gamma, delta):
 
             fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-            total212 = fall2 + 1.0
-            back3 = total212 - 1.0
+            total30 = fall2 + 1.0
+            back3 = total30 - 1.0
             lost22 = fall2 - back3
-            total23 = fall_*total212
+            total23 = fall_*total30
             fall__halves = halves(xp, fall_)
-            total212_halves = halves(xp, total212)
-            lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total212_halves)
-            creep_ = fall_low2*total212 + lost22 + total23
+            total30_halves = halves(xp, total30)
+            lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total30_halves)
+            creep_ = fall_low2*total30 + lost22 + total23
             swing_of = creep_
-            together_of = 2.0*lost3 + 2.0*total222
+            together_of = 2.0*lost3 + 2.0*total31
             return swing_of, together_of
 
         def no(gamma, half, lost2, root, size, total3):
@@ -2318,20 +2263,29 @@ def swing_together(xp, gamma, delta):
                 fall_low = lost4 - lost5 - q_low*total5
                 fall_ = total7
                 mean = total5
-                return fall_, fall_low, mean
+                return fall_, fall_low, mean, mean_low
 
             def no(q, q_low):
                 sunk = xp.exp(-q)
                 sunk_low = -q_low*sunk
                 total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
                 bottom = q
-                total8 = total8/bottom
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
                 fall_ = sunk
                 fall_low2 = sunk_low
-                mean = total8
-                return fall_, fall_low2, mean
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
 
             def yes(root, root_low):
@@ -2373,15 +2327,33 @@ def swing_together(xp, gamma, delta):
             total22_halves = halves(xp, total22)
             lost3 = fall_*(fall_low4 + lost3) + product_error(total23, fall__halves, total22_halves)
             creep_ = fall_low2*total22 + lost3 + total23
+            total23 = fall_*fall2
+            fall2_halves = halves(xp, fall2)
+            lost3 = fall_*fall_low4 + product_error(total23, fall__halves, fall2_halves)
+            low3 = fall2*fall_low2 + lost3
+            total22 = 1.0 - total23
+            back3 = total22 - 1.0
+            lost3 = -back3 - total23
+            total23 = mean*total22
+            mean_halves = halves(xp, mean)
+            total22_halves = halves(xp, total22)
+            lost3 = mean*(lost3 - low3) + product_error(total23, mean_halves, total22_halves)
+            moved_low = lost3 + mean_low2*total22
+            total22 = total23/whole
+            left = total23 - total22*whole
+            total22_halves = halves(xp, total22)
+            left = left - product_error(total22*whole, total22_halves, whole_halves)
+            left = left + moved_low - p_low*total22
+            lost3 = left/whole
             swing_of = creep_
-            together_of = mean*(1.0 - fall_*fall2)/whole
+            together_of = lost3 + total22
             return swing_of, together_of
 
         swing_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
 
         return swing_of, together_of
 
-    swing_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (gamma, half, lost, total2))
+    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no, (gamma, half, lost, total2))
 
     return swing_of, together_of
 
@@ -2508,39 +2480,39 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
             def yes(delta, gamma, half, lost2, total2):
                 envelope = xp.exp(-half)
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back16 = total24 - rest4
-                rest5 = total24 - back16
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back16
-                lost24 = one3 + two3
-                total25 = envelope*total24
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
                 envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
-                rest5 = fall_series(xp, gamma, delta)
-                total24 = rest5 + 0.5
-                back16 = total24 - rest5
-                rest4 = total24 - back16
-                one3 = rest5 - rest4
-                two3 = 0.5 - back16
-                lost29 = one3 + two3
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back17 = total27 - rest6
+                rest5 = total27 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost29 = one4 + two4
                 envelope2 = xp.exp(-delta)
-                total30 = envelope2*total24
+                total30 = envelope2*total27
                 envelope2_halves = halves(xp, envelope2)
-                total24_halves = halves(xp, total24)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
-                rest4 = rise_series(xp, half, total2)
-                total24 = rest4 + 0.5
-                back16 = total24 - rest4
-                rest5 = total24 - back16
-                one3 = rest4 - rest5
-                two3 = 0.5 - back16
-                lost282 = one3 + two3
-                total292 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
+                total27_halves = halves(xp, total27)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
+                rest5 = rise_series(xp, half, total2)
+                total27 = rest5 + 0.5
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.5 - back17
+                lost283 = one4 + two4
+                total292 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost283 = envelope*lost283 + product_error(total292, envelope_halves, total27_halves)
 
                 def yes(lost2, total2):
                     given3 = total2
@@ -2579,33 +2551,33 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
                 odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
 
-                total24 = envelope*odd
+                total27 = envelope*odd
                 odd_halves = halves(xp, odd)
-                lost212 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-                total222 = lost212 + total24
-                back16 = total222 - total24
-                lost212 = lost212 - back16
-                apart_of = lost24 + total25
+                lost24 = envelope*odd_low2 + product_error(total27, envelope_halves, odd_halves)
+                total222 = lost24 + total27
+                back17 = total222 - total27
+                lost24 = lost24 - back17
+                apart_of = lost27 + total28
                 fall_of = lost29 + total30
                 kick_of = total222
-                kick_low_of = lost212
-                rise_of = lost282 + total292
+                kick_low_of = lost24
+                rise_of = lost283 + total292
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             def no(gamma, half, lost2, total2):
                 envelope = xp.exp(-half)
                 stiff = gamma
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back16 = total24 - rest4
-                rest5 = total24 - back16
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back16
-                lost24 = one3 + two3
-                total25 = envelope*total24
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
                 envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
 
                 def yes(lost2, total2):
                     given3 = total2
@@ -2656,60 +2628,60 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
                 even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
 
-                total24 = half*odd
+                total27 = half*odd
                 half_halves = halves(xp, half)
                 odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-                total252 = total24 - even
-                back16 = total252 - total24
-                rest5 = total252 - back16
-                one3 = total24 - rest5
-                two3 = -back16 - even
-                lost252 = one3 + two3
-                total26 = envelope + total252
-                back16 = total26 - total252
-                rest5 = total26 - back16
-                one3 = total252 - rest5
-                two3 = envelope - back16
-                lost26 = one3 + two3
-                total252 = envelope*total26
-                total26_halves = halves(xp, total26)
-                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
-                total26 = total252/stiff
-                left16 = total252 - stiff*total26
-                total26_halves = halves(xp, total26)
+                lost23 = half*odd_low2 + product_error(total27, half_halves, odd_halves)
+                total24 = envelope*odd
+                lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+                total252 = total27 - even
+                back17 = total252 - total27
+                rest6 = total252 - back17
+                one4 = total27 - rest6
+                two4 = -back17 - even
+                lost252 = one4 + two4
+                total262 = envelope + total252
+                back17 = total262 - total252
+                rest6 = total262 - back17
+                one4 = total252 - rest6
+                two4 = envelope - back17
+                lost262 = one4 + two4
+                total252 = envelope*total262
+                total262_halves = halves(xp, total262)
+                lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                total262 = total252/stiff
+                left16 = total252 - stiff*total262
+                total262_halves = halves(xp, total262)
                 stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
-                left16 = left16 + lost26
-                lost26 = left16/stiff
-                total252 = envelope*odd
-                lost252 = envelope*odd_low2 + product_error(total252, envelope_halves, odd_halves)
-                total222 = lost252 + total252
-                back16 = total222 - total252
-                lost252 = lost252 - back16
-                total252 = even + total24
-                back16 = total252 - even
-                rest5 = total252 - back16
-                one3 = even - rest5
-                two3 = total24 - back16
-                lost242 = one3 + two3
-                total24 = envelope*total252
-                total252_halves = halves(xp, total252)
-                lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total24, envelope_halves, total252_halves)
-                total252 = 1.0 - total24
-                back16 = total252 - 1.0
-                lost23 = -back16 - total24
-                total24 = total252/stiff
-                left16 = total252 - stiff*total24
+                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                left16 = left16 + lost262
+                lost262 = left16/stiff
+                total252 = lost24 + total24
+                back17 = total252 - total24
+                lost24 = lost24 - back17
+                total24 = even + total27
+                back17 = total24 - even
+                rest6 = total24 - back17
+                one4 = even - rest6
+                two4 = total27 - back17
+                lost252 = one4 + two4
+                total27 = envelope*total24
                 total24_halves = halves(xp, total24)
-                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-                left16 = left16 - lost242 + lost23
+                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total27, envelope_halves, total24_halves)
+                total24 = 1.0 - total27
+                back17 = total24 - 1.0
+                lost23 = -back17 - total27
+                total27 = total24/stiff
+                left16 = total24 - stiff*total27
+                total27_halves = halves(xp, total27)
+                left16 = left16 - product_error(total27*stiff, total27_halves, stiff_halves)
+                left16 = left16 - lost252 + lost23
                 lost23 = left16/stiff
-                apart_of = lost24 + total25
-                fall_of = lost26 + total26
-                kick_of = total222
-                kick_low_of = lost252
-                rise_of = lost23 + total24
+                apart_of = lost27 + total28
+                fall_of = lost262 + total262
+                kick_of = total252
+                kick_low_of = lost24
+                rise_of = lost23 + total27
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
@@ -2719,8 +2691,7 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
         def no(delta, gamma, half, lost2, total2):
             envelope = xp.exp(-half)
             stiff = gamma
-            whole4 = xp.where(delta == 0.0, 1.0, delta)
-            decay_of = decay(xp, delta)
+            mean3 = decay(xp, delta)
 
             def yes(lost2, total2):
                 given3 = total2
@@ -2775,57 +2746,69 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             half_halves = halves(xp, half)
             odd_halves = halves(xp, odd)
             lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-            total252 = total23 - even
-            back162 = total252 - total23
-            rest42 = total252 - back162
-            one32 = total23 - rest42
-            two32 = -back162 - even
-            lost252 = one32 + two32
-            total26 = envelope + total252
-            back162 = total26 - total252
-            rest42 = total26 - back162
-            one32 = total252 - rest42
-            two32 = envelope - back162
-            lost26 = one32 + two32
-            total252 = envelope*total26
+            total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
-            total26_halves = halves(xp, total26)
-            lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
-            total26 = total252/stiff
-            left16 = total252 - stiff*total26
+            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+            total25 = mean3 - total24
+            back16 = total25 - mean3
+            rest4 = total25 - back16
+            one3 = mean3 - rest4
+            two3 = -back16 - total24
+            lost25 = one3 + two3
+            total26 = total25/stiff
+            left13 = total25 - stiff*total26
             total26_halves = halves(xp, total26)
             stiff_halves = halves(xp, stiff)
-            left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
-            left16 = left16 + lost26
-            lost26 = left16/stiff
-            total252 = envelope*odd
-            lost252 = envelope*odd_low2 + product_error(total252, envelope_halves, odd_halves)
-            total222 = lost252 + total252
-            back162 = total222 - total252
-            lost252 = lost252 - back162
-            total252 = even + total23
-            back162 = total252 - even
-            rest42 = total252 - back162
-            one32 = even - rest42
-            two32 = total23 - back162
-            lost242 = one32 + two32
-            total253 = envelope*total252
-            total252_halves = halves(xp, total252)
-            lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total253, envelope_halves, total252_halves)
-            total252 = 1.0 - total253
-            back162 = total252 - 1.0
-            lost23 = -back162 - total253
-            total253 = total252/stiff
-            left16 = total252 - stiff*total253
-            total253_halves = halves(xp, total253)
-            left16 = left16 - product_error(total253*stiff, total253_halves, stiff_halves)
-            left16 = left16 - lost242 + lost23
-            lost23 = left16/stiff
-            apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
-            fall_of = lost26 + total26
-            kick_of = total222
-            kick_low_of = lost252
-            rise_of = lost23 + total253
+            left13 = left13 - product_error(total26*stiff, total26_halves, stiff_halves)
+            left13 = left13 - lost24 + lost25
+            lost25 = left13/stiff
+            total25 = total23 - even
+            back16 = total25 - total23
+            rest4 = total25 - back16
+            one3 = total23 - rest4
+            two3 = -back16 - even
+            lost252 = one3 + two3
+            total262 = envelope + total25
+            back16 = total262 - total25
+            rest4 = total262 - back16
+            one3 = total25 - rest4
+            two3 = envelope - back16
+            lost262 = one3 + two3
+            total25 = envelope*total262
+            total262_halves = halves(xp, total262)
+            lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total25, envelope_halves, total262_halves)
+            total262 = total25/stiff
+            left13 = total25 - stiff*total262
+            total262_halves = halves(xp, total262)
+            left13 = left13 - product_error(total262*stiff, total262_halves, stiff_halves)
+            left13 = left13 + lost262
+            lost262 = left13/stiff
+            total25 = lost24 + total24
+            back16 = total25 - total24
+            lost24 = lost24 - back16
+            total24 = even + total23
+            back16 = total24 - even
+            rest4 = total24 - back16
+            one3 = even - rest4
+            two3 = total23 - back16
+            lost252 = one3 + two3
+            total23 = envelope*total24
+            total24_halves = halves(xp, total24)
+            lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total23, envelope_halves, total24_halves)
+            total24 = 1.0 - total23
+            back16 = total24 - 1.0
+            lost23 = -back16 - total23
+            total23 = total24/stiff
+            left13 = total24 - stiff*total23
+            total23_halves = halves(xp, total23)
+            left13 = left13 - product_error(total23*stiff, total23_halves, stiff_halves)
+            left13 = left13 - lost252 + lost23
+            lost23 = left13/stiff
+            apart_of = lost25 + total26
+            fall_of = lost262 + total262
+            kick_of = total25
+            kick_low_of = lost24
+            rise_of = lost23 + total23
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
         apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
@@ -2861,39 +2844,39 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 q_low = off/whole
                 rate2 = 2.0*root
                 envelope = xp.exp(-half)
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back3 = total24 - rest4
-                rest5 = total24 - back3
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back3
-                lost3 = one3 + two3
-                total25 = envelope*total24
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
                 envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost3 = envelope*lost3 + product_error(total25, envelope_halves, total24_halves)
-                rest5 = fall_series(xp, gamma, delta)
-                total24 = rest5 + 0.5
-                back3 = total24 - rest5
-                rest4 = total24 - back3
-                one3 = rest5 - rest4
-                two3 = 0.5 - back3
-                lost29 = one3 + two3
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back3 = total27 - rest6
+                rest5 = total27 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost29 = one4 + two4
                 envelope2 = xp.exp(-delta)
-                total30 = envelope2*total24
+                total30 = envelope2*total27
                 envelope2_halves = halves(xp, envelope2)
-                total24_halves = halves(xp, total24)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
-                rest4 = rise_series(xp, half, total2)
-                total24 = rest4 + 0.5
-                back3 = total24 - rest4
-                rest5 = total24 - back3
-                one3 = rest4 - rest5
-                two3 = 0.5 - back3
-                lost282 = one3 + two3
-                total292 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
+                total27_halves = halves(xp, total27)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
+                rest5 = rise_series(xp, half, total2)
+                total27 = rest5 + 0.5
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.5 - back3
+                lost283 = one4 + two4
+                total292 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost283 = envelope*lost283 + product_error(total292, envelope_halves, total27_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -2961,19 +2944,19 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
                 mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-                total24 = fall_*mean2
+                total27 = fall_*mean2
                 fall__halves = halves(xp, fall_)
                 mean2_halves = halves(xp, mean2)
-                lost163 = fall_*mean_low4 + product_error(total24, fall__halves, mean2_halves)
+                lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
                 creep_low = fall_low2*mean2 + lost163
-                total232 = creep_low + total24
-                back3 = total232 - total24
+                total232 = creep_low + total27
+                back3 = total232 - total27
                 lost163 = creep_low - back3
-                apart_of = lost3 + total25
+                apart_of = lost3 + total28
                 fall_of = lost29 + total30
                 kick_of = total232
                 kick_low_of = lost163
-                rise_of = lost282 + total292
+                rise_of = lost283 + total292
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             def no(gamma, half, lost2, root, size, total2, total3):
@@ -2997,17 +2980,17 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 q_low = off/whole
                 rate2 = 2.0*root
                 envelope = xp.exp(-half)
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back3 = total24 - rest4
-                rest5 = total24 - back3
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back3
-                lost3 = one3 + two3
-                total25 = envelope*total24
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
                 envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost3 = envelope*lost3 + product_error(total25, envelope_halves, total24_halves)
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -3100,49 +3083,49 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
                 fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-                total24 = fall2*mean
+                total27 = fall2*mean
                 fall2_halves = halves(xp, fall2)
                 mean_halves = halves(xp, mean)
-                lost162 = fall2*mean_low2 + product_error(total24, fall2_halves, mean_halves)
+                lost162 = fall2*mean_low2 + product_error(total27, fall2_halves, mean_halves)
                 pulled_low = fall_low4*mean + lost162
-                total172 = mean2 - total24
+                total172 = mean2 - total27
                 back3 = total172 - mean2
-                rest5 = total172 - back3
-                one3 = mean2 - rest5
-                two3 = -back3 - total24
-                lost162 = one3 + two3
-                total24 = total172/whole
-                left = total172 - total24*whole
-                total24_halves = halves(xp, total24)
-                left = left - product_error(total24*whole, total24_halves, whole_halves)
-                left = left + lost162 + mean_low4 - p_low*total24 - pulled_low
+                rest6 = total172 - back3
+                one4 = mean2 - rest6
+                two4 = -back3 - total27
+                lost162 = one4 + two4
+                total27 = total172/whole
+                left = total172 - total27*whole
+                total27_halves = halves(xp, total27)
+                left = left - product_error(total27*whole, total27_halves, whole_halves)
+                left = left + lost162 + mean_low4 - p_low*total27 - pulled_low
                 lost162 = left/whole
-                total172 = fall_*total24
+                total172 = fall_*total27
                 fall__halves = halves(xp, fall_)
-                lost162 = fall_*lost162 + product_error(total172, fall__halves, total24_halves)
-                creep_ = fall_low2*total24 + lost162 + total172
+                lost162 = fall_*lost162 + product_error(total172, fall__halves, total27_halves)
+                creep_ = fall_low2*total27 + lost162 + total172
                 total172 = fall_*mean2
                 mean2_halves = halves(xp, mean2)
                 lost162 = fall_*mean_low4 + product_error(total172, fall__halves, mean2_halves)
                 creep_low = fall_low2*mean2 + lost162
-                total24 = creep_low + total172
-                back3 = total24 - total172
+                total27 = creep_low + total172
+                back3 = total27 - total172
                 lost162 = creep_low - back3
                 total173 = mean - total172
                 back3 = total173 - mean
-                rest5 = total173 - back3
-                one3 = mean - rest5
-                two3 = -back3 - total172
-                lost173 = one3 + two3
+                rest6 = total173 - back3
+                one4 = mean - rest6
+                two4 = -back3 - total172
+                lost173 = one4 + two4
                 total172 = total173/whole
                 left = total173 - total172*whole
                 total172_halves = halves(xp, total172)
                 left = left - product_error(total172*whole, total172_halves, whole_halves)
                 left = left - creep_low + lost173 + mean_low2 - p_low*total172
                 lost173 = left/whole
-                apart_of = lost3 + total25
+                apart_of = lost3 + total28
                 fall_of = creep_
-                kick_of = total24
+                kick_of = total27
                 kick_low_of = lost162
                 rise_of = lost173 + total172
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
@@ -3349,104 +3332,129 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
     half_halves = halves(xp, half)
     rest = lost + product_error(square, half_halves, half_halves)
     total2 = rest + total
+    back = total2 - total
+    lost = rest - back
 
-    def yes(delta, gamma, half, rest2, total, total2):
+    def yes(delta, gamma, half, lost2, total2):
         reach = 0.25*gamma
 
-        def yes(delta, gamma, half, reach, rest2, total, total2):
+        def yes(delta, gamma, half, lost2, reach, total2):
 
-            def yes(delta, gamma, half, rest2, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
+            def yes(delta, gamma, half, lost2, total2):
                 envelope = xp.exp(-half)
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back2 = total24 - rest4
-                rest5 = total24 - back2
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back2
-                lost24 = one3 + two3
-                total25 = envelope*total24
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
                 envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
-                rest5 = fall_series(xp, gamma, delta)
-                total24 = rest5 + 0.5
-                back2 = total24 - rest5
-                rest4 = total24 - back2
-                one3 = rest5 - rest4
-                two3 = 0.5 - back2
-                lost29 = one3 + two3
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back17 = total27 - rest6
+                rest5 = total27 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost29 = one4 + two4
                 envelope2 = xp.exp(-delta)
-                total30 = envelope2*total24
+                total30 = envelope2*total27
                 envelope2_halves = halves(xp, envelope2)
-                total24_halves = halves(xp, total24)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
-                rest4 = rise_series(xp, half, total2)
-                total24 = rest4 + 0.5
-                back2 = total24 - rest4
-                rest5 = total24 - back2
-                one3 = rest4 - rest5
-                two3 = 0.5 - back2
-                lost282 = one3 + two3
-                total292 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
-                rest5 = together_series(xp, half, total2)
-                total24 = rest5 + 0.5
-                back2 = total24 - rest5
-                rest4 = total24 - back2
-                one3 = rest5 - rest4
-                two3 = 0.5 - back2
-                lost212 = one3 + two3
-                total222 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+                total27_halves = halves(xp, total27)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
+                twice2 = 2.0*envelope
+                rest5 = rise_series(xp, half, total2)
+                total27 = rest5 + 0.5
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.5 - back17
+                lost284 = one4 + two4
+                total292 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost284 = envelope*lost284 + product_error(total292, envelope_halves, total27_halves)
+                rest6 = together_series(xp, half, total2)
+                total27 = rest6 + 0.5
+                back17 = total27 - rest6
+                rest5 = total27 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost303 = one4 + two4
+                total312 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
 
-                def yes(lost2, total2):
+                def yes(total2):
                     given3 = total2
                     total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
                     cos_series_of = cos_series(xp, given3)
                     curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    even = total20
-                    return even, even_low
+                    total19 = curved3 + total19
+                    even = total19
+                    return even
 
-                def no(lost2, total2):
+                def no(total2):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
                     cosine = xp.cos(root)
                     even = cosine
-                    even_low2 = -root_low*sine
-                    return even, even_low2
+                    return even
 
-                even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+                even = select(xp, total2 > -1.5, yes, (total2,), no, (total2,))
 
-                even2 = even + even_low2
+                total27 = even*twice2
 
-                def yes(envelope, envelope2, even2, lost222, lost25, lost292, lost30, total222, total25, total292, total30):
-                    ends = envelope2 + 1.0
-                    apart_of = lost25 + total25
+                def yes(envelope2, even, lost2, lost28, lost293, lost30, lost312, total2, total263, total28, total292, total30, total312, twice2):
+                    total253 = envelope2 + 1.0
+                    back182 = total253 - 1.0
+                    lost253 = envelope2 - back182
+                    total273 = total253 + total263
+                    back182 = total273 - total253
+                    lost273 = total263 - back182
+
+                    def yes(lost2, total2):
+                        given3 = total2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(lost2, total2):
+                        size = xp.abs(total2)
+                        root = square_root(xp, size)
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    apart_of = lost28 + total28
                     fall_of = lost30 + total30
-                    nyquist_of = ends + 2.0*envelope*even2
-                    rise_of = lost292 + total292
-                    together_of = 2.0*lost222 + 2.0*total222
+                    nyquist_of = lost253 + lost263 + lost273 + total273
+                    rise_of = lost293 + total292
+                    together_of = 2.0*lost312 + 2.0*total312
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost222, lost25, lost292, lost30, total2, total222, total25, total292, total30):
+                def no(envelope, half, lost2, lost28, lost293, lost30, lost312, total2, total28, total292, total30, total312):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -3461,44 +3469,64 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     angle = 0.5*root
                     wave = xp.cos(angle)
                     sin_of = xp.sin(angle)
-                    wave = wave - 0.5*root_low*sin_of
-                    apart_of = lost25 + total25
+                    back72 = 0.5*root_low*sin_of
+                    total92 = wave - back72
+                    back82 = total92 - wave
+                    rest33 = total92 - back82
+                    one23 = wave - rest33
+                    two23 = -back72 - back82
+                    lost92 = one23 + two23
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low2 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest33 = total102 - back82
+                    one23 = total92 - rest33
+                    two23 = (grown*grown) - back82
+                    lost102 = one23 + two23
+                    low2 = lost92 + lost102
+                    apart_of = lost28 + total28
                     fall_of = lost30 + total30
-                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
-                    rise_of = lost292 + total292
-                    together_of = 2.0*lost222 + 2.0*total222
+                    nyquist_of = 4.0*low2 + 4.0*total102
+                    rise_of = lost293 + total292
+                    together_of = 2.0*lost312 + 2.0*total312
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (envelope, envelope2, even2, lost212, lost24, lost282, lost29, total222, total25, total292, total30), no, (envelope, half, lost2, lost212, lost24, lost282, lost29, total2, total222, total25, total292, total30))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total27 > 0.0, yes, (envelope2, even, lost2, lost27, lost284, lost29, lost303, total2, total27, total28, total292, total30, total312, twice2), no, (envelope, half, lost2, lost27, lost284, lost29, lost303, total2, total28, total292, total30, total312))
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            def no(delta, gamma, half, rest2, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
+            def no(delta, gamma, half, lost2, total2):
                 envelope = xp.exp(-half)
                 stiff = gamma
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back2 = total24 - rest4
-                rest5 = total24 - back2
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back2
-                lost24 = one3 + two3
-                total25 = envelope*total24
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
                 envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
-                rest5 = together_series(xp, half, total2)
-                total24 = rest5 + 0.5
-                back2 = total24 - rest5
-                rest4 = total24 - back2
-                one3 = rest5 - rest4
-                two3 = 0.5 - back2
-                lost212 = one3 + two3
-                total222 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                twice2 = 2.0*envelope
+                rest6 = together_series(xp, half, total2)
+                total27 = rest6 + 0.5
+                back17 = total27 - rest6
+                rest5 = total27 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost303 = one4 + two4
+                total312 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
 
                 def yes(lost2, total2):
                     given3 = total2
@@ -3549,63 +3577,71 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
 
-                total24 = half*odd
+                total27 = half*odd
                 half_halves = halves(xp, half)
                 odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-                total252 = total24 - even
-                back2 = total252 - total24
-                rest4 = total252 - back2
-                one3 = total24 - rest4
-                two3 = -back2 - even
-                lost252 = one3 + two3
-                total26 = envelope + total252
-                back2 = total26 - total252
-                rest4 = total26 - back2
-                one3 = total252 - rest4
-                two3 = envelope - back2
-                lost26 = one3 + two3
-                total252 = envelope*total26
-                total26_halves = halves(xp, total26)
-                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
-                total26 = total252/stiff
-                left16 = total252 - stiff*total26
-                total26_halves = halves(xp, total26)
+                lost23 = half*odd_low2 + product_error(total27, half_halves, odd_halves)
+                total252 = total27 - even
+                back17 = total252 - total27
+                rest5 = total252 - back17
+                one4 = total27 - rest5
+                two4 = -back17 - even
+                lost252 = one4 + two4
+                total262 = envelope + total252
+                back17 = total262 - total252
+                rest5 = total262 - back17
+                one4 = total252 - rest5
+                two4 = envelope - back17
+                lost262 = one4 + two4
+                total252 = envelope*total262
+                total262_halves = halves(xp, total262)
+                lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                total262 = total252/stiff
+                left16 = total252 - stiff*total262
+                total262_halves = halves(xp, total262)
                 stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
-                left16 = left16 + lost26
-                lost26 = left16/stiff
-                even2 = even + even_low2
-                total252 = even + total24
-                back2 = total252 - even
-                rest4 = total252 - back2
-                one3 = even - rest4
-                two3 = total24 - back2
-                lost252 = one3 + two3
-                total24 = envelope*total252
-                total252_halves = halves(xp, total252)
-                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total24, envelope_halves, total252_halves)
-                total252 = 1.0 - total24
-                back2 = total252 - 1.0
-                lost23 = -back2 - total24
-                total24 = total252/stiff
-                left16 = total252 - stiff*total24
-                total24_halves = halves(xp, total24)
-                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                left16 = left16 + lost262
+                lost262 = left16/stiff
+                total252 = even*twice2
+                total242 = even + total27
+                back17 = total242 - even
+                rest5 = total242 - back17
+                one4 = even - rest5
+                two4 = total27 - back17
+                lost252 = one4 + two4
+                total27 = envelope*total242
+                total242_halves = halves(xp, total242)
+                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total27, envelope_halves, total242_halves)
+                total242 = 1.0 - total27
+                back17 = total242 - 1.0
+                lost23 = -back17 - total27
+                total27 = total242/stiff
+                left16 = total242 - stiff*total27
+                total27_halves = halves(xp, total27)
+                left16 = left16 - product_error(total27*stiff, total27_halves, stiff_halves)
                 left16 = left16 - lost252 + lost23
                 lost23 = left16/stiff
 
-                def yes(delta, envelope, even2, lost222, lost25, lost272, lost28, total222, total25, total272, total28):
+                def yes(delta, even, even_low2, lost274, lost28, lost282, lost312, total263, total274, total28, total282, total312, twice2):
                     envelope2 = xp.exp(-delta)
-                    ends = envelope2 + 1.0
-                    apart_of = lost25 + total25
-                    fall_of = lost28 + total28
-                    nyquist_of = ends + 2.0*envelope*even2
-                    rise_of = lost272 + total272
-                    together_of = 2.0*lost222 + 2.0*total222
+                    total253 = envelope2 + 1.0
+                    back182 = total253 - 1.0
+                    lost253 = envelope2 - back182
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    total273 = total253 + total263
+                    back182 = total273 - total253
+                    lost273 = total263 - back182
+                    apart_of = lost28 + total28
+                    fall_of = lost282 + total282
+                    nyquist_of = lost253 + lost263 + lost273 + total273
+                    rise_of = lost274 + total274
+                    together_of = 2.0*lost312 + 2.0*total312
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost222, lost25, lost272, lost28, total2, total222, total25, total272, total28):
+                def no(envelope, half, lost2, lost274, lost28, lost282, lost312, total2, total274, total28, total282, total312):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -3620,410 +3656,256 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     angle = 0.5*root
                     wave = xp.cos(angle)
                     sin_of = xp.sin(angle)
-                    wave = wave - 0.5*root_low*sin_of
-                    apart_of = lost25 + total25
-                    fall_of = lost28 + total28
-                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
-                    rise_of = lost272 + total272
-                    together_of = 2.0*lost222 + 2.0*total222
+                    back72 = 0.5*root_low*sin_of
+                    total92 = wave - back72
+                    back82 = total92 - wave
+                    rest33 = total92 - back82
+                    one23 = wave - rest33
+                    two23 = -back72 - back82
+                    lost92 = one23 + two23
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low2 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest33 = total102 - back82
+                    one23 = total92 - rest33
+                    two23 = (grown*grown) - back82
+                    lost102 = one23 + two23
+                    low2 = lost92 + lost102
+                    apart_of = lost28 + total28
+                    fall_of = lost282 + total282
+                    nyquist_of = 4.0*low2 + 4.0*total102
+                    rise_of = lost274 + total274
+                    together_of = 2.0*lost312 + 2.0*total312
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (delta, envelope, even2, lost212, lost24, lost23, lost26, total222, total25, total24, total26), no, (envelope, half, lost2, lost212, lost24, lost23, lost26, total2, total222, total25, total24, total26))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total252 > 0.0, yes, (delta, even, even_low2, lost23, lost27, lost262, lost303, total252, total27, total28, total262, total312, twice2), no, (envelope, half, lost2, lost23, lost27, lost262, lost303, total2, total27, total28, total262, total312))
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        def no(delta, gamma, half, rest2, total, total2):
+        def no(delta, gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            sign_low = -lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            envelope = xp.exp(-half)
+            stiff = gamma
+            mean3 = decay(xp, delta)
+            expm1_of = xp.expm1(-half)
+            grown = -0.5*expm1_of
+            angle = 0.5*root
+            wave = xp.cos(angle)
+            sin_of = xp.sin(angle)
+            twice2 = 2.0*envelope
+            back73 = -0.5*root_low*wave
+            total93 = sin_of - back73
+            back83 = total93 - sin_of
+            rest35 = total93 - back83
+            one25 = sin_of - rest35
+            two25 = -back73 - back83
+            lost93 = one25 + two25
+            total103 = (total93*total93)
+            total93_halves = halves(xp, total93)
+            lost103 = product_error(total103, total93_halves, total93_halves)
+            low4 = lost103 + 2.0*lost93*total93
+            total93 = envelope*total103
+            envelope_halves = halves(xp, envelope)
+            total103_halves = halves(xp, total103)
+            lost93 = envelope*low4 + product_error(total93, envelope_halves, total103_halves)
+            total103 = (grown*grown) + total93
+            back83 = total103 - total93
+            rest35 = total103 - back83
+            one25 = total93 - rest35
+            two25 = (grown*grown) - back83
+            lost103 = one25 + two25
+            low4 = lost93 + lost103
+            total93 = total103/stiff
+            left = total103 - stiff*total93
+            total93_halves = halves(xp, total93)
+            stiff_halves = halves(xp, stiff)
+            left = left - product_error(total93*stiff, total93_halves, stiff_halves)
+            left = left + low4
+            lost103 = left/stiff
 
-            def yes(delta, gamma, half, rest2, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
-                envelope = xp.exp(-half)
-                stiff = gamma
-                decay_of = decay(xp, delta)
-                sinhc_root_of = sinhc_root(xp, -0.25*gamma)
+            def yes(lost2, total2):
+                given3 = total2
+                total19 = 0.5*given3 + 1.0
+                back13 = total19 - 1.0
+                lost19 = 0.5*given3 - back13
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total20 = curved3 + total19
+                back13 = total20 - total19
+                lost20 = curved3 - back13
+                even_low = lost19 + 0.5*lost2 + lost20
+                sin_series_of = sin_series(xp, given3)
+                bent = given3*sin_series_of
+                total19 = bent + 1.0
+                back13 = total19 - 1.0
+                lost20 = bent - back13
+                odd_low = 0.16666666666666666*lost2 + lost20
+                even = total20
+                odd = total19
+                return even, even_low, odd, odd_low
 
-                def yes(lost2, total2):
-                    given3 = total2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total19 = bent + 1.0
-                    back13 = total19 - 1.0
-                    lost20 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost20
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd, odd_low
+            def no(root, root_low):
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left10 = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left10 = left10 - product_error(total22*some, total22_halves, some_halves)
+                left10 = cosine*root_low + left10 - root_low*total22
+                lost22 = left10/some
+                even = cosine
+                even_low2 = -root_low*sine
+                odd = total22
+                odd_low2 = lost22
+                return even, even_low2, odd, odd_low2
 
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    odd = total22
-                    odd_low2 = lost22
-                    return even, even_low2, odd, odd_low2
+            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
 
-                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            total103 = half*odd
+            half_halves = halves(xp, half)
+            odd_halves = halves(xp, odd)
+            lost93 = half*odd_low2 + product_error(total103, half_halves, odd_halves)
+            total24 = envelope*odd
+            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+            total25 = mean3 - total24
+            back83 = total25 - mean3
+            rest35 = total25 - back83
+            one25 = mean3 - rest35
+            two25 = -back83 - total24
+            lost25 = one25 + two25
+            total24 = total25/stiff
+            left = total25 - stiff*total24
+            total24_halves = halves(xp, total24)
+            left = left - product_error(total24*stiff, total24_halves, stiff_halves)
+            left = left - lost24 + lost25
+            lost25 = left/stiff
+            total25 = total103 - even
+            back83 = total25 - total103
+            rest35 = total25 - back83
+            one25 = total103 - rest35
+            two25 = -back83 - even
+            lost24 = one25 + two25
+            total262 = envelope + total25
+            back83 = total262 - total25
+            rest35 = total262 - back83
+            one25 = total25 - rest35
+            two25 = envelope - back83
+            lost262 = one25 + two25
+            total25 = envelope*total262
+            total262_halves = halves(xp, total262)
+            lost262 = envelope*(lost93 - even_low2 + lost24 + lost262) + product_error(total25, envelope_halves, total262_halves)
+            total262 = total25/stiff
+            left = total25 - stiff*total262
+            total262_halves = halves(xp, total262)
+            left = left - product_error(total262*stiff, total262_halves, stiff_halves)
+            left = left + lost262
+            lost262 = left/stiff
+            total25 = even*twice2
+            total242 = even + total103
+            back83 = total242 - even
+            rest35 = total242 - back83
+            one25 = even - rest35
+            two25 = total103 - back83
+            lost24 = one25 + two25
+            total103 = envelope*total242
+            total242_halves = halves(xp, total242)
+            lost24 = envelope*(even_low2 + lost93 + lost24) + product_error(total103, envelope_halves, total242_halves)
+            total242 = 1.0 - total103
+            back83 = total242 - 1.0
+            lost93 = -back83 - total103
+            total103 = total242/stiff
+            left = total242 - stiff*total103
+            total103_halves = halves(xp, total103)
+            left = left - product_error(total103*stiff, total103_halves, stiff_halves)
+            left = left - lost24 + lost93
+            lost93 = left/stiff
 
-                total23 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                total252 = total23 - even
-                back2 = total252 - total23
-                rest42 = total252 - back2
-                one32 = total23 - rest42
-                two32 = -back2 - even
-                lost252 = one32 + two32
-                total26 = envelope + total252
-                back2 = total26 - total252
-                rest42 = total26 - back2
-                one32 = total252 - rest42
-                two32 = envelope - back2
-                lost26 = one32 + two32
-                total252 = envelope*total26
-                envelope_halves = halves(xp, envelope)
-                total26_halves = halves(xp, total26)
-                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
-                total26 = total252/stiff
-                left16 = total252 - stiff*total26
-                total26_halves = halves(xp, total26)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
-                left16 = left16 + lost26
-                lost26 = left16/stiff
-                even2 = even + even_low2
-                total252 = even + total23
-                back2 = total252 - even
-                rest42 = total252 - back2
-                one32 = even - rest42
-                two32 = total23 - back2
-                lost252 = one32 + two32
-                total253 = envelope*total252
-                total252_halves = halves(xp, total252)
-                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total253, envelope_halves, total252_halves)
-                total252 = 1.0 - total253
-                back2 = total252 - 1.0
-                lost23 = -back2 - total253
-                total253 = total252/stiff
-                left16 = total252 - stiff*total253
-                total253_halves = halves(xp, total253)
-                left16 = left16 - product_error(total253*stiff, total253_halves, stiff_halves)
-                left16 = left16 - lost252 + lost23
-                lost23 = left16/stiff
-
-                def yes(decay_of, delta, envelope, even2, lost272, lost28, sinhc_root_of, stiff, total23, total272, total28):
-                    envelope2 = xp.exp(-delta)
-                    ends = envelope2 + 1.0
-                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
-                    fall_of = lost28 + total28
-                    nyquist_of = ends + 2.0*envelope*even2
-                    rise_of = lost272 + total272
-                    together_of = (sinhc_root_of*sinhc_root_of)
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(decay_of, envelope, half, lost2, lost272, lost28, sinhc_root_of, stiff, total2, total23, total272, total28):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    wave = wave - 0.5*root_low*sin_of
-                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
-                    fall_of = lost28 + total28
-                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
-                    rise_of = lost272 + total272
-                    together_of = (sinhc_root_of*sinhc_root_of)
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, lost23, lost26, sinhc_root_of, stiff, total23, total253, total26), no, (decay_of, envelope, half, lost2, lost23, lost26, sinhc_root_of, stiff, total2, total23, total253, total26))
-
+            def yes(delta, even, even_low2, lost132, lost26, lost274, lost282, total132, total26, total263, total274, total282, twice2):
+                envelope2 = xp.exp(-delta)
+                total253 = envelope2 + 1.0
+                back182 = total253 - 1.0
+                lost253 = envelope2 - back182
+                twice2_halves = halves(xp, twice2)
+                even_halves = halves(xp, even)
+                lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                total273 = total253 + total263
+                back182 = total273 - total253
+                lost273 = total263 - back182
+                apart_of = lost26 + total26
+                fall_of = lost282 + total282
+                nyquist_of = lost253 + lost263 + lost273 + total273
+                rise_of = lost274 + total274
+                together_of = 4.0*lost132 + 4.0*total132
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            def no(delta, gamma, half, rest2, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                envelope = xp.exp(-half)
-                stiff = gamma
-                whole = delta
-                decay_of = decay(xp, delta)
-                expm1_of = xp.expm1(-half)
-                grown = -0.5*expm1_of
-                angle = 0.5*root
-                wave = xp.cos(angle)
-                sin_of = xp.sin(angle)
-                wave22 = 0.5*root_low*wave + sin_of
-
-                def yes(lost2, total2):
-                    given3 = total2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total19 = bent + 1.0
-                    back13 = total19 - 1.0
-                    lost20 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost20
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd, odd_low
-
-                def no(root, root_low):
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left10 = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left10 = left10 - product_error(total22*some, total22_halves, some_halves)
-                    left10 = cosine*root_low + left10 - root_low*total22
-                    lost22 = left10/some
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    odd = total22
-                    odd_low2 = lost22
-                    return even, even_low2, odd, odd_low2
-
-                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
-
-                total23 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                total252 = total23 - even
-                back2 = total252 - total23
-                rest42 = total252 - back2
-                one32 = total23 - rest42
-                two32 = -back2 - even
-                lost252 = one32 + two32
-                total26 = envelope + total252
-                back2 = total26 - total252
-                rest42 = total26 - back2
-                one32 = total252 - rest42
-                two32 = envelope - back2
-                lost26 = one32 + two32
-                total252 = envelope*total26
+            def no(envelope, grown, lost132, lost26, lost274, lost282, root_low, sin_of, total132, total26, total274, total282, wave):
+                back72 = 0.5*root_low*sin_of
+                total92 = wave - back72
+                back82 = total92 - wave
+                rest33 = total92 - back82
+                one23 = wave - rest33
+                two23 = -back72 - back82
+                lost92 = one23 + two23
+                total102 = (total92*total92)
+                total92_halves = halves(xp, total92)
+                lost102 = product_error(total102, total92_halves, total92_halves)
+                low2 = lost102 + 2.0*lost92*total92
+                total92 = envelope*total102
                 envelope_halves = halves(xp, envelope)
-                total26_halves = halves(xp, total26)
-                lost26 = envelope*(lost23 - even_low2 + lost252 + lost26) + product_error(total252, envelope_halves, total26_halves)
-                total26 = total252/stiff
-                left = total252 - stiff*total26
-                total26_halves = halves(xp, total26)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total26*stiff, total26_halves, stiff_halves)
-                left = left + lost26
-                lost26 = left/stiff
-                even2 = even + even_low2
-                total252 = even + total23
-                back2 = total252 - even
-                rest42 = total252 - back2
-                one32 = even - rest42
-                two32 = total23 - back2
-                lost252 = one32 + two32
-                total253 = envelope*total252
-                total252_halves = halves(xp, total252)
-                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total253, envelope_halves, total252_halves)
-                total252 = 1.0 - total253
-                back2 = total252 - 1.0
-                lost23 = -back2 - total253
-                total253 = total252/stiff
-                left = total252 - stiff*total253
-                total253_halves = halves(xp, total253)
-                left = left - product_error(total253*stiff, total253_halves, stiff_halves)
-                left = left - lost252 + lost23
-                lost23 = left/stiff
-
-                def yes(decay_of, delta, envelope, even2, grown, lost272, lost28, stiff, total23, total272, total28, wave22, whole4):
-                    envelope2 = xp.exp(-delta)
-                    ends = envelope2 + 1.0
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
-                    fall_of = lost28 + total28
-                    nyquist_of = ends + 2.0*envelope*even2
-                    rise_of = lost272 + total272
-                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(decay_of, envelope, grown, lost272, lost28, root_low, sin_of, stiff, total23, total272, total28, wave, wave22, whole4):
-                    wave2 = wave - 0.5*root_low*sin_of
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
-                    fall_of = lost28 + total28
-                    nyquist_of = 4.0*envelope*(wave2*wave2) + 4.0*(grown*grown)
-                    rise_of = lost272 + total272
-                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, grown, lost23, lost26, stiff, total23, total253, total26, wave22, whole), no, (decay_of, envelope, grown, lost23, lost26, root_low, sin_of, stiff, total23, total253, total26, wave, wave22, whole))
-
+                total102_halves = halves(xp, total102)
+                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                total102 = (grown*grown) + total92
+                back82 = total102 - total92
+                rest33 = total102 - back82
+                one23 = total92 - rest33
+                two23 = (grown*grown) - back82
+                lost102 = one23 + two23
+                low2 = lost92 + lost102
+                apart_of = lost26 + total26
+                fall_of = lost282 + total282
+                nyquist_of = 4.0*low2 + 4.0*total102
+                rise_of = lost274 + total274
+                together_of = 4.0*lost132 + 4.0*total132
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, delta == 0.0, yes, (delta, gamma, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total25 > 0.0, yes, (delta, even, even_low2, lost103, lost25, lost93, lost262, total93, total24, total25, total103, total262, twice2), no, (envelope, grown, lost103, lost25, lost93, lost262, root_low, sin_of, total93, total24, total103, total262, wave))
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, reach, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-    def no(delta, gamma, half, rest2, total, total2):
+    def no(delta, gamma, half, lost2, total2):
         size = xp.abs(total2)
         root = square_root(xp, size)
         total3 = half + root
         reach = 0.4444444444444444*total3
 
-        def yes(delta, gamma, half, reach, rest2, root, size, total, total2, total3):
+        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
 
-            def yes(delta, gamma, half, root, total2, total3):
-                whole2 = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole2
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back16 = total24 - rest4
-                rest5 = total24 - back16
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back16
-                lost24 = one3 + two3
-                total25 = envelope*total24
-                envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
-                rest5 = fall_series(xp, gamma, delta)
-                total24 = rest5 + 0.5
-                back16 = total24 - rest5
-                rest4 = total24 - back16
-                one3 = rest5 - rest4
-                two3 = 0.5 - back16
-                lost29 = one3 + two3
-                envelope2 = xp.exp(-delta)
-                total30 = envelope2*total24
-                envelope2_halves = halves(xp, envelope2)
-                total24_halves = halves(xp, total24)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total24_halves)
-                rest4 = rise_series(xp, half, total2)
-                total24 = rest4 + 0.5
-                back16 = total24 - rest4
-                rest5 = total24 - back16
-                one3 = rest4 - rest5
-                two3 = 0.5 - back16
-                lost282 = one3 + two3
-                total292 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost282 = envelope*lost282 + product_error(total292, envelope_halves, total24_halves)
-                rest5 = together_series(xp, half, total2)
-                total24 = rest5 + 0.5
-                back16 = total24 - rest5
-                rest4 = total24 - back16
-                one3 = rest5 - rest4
-                two3 = 0.5 - back16
-                lost212 = one3 + two3
-                total222 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
-
-                def yes(q):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total4 = curved + total4
-                    total4 = given*total4
-                    total4 = 1.0 - total4
-                    fall_ = total4
-                    return fall_
-
-                def no(q):
-                    sunk = xp.exp(-q)
-                    fall_ = sunk
-                    return fall_
-
-                fall_ = select(xp, q < 0.75, yes, (q,), no, (q,))
-
-
-                def yes(root):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total10 = curved2 + total10
-                    total10 = given2*total10
-                    total10 = 1.0 - total10
-                    fall2 = total10
-                    return fall2
-
-                def no(root):
-                    sunk2 = xp.exp(-2.0*root)
-                    fall2 = sunk2
-                    return fall2
-
-                fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
-
-                apart_of = lost24 + total25
-                fall_of = lost29 + total30
-                nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
-                rise_of = lost282 + total292
-                together_of = 2.0*lost212 + 2.0*total222
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            def no(gamma, half, rest2, root, size, total, total2, total3):
-                back2 = total2 - total
-                lost2 = rest2 - back2
+            def yes(delta, gamma, half, lost2, root, size, total2, total3):
                 sign_low = lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -4031,9 +3913,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 left = left + sign_low
                 whole = xp.where(root == 0.0, 1.0, root)
                 root_low = 0.5*left/whole
-                back2 = total3 - half
-                lost2 = root - back2
-                p_low = lost2 + root_low
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
                 whole = xp.where(total3 == 0.0, 1.0, total3)
                 q = gamma/whole
                 off = gamma - q*whole
@@ -4044,27 +3926,177 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 q_low = off/whole
                 rate2 = 2.0*root
                 envelope = xp.exp(-half)
-                rest4 = apart_series(xp, half, total2)
-                total24 = rest4 + 0.16666666666666666
-                back2 = total24 - rest4
-                rest5 = total24 - back2
-                one3 = rest4 - rest5
-                two3 = 0.16666666666666666 - back2
-                lost2 = one3 + two3
-                total25 = envelope*total24
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
                 envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost2 = envelope*lost2 + product_error(total25, envelope_halves, total24_halves)
-                rest5 = together_series(xp, half, total2)
-                total24 = rest5 + 0.5
-                back2 = total24 - rest5
-                rest4 = total24 - back2
-                one3 = rest5 - rest4
-                two3 = 0.5 - back2
-                lost212 = one3 + two3
-                total222 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back3 = total27 - rest6
+                rest5 = total27 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost29 = one4 + two4
+                envelope2 = xp.exp(-delta)
+                total30 = envelope2*total27
+                envelope2_halves = halves(xp, envelope2)
+                total27_halves = halves(xp, total27)
+                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
+                rest5 = rise_series(xp, half, total2)
+                total27 = rest5 + 0.5
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.5 - back3
+                lost284 = one4 + two4
+                total292 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost284 = envelope*lost284 + product_error(total292, envelope_halves, total27_halves)
+                rest6 = together_series(xp, half, total2)
+                total27 = rest6 + 0.5
+                back3 = total27 - rest6
+                rest5 = total27 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost303 = one4 + two4
+                total312 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    return fall_, fall_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    return fall_, fall_low2
+
+                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+                total27 = fall_ + 1.0
+                back3 = total27 - 1.0
+                lost283 = fall_ - back3
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    total10 = given2*total11
+                    given2_halves = halves(xp, given2)
+                    total11_halves = halves(xp, total11)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    total13 = 1.0 - total10
+                    back8 = total13 - 1.0
+                    lost10 = -back8 - total10
+                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                    fall2 = total13
+                    return fall2, fall_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    fall2 = sunk2
+                    fall_low4 = sunk_low2
+                    return fall2, fall_low4
+
+                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+                fast = fall_*fall2
+                fall__halves = halves(xp, fall_)
+                fall2_halves = halves(xp, fall2)
+                lost292 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+                low3 = fall2*fall_low2 + lost292
+                total302 = fast + 1.0
+                back3 = total302 - 1.0
+                lost292 = fast - back3
+                total31 = total27*total302
+                total27_halves = halves(xp, total27)
+                total302_halves = halves(xp, total302)
+                lost292 = total27*(lost292 + low3) + product_error(total31, total27_halves, total302_halves)
+                apart_of = lost3 + total28
+                fall_of = lost29 + total30
+                nyquist_of = lost292 + total302*(fall_low2 + lost283) + total31
+                rise_of = lost284 + total292
+                together_of = 2.0*lost303 + 2.0*total312
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            def no(gamma, half, lost2, root, size, total2, total3):
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                rest6 = together_series(xp, half, total2)
+                total27 = rest6 + 0.5
+                back3 = total27 - rest6
+                rest5 = total27 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost303 = one4 + two4
+                total312 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -4111,6 +4143,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
+                total27 = fall_ + 1.0
+                back3 = total27 - 1.0
+                lost283 = fall_ - back3
 
                 def yes(root, root_low):
                     given2 = 2.0*root
@@ -4157,57 +4192,65 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-                total24 = fall2*mean
+                fast = fall_*fall2
+                total162 = fall2*mean
                 fall2_halves = halves(xp, fall2)
                 mean_halves = halves(xp, mean)
-                lost162 = fall2*mean_low2 + product_error(total24, fall2_halves, mean_halves)
+                lost162 = fall2*mean_low2 + product_error(total162, fall2_halves, mean_halves)
                 pulled_low = fall_low4*mean + lost162
-                total172 = mean2 - total24
-                back2 = total172 - mean2
-                rest4 = total172 - back2
-                one3 = mean2 - rest4
-                two3 = -back2 - total24
-                lost162 = one3 + two3
-                total24 = total172/whole
-                left = total172 - total24*whole
-                total24_halves = halves(xp, total24)
-                left = left - product_error(total24*whole, total24_halves, whole_halves)
-                left = left + lost162 + mean_low4 - p_low*total24 - pulled_low
+                total172 = mean2 - total162
+                back3 = total172 - mean2
+                rest5 = total172 - back3
+                one4 = mean2 - rest5
+                two4 = -back3 - total162
+                lost162 = one4 + two4
+                total162 = total172/whole
+                left = total172 - total162*whole
+                total162_halves = halves(xp, total162)
+                left = left - product_error(total162*whole, total162_halves, whole_halves)
+                left = left + lost162 + mean_low4 - p_low*total162 - pulled_low
                 lost162 = left/whole
-                total172 = fall_*total24
+                total172 = fall_*total162
                 fall__halves = halves(xp, fall_)
-                lost162 = fall_*lost162 + product_error(total172, fall__halves, total24_halves)
-                creep_ = fall_low2*total24 + lost162 + total172
-                total172 = fall_*mean2
-                mean2_halves = halves(xp, mean2)
-                lost162 = fall_*mean_low4 + product_error(total172, fall__halves, mean2_halves)
-                pulled_low = fall_low2*mean2 + lost162
-                total24 = mean - total172
-                back2 = total24 - mean
-                rest4 = total24 - back2
-                one3 = mean - rest4
-                two3 = -back2 - total172
-                lost162 = one3 + two3
-                total172 = total24/whole
-                left = total24 - total172*whole
+                lost162 = fall_*lost162 + product_error(total172, fall__halves, total162_halves)
+                creep_ = fall_low2*total162 + lost162 + total172
+                lost162 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+                low3 = fall2*fall_low2 + lost162
+                total172 = fast + 1.0
+                back3 = total172 - 1.0
+                lost162 = fast - back3
+                total162 = total27*total172
+                total27_halves = halves(xp, total27)
                 total172_halves = halves(xp, total172)
-                left = left - product_error(total172*whole, total172_halves, whole_halves)
-                left = left + lost162 + mean_low2 - p_low*total172 - pulled_low
-                lost162 = left/whole
-                apart_of = lost2 + total25
+                lost162 = total27*(lost162 + low3) + product_error(total162, total27_halves, total172_halves)
+                total27 = fall_*mean2
+                mean2_halves = halves(xp, mean2)
+                lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
+                pulled_low = fall_low2*mean2 + lost163
+                total173 = mean - total27
+                back3 = total173 - mean
+                rest5 = total173 - back3
+                one4 = mean - rest5
+                two4 = -back3 - total27
+                lost163 = one4 + two4
+                total27 = total173/whole
+                left = total173 - total27*whole
+                total27_halves = halves(xp, total27)
+                left = left - product_error(total27*whole, total27_halves, whole_halves)
+                left = left + lost163 + mean_low2 - p_low*total27 - pulled_low
+                lost163 = left/whole
+                apart_of = lost3 + total28
                 fall_of = creep_
-                nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
-                rise_of = lost162 + total172
-                together_of = 2.0*lost212 + 2.0*total222
+                nyquist_of = lost162 + total172*(fall_low2 + lost283) + total162
+                rise_of = lost163 + total27
+                together_of = 2.0*lost303 + 2.0*total312
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, root, total2, total3), no, (gamma, half, rest2, root, size, total, total2, total3))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        def no(delta, gamma, half, rest2, root, size, total, total2, total3):
-            back2 = total2 - total
-            lost2 = rest2 - back2
+        def no(delta, gamma, half, lost2, root, size, total3):
             sign_low = lost2
             left = size - (root*root)
             root_halves = halves(xp, root)
@@ -4215,9 +4258,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             left = left + sign_low
             whole = xp.where(root == 0.0, 1.0, root)
             root_low = 0.5*left/whole
-            back2 = total3 - half
-            lost2 = root - back2
-            p_low = lost2 + root_low
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
             whole = xp.where(total3 == 0.0, 1.0, total3)
             q = gamma/whole
             off = gamma - q*whole
@@ -4275,6 +4318,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
             twice = 2.0*fall_
+            total283 = fall_ + 1.0
+            back3 = total283 - 1.0
+            lost3 = fall_ - back3
 
             def yes(root, root_low):
                 given2 = 2.0*root
@@ -4325,28 +4371,28 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             total16 = mean2*twice
             twice_halves = halves(xp, twice)
             mean2_halves = halves(xp, mean2)
-            lost2 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
             total17 = mean - total16
-            back2 = total17 - mean
-            rest3 = total17 - back2
+            back3 = total17 - mean
+            rest3 = total17 - back3
             one2 = mean - rest3
-            two2 = -back2 - total16
+            two2 = -back3 - total16
             lost17 = one2 + two2
             total16 = fast*mean
             fast_halves = halves(xp, fast)
             mean_halves = halves(xp, mean)
             lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
             top = total17 + total16
-            low = lost17 - lost2 + lost18 + mean_low2
+            low = lost17 - lost16 + lost18 + mean_low2
             total16 = fall2*mean
             fall2_halves = halves(xp, fall2)
             lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
             pulled_low = fall_low4*mean + lost18
             total17 = mean2 - total16
-            back2 = total17 - mean2
-            rest3 = total17 - back2
+            back3 = total17 - mean2
+            rest3 = total17 - back3
             one2 = mean2 - rest3
-            two2 = -back2 - total16
+            two2 = -back3 - total16
             lost18 = one2 + two2
             total16 = total17/whole
             left = total17 - total16*whole
@@ -4358,33 +4404,55 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             fall__halves = halves(xp, fall_)
             lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
             creep_ = fall_low2*total16 + lost18 + total17
-            total17 = fall_*mean2
-            lost18 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost18
-            total16 = mean - total17
-            back2 = total16 - mean
-            rest3 = total16 - back2
-            one2 = mean - rest3
-            two2 = -back2 - total17
-            lost18 = one2 + two2
-            total17 = total16/whole
-            left = total16 - total17*whole
+            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+            low3 = fall2*fall_low2 + lost18
+            total17 = fast + 1.0
+            back3 = total17 - 1.0
+            lost18 = fast - back3
+            total16 = total283*total17
+            total283_halves = halves(xp, total283)
             total17_halves = halves(xp, total17)
-            left = left - product_error(total17*whole, total17_halves, whole_halves)
-            left = left + lost18 + mean_low2 - p_low*total17 - pulled_low
-            lost18 = left/whole
+            lost18 = total283*(lost18 + low3) + product_error(total16, total283_halves, total17_halves)
+            total283 = fall_*mean2
+            lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost17
+            total173 = mean - total283
+            back3 = total173 - mean
+            rest3 = total173 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total283
+            lost17 = one2 + two2
+            total283 = total173/whole
+            left = total173 - total283*whole
+            total283_halves = halves(xp, total283)
+            left = left - product_error(total283*whole, total283_halves, whole_halves)
+            left = left + lost17 + mean_low2 - p_low*total283 - pulled_low
+            lost17 = left/whole
+            total173 = 1.0 - fast
+            back3 = total173 - 1.0
+            lost16 = -back3 - fast
+            total285 = mean*total173
+            total173_halves = halves(xp, total173)
+            lost16 = mean*(lost16 - low3) + product_error(total285, mean_halves, total173_halves)
+            moved_low = lost16 + mean_low2*total173
+            total173 = total285/whole
+            left = total285 - total173*whole
+            total173_halves = halves(xp, total173)
+            left = left - product_error(total173*whole, total173_halves, whole_halves)
+            left = left + moved_low - p_low*total173
+            lost16 = left/whole
             apart_of = (low + top)/whole3
             fall_of = creep_
-            nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
-            rise_of = lost18 + total17
-            together_of = mean*(1.0 - fall_*fall2)/whole
+            nyquist_of = lost18 + total17*(fall_low2 + lost3) + total16
+            rise_of = lost17 + total283
+            together_of = lost16 + total173
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, reach, rest2, root, size, total, total2, total3), no, (delta, gamma, half, rest2, root, size, total, total2, total3))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
 
     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -5045,112 +5113,65 @@ def apart_nyquist_together(xp, gamma, delta):
     half_halves = halves(xp, half)
     rest = lost + product_error(square, half_halves, half_halves)
     total2 = rest + total
+    back = total2 - total
+    lost = rest - back
 
-    def yes(delta, gamma, half, rest2, total, total2):
+    def yes(delta, gamma, half, lost2, total2):
         reach = 0.25*gamma
 
-        def yes(delta, half, rest2, total, total2):
-            back2 = total2 - total
-            lost2 = rest2 - back2
+        def yes(delta, half, lost2, total2):
             envelope = xp.exp(-half)
-            rest4 = apart_series(xp, half, total2)
-            total24 = rest4 + 0.16666666666666666
-            back2 = total24 - rest4
-            rest5 = total24 - back2
-            one3 = rest4 - rest5
-            two3 = 0.16666666666666666 - back2
-            lost24 = one3 + two3
-            total25 = envelope*total24
+            rest5 = apart_series(xp, half, total2)
+            total27 = rest5 + 0.16666666666666666
+            back17 = total27 - rest5
+            rest6 = total27 - back17
+            one4 = rest5 - rest6
+            two4 = 0.16666666666666666 - back17
+            lost27 = one4 + two4
+            total28 = envelope*total27
             envelope_halves = halves(xp, envelope)
-            total24_halves = halves(xp, total24)
-            lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
-            rest5 = together_series(xp, half, total2)
-            total24 = rest5 + 0.5
-            back2 = total24 - rest5
-            rest4 = total24 - back2
-            one3 = rest5 - rest4
-            two3 = 0.5 - back2
-            lost212 = one3 + two3
-            total222 = envelope*total24
-            total24_halves = halves(xp, total24)
-            lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
+            total27_halves = halves(xp, total27)
+            lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+            twice2 = 2.0*envelope
+            rest6 = together_series(xp, half, total2)
+            total27 = rest6 + 0.5
+            back17 = total27 - rest6
+            rest5 = total27 - back17
+            one4 = rest6 - rest5
+            two4 = 0.5 - back17
+            lost302 = one4 + two4
+            total312 = envelope*total27
+            total27_halves = halves(xp, total27)
+            lost302 = envelope*lost302 + product_error(total312, envelope_halves, total27_halves)
 
-            def yes(lost2, total2):
+            def yes(total2):
                 given3 = total2
                 total19 = 0.5*given3 + 1.0
-                back13 = total19 - 1.0
-                lost19 = 0.5*given3 - back13
                 cos_series_of = cos_series(xp, given3)
                 curved3 = cos_series_of*(given3*given3)
-                total20 = curved3 + total19
-                back13 = total20 - total19
-                lost20 = curved3 - back13
-                even_low = lost19 + 0.5*lost2 + lost20
-                even = total20
-                return even, even_low
+                total19 = curved3 + total19
+                even = total19
+                return even
 
-            def no(lost2, total2):
+            def no(total2):
                 size = xp.abs(total2)
                 root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
                 cosine = xp.cos(root)
                 even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
+                return even
 
-            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            even = select(xp, total2 > -1.5, yes, (total2,), no, (total2,))
 
-            even2 = even + even_low2
+            total27 = even*twice2
 
-            def yes(delta, envelope, even2, lost222, lost25, total222, total25):
-                exp_of = xp.exp(-delta)
-                ends = exp_of + 1.0
-                apart_of = lost25 + total25
-                nyquist_of = ends + 2.0*envelope*even2
-                together_of = 2.0*lost222 + 2.0*total222
-                return apart_of, nyquist_of, together_of
-
-            def no(envelope, half, lost2, lost222, lost25, total2, total222, total25):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                expm1_of = xp.expm1(-half)
-                grown = -0.5*expm1_of
-                angle = 0.5*root
-                wave = xp.cos(angle)
-                sin_of = xp.sin(angle)
-                wave = wave - 0.5*root_low*sin_of
-                apart_of = lost25 + total25
-                nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
-                together_of = 2.0*lost222 + 2.0*total222
-                return apart_of, nyquist_of, together_of
-
-            apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (delta, envelope, even2, lost212, lost24, total222, total25), no, (envelope, half, lost2, lost212, lost24, total2, total222, total25))
-
-            return apart_of, nyquist_of, together_of
-
-        def no(delta, gamma, half, rest2, total, total2):
-
-            def yes(delta, gamma, half, rest2, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
-                envelope = xp.exp(-half)
-                stiff = gamma
-                decay_of = decay(xp, delta)
-                sinhc_root_of = sinhc_root(xp, -0.25*gamma)
+            def yes(delta, even, lost2, lost28, lost312, total2, total262, total28, total312, twice2):
+                e = xp.exp(-delta)
+                total252 = e + 1.0
+                back18 = total252 - 1.0
+                lost252 = e - back18
+                total272 = total252 + total262
+                back18 = total272 - total252
+                lost272 = total262 - back18
 
                 def yes(lost2, total2):
                     given3 = total2
@@ -5163,12 +5184,7 @@ def apart_nyquist_together(xp, gamma, delta):
                     back13 = total20 - total19
                     lost20 = curved3 - back13
                     even_low = lost19 + 0.5*lost2 + lost20
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total19 = bent + 1.0
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd
+                    return even_low
 
                 def no(lost2, total2):
                     size = xp.abs(total2)
@@ -5181,55 +5197,20 @@ def apart_nyquist_together(xp, gamma, delta):
                     whole = xp.where(root == 0.0, 1.0, root)
                     root_low = 0.5*left/whole
                     sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    even = cosine
                     even_low2 = -root_low*sine
-                    odd = total22
-                    return even, even_low2, odd
+                    return even_low2
 
-                even, even_low2, odd = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+                even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
 
-                total23 = half*odd
-                even2 = even + even_low2
-
-                def yes(decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23):
-                    exp_of = xp.exp(-delta)
-                    ends = exp_of + 1.0
-                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
-                    nyquist_of = ends + 2.0*envelope*even2
-                    together_of = (sinhc_root_of*sinhc_root_of)
-                    return apart_of, nyquist_of, together_of
-
-                def no(decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    wave = wave - 0.5*root_low*sin_of
-                    apart_of = (decay_of - 2.0*envelope*total23)/stiff
-                    nyquist_of = 4.0*envelope*(wave*wave) + 4.0*(grown*grown)
-                    together_of = (sinhc_root_of*sinhc_root_of)
-                    return apart_of, nyquist_of, together_of
-
-                apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, sinhc_root_of, stiff, total23), no, (decay_of, envelope, half, lost2, sinhc_root_of, stiff, total2, total23))
-
+                twice2_halves = halves(xp, twice2)
+                even_halves = halves(xp, even)
+                lost262 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                apart_of = lost28 + total28
+                nyquist_of = lost252 + lost262 + lost272 + total272
+                together_of = 2.0*lost312 + 2.0*total312
                 return apart_of, nyquist_of, together_of
 
-            def no(delta, gamma, half, rest2, total, total2):
-                back2 = total2 - total
-                lost2 = rest2 - back2
+            def no(envelope, half, lost2, lost28, lost312, total2, total28, total312):
                 size = xp.abs(total2)
                 root = square_root(xp, size)
                 sign_low = -lost2
@@ -5239,16 +5220,150 @@ def apart_nyquist_together(xp, gamma, delta):
                 left = left + sign_low
                 whole = xp.where(root == 0.0, 1.0, root)
                 root_low = 0.5*left/whole
-                envelope = xp.exp(-half)
-                stiff = gamma
-                whole = delta
-                decay_of = decay(xp, delta)
                 expm1_of = xp.expm1(-half)
                 grown = -0.5*expm1_of
                 angle = 0.5*root
                 wave = xp.cos(angle)
                 sin_of = xp.sin(angle)
-                wave22 = 0.5*root_low*wave + sin_of
+                back72 = 0.5*root_low*sin_of
+                total92 = wave - back72
+                back82 = total92 - wave
+                rest32 = total92 - back82
+                one22 = wave - rest32
+                two22 = -back72 - back82
+                lost92 = one22 + two22
+                total102 = (total92*total92)
+                total92_halves = halves(xp, total92)
+                lost102 = product_error(total102, total92_halves, total92_halves)
+                low2 = lost102 + 2.0*lost92*total92
+                total92 = envelope*total102
+                envelope_halves = halves(xp, envelope)
+                total102_halves = halves(xp, total102)
+                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                total102 = (grown*grown) + total92
+                back82 = total102 - total92
+                rest32 = total102 - back82
+                one22 = total92 - rest32
+                two22 = (grown*grown) - back82
+                lost102 = one22 + two22
+                low2 = lost92 + lost102
+                apart_of = lost28 + total28
+                nyquist_of = 4.0*low2 + 4.0*total102
+                together_of = 2.0*lost312 + 2.0*total312
+                return apart_of, nyquist_of, together_of
+
+            apart_of, nyquist_of, together_of = select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost302, total2, total27, total28, total312, twice2), no, (envelope, half, lost2, lost27, lost302, total2, total28, total312))
+
+            return apart_of, nyquist_of, together_of
+
+        def no(delta, gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            sign_low = -lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            envelope = xp.exp(-half)
+            stiff = gamma
+            mean3 = decay(xp, delta)
+            expm1_of = xp.expm1(-half)
+            grown = -0.5*expm1_of
+            angle = 0.5*root
+            wave = xp.cos(angle)
+            sin_of = xp.sin(angle)
+            twice2 = 2.0*envelope
+            back73 = -0.5*root_low*wave
+            total93 = sin_of - back73
+            back83 = total93 - sin_of
+            rest33 = total93 - back83
+            one23 = sin_of - rest33
+            two23 = -back73 - back83
+            lost93 = one23 + two23
+            total103 = (total93*total93)
+            total93_halves = halves(xp, total93)
+            lost103 = product_error(total103, total93_halves, total93_halves)
+            low4 = lost103 + 2.0*lost93*total93
+            total93 = envelope*total103
+            envelope_halves = halves(xp, envelope)
+            total103_halves = halves(xp, total103)
+            lost93 = envelope*low4 + product_error(total93, envelope_halves, total103_halves)
+            total103 = (grown*grown) + total93
+            back83 = total103 - total93
+            rest33 = total103 - back83
+            one23 = total93 - rest33
+            two23 = (grown*grown) - back83
+            lost103 = one23 + two23
+            low4 = lost93 + lost103
+            total93 = total103/stiff
+            left = total103 - stiff*total93
+            total93_halves = halves(xp, total93)
+            stiff_halves = halves(xp, stiff)
+            left = left - product_error(total93*stiff, total93_halves, stiff_halves)
+            left = left + low4
+            lost103 = left/stiff
+
+            def yes(lost2, total2):
+                given3 = total2
+                total19 = 0.5*given3 + 1.0
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total19 = curved3 + total19
+                sin_series_of = sin_series(xp, given3)
+                bent = given3*sin_series_of
+                total21 = bent + 1.0
+                back15 = total21 - 1.0
+                lost21 = bent - back15
+                odd_low = 0.16666666666666666*lost2 + lost21
+                even = total19
+                odd = total21
+                return even, odd, odd_low
+
+            def no(root, root_low):
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left10 = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left10 = left10 - product_error(total22*some, total22_halves, some_halves)
+                left10 = cosine*root_low + left10 - root_low*total22
+                lost22 = left10/some
+                even = cosine
+                odd = total22
+                odd_low2 = lost22
+                return even, odd, odd_low2
+
+            even, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+
+            total103 = envelope*odd
+            odd_halves = halves(xp, odd)
+            lost93 = envelope*odd_low2 + product_error(total103, envelope_halves, odd_halves)
+            total25 = mean3 - total103
+            back83 = total25 - mean3
+            rest33 = total25 - back83
+            one23 = mean3 - rest33
+            two23 = -back83 - total103
+            lost25 = one23 + two23
+            total103 = total25/stiff
+            left = total25 - stiff*total103
+            total103_halves = halves(xp, total103)
+            left = left - product_error(total103*stiff, total103_halves, stiff_halves)
+            left = left - lost93 + lost25
+            lost25 = left/stiff
+            total25 = even*twice2
+
+            def yes(delta, even, lost132, lost2, lost26, root, root_low, total132, total2, total26, total262, twice2):
+                e = xp.exp(-delta)
+                total252 = e + 1.0
+                back18 = total252 - 1.0
+                lost252 = e - back18
+                total272 = total252 + total262
+                back18 = total272 - total252
+                lost272 = total262 - back18
 
                 def yes(lost2, total2):
                     given3 = total2
@@ -5261,133 +5376,66 @@ def apart_nyquist_together(xp, gamma, delta):
                     back13 = total20 - total19
                     lost20 = curved3 - back13
                     even_low = lost19 + 0.5*lost2 + lost20
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total19 = bent + 1.0
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd
+                    return even_low
 
                 def no(root, root_low):
                     sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    even = cosine
                     even_low2 = -root_low*sine
-                    odd = total22
-                    return even, even_low2, odd
+                    return even_low2
 
-                even, even_low2, odd = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+                even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
 
-                total23 = half*odd
-                even2 = even + even_low2
-
-                def yes(decay_of, delta, envelope, even2, grown, stiff, total23, wave22, whole4):
-                    exp_of = xp.exp(-delta)
-                    ends = exp_of + 1.0
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
-                    nyquist_of = ends + 2.0*envelope*even2
-                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
-                    return apart_of, nyquist_of, together_of
-
-                def no(decay_of, envelope, grown, root_low, sin_of, stiff, total23, wave, wave22, whole4):
-                    wave2 = wave - 0.5*root_low*sin_of
-                    apart_of = (decay_of - 2.0*envelope*total23/whole4)/stiff
-                    nyquist_of = 4.0*envelope*(wave2*wave2) + 4.0*(grown*grown)
-                    together_of = 4.0*(envelope*(wave22*wave22) + (grown*grown))/stiff
-                    return apart_of, nyquist_of, together_of
-
-                apart_of, nyquist_of, together_of = select(xp, even2 > 0.0, yes, (decay_of, delta, envelope, even2, grown, stiff, total23, wave22, whole), no, (decay_of, envelope, grown, root_low, sin_of, stiff, total23, wave, wave22, whole))
-
+                twice2_halves = halves(xp, twice2)
+                even_halves = halves(xp, even)
+                lost262 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                apart_of = lost26 + total26
+                nyquist_of = lost252 + lost262 + lost272 + total272
+                together_of = 4.0*lost132 + 4.0*total132
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, delta == 0.0, yes, (delta, gamma, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+            def no(envelope, grown, lost132, lost26, root_low, sin_of, total132, total26, wave):
+                back72 = 0.5*root_low*sin_of
+                total92 = wave - back72
+                back82 = total92 - wave
+                rest32 = total92 - back82
+                one22 = wave - rest32
+                two22 = -back72 - back82
+                lost92 = one22 + two22
+                total102 = (total92*total92)
+                total92_halves = halves(xp, total92)
+                lost102 = product_error(total102, total92_halves, total92_halves)
+                low2 = lost102 + 2.0*lost92*total92
+                total92 = envelope*total102
+                envelope_halves = halves(xp, envelope)
+                total102_halves = halves(xp, total102)
+                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                total102 = (grown*grown) + total92
+                back82 = total102 - total92
+                rest32 = total102 - back82
+                one22 = total92 - rest32
+                two22 = (grown*grown) - back82
+                lost102 = one22 + two22
+                low2 = lost92 + lost102
+                apart_of = lost26 + total26
+                nyquist_of = 4.0*low2 + 4.0*total102
+                together_of = 4.0*lost132 + 4.0*total132
+                return apart_of, nyquist_of, together_of
+
+            apart_of, nyquist_of, together_of = select(xp, total25 > 0.0, yes, (delta, even, lost103, lost2, lost25, root, root_low, total93, total2, total103, total25, twice2), no, (envelope, grown, lost103, lost25, root_low, sin_of, total93, total103, wave))
 
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (delta, half, rest2, total, total2), no, (delta, gamma, half, rest2, total, total2))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
 
         return apart_of, nyquist_of, together_of
 
-    def no(delta, gamma, half, rest2, total, total2):
+    def no(delta, gamma, half, lost2, total2):
         size = xp.abs(total2)
         root = square_root(xp, size)
         total3 = half + root
         reach = 0.4444444444444444*total3
 
-        def yes(gamma, half, root, total2, total3):
-            whole2 = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole2
-            rate2 = 2.0*root
-            envelope = xp.exp(-half)
-            rest4 = apart_series(xp, half, total2)
-            total24 = rest4 + 0.16666666666666666
-            back16 = total24 - rest4
-            rest5 = total24 - back16
-            one3 = rest4 - rest5
-            two3 = 0.16666666666666666 - back16
-            lost24 = one3 + two3
-            total25 = envelope*total24
-            envelope_halves = halves(xp, envelope)
-            total24_halves = halves(xp, total24)
-            lost24 = envelope*lost24 + product_error(total25, envelope_halves, total24_halves)
-            rest5 = together_series(xp, half, total2)
-            total24 = rest5 + 0.5
-            back16 = total24 - rest5
-            rest4 = total24 - back16
-            one3 = rest5 - rest4
-            two3 = 0.5 - back16
-            lost212 = one3 + two3
-            total222 = envelope*total24
-            total24_halves = halves(xp, total24)
-            lost212 = envelope*lost212 + product_error(total222, envelope_halves, total24_halves)
-
-            def yes(q):
-                given = q
-                total4 = 1.0 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total4 = curved + total4
-                total4 = given*total4
-                total4 = 1.0 - total4
-                fall_ = total4
-                return fall_
-
-            def no(q):
-                sunk = xp.exp(-q)
-                fall_ = sunk
-                return fall_
-
-            fall_ = select(xp, q < 0.75, yes, (q,), no, (q,))
-
-
-            def yes(root):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total10 = curved2 + total10
-                total10 = given2*total10
-                total10 = 1.0 - total10
-                fall2 = total10
-                return fall2
-
-            def no(root):
-                sunk2 = xp.exp(-2.0*root)
-                fall2 = sunk2
-                return fall2
-
-            fall2 = select(xp, rate2 < 0.75, yes, (root,), no, (root,))
-
-            apart_of = lost24 + total25
-            nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
-            together_of = 2.0*lost212 + 2.0*total222
-            return apart_of, nyquist_of, together_of
-
-        def no(delta, gamma, half, rest2, root, size, total, total2, total3):
-            back2 = total2 - total
-            lost2 = rest2 - back2
+        def yes(gamma, half, lost2, root, size, total2, total3):
             sign_low = lost2
             left = size - (root*root)
             root_halves = halves(xp, root)
@@ -5395,9 +5443,135 @@ def apart_nyquist_together(xp, gamma, delta):
             left = left + sign_low
             whole = xp.where(root == 0.0, 1.0, root)
             root_low = 0.5*left/whole
-            back2 = total3 - half
-            lost2 = root - back2
-            p_low = lost2 + root_low
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            envelope = xp.exp(-half)
+            rest5 = apart_series(xp, half, total2)
+            total27 = rest5 + 0.16666666666666666
+            back3 = total27 - rest5
+            rest6 = total27 - back3
+            one4 = rest5 - rest6
+            two4 = 0.16666666666666666 - back3
+            lost3 = one4 + two4
+            total28 = envelope*total27
+            envelope_halves = halves(xp, envelope)
+            total27_halves = halves(xp, total27)
+            lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+            rest6 = together_series(xp, half, total2)
+            total27 = rest6 + 0.5
+            back3 = total27 - rest6
+            rest5 = total27 - back3
+            one4 = rest6 - rest5
+            two4 = 0.5 - back3
+            lost302 = one4 + two4
+            total312 = envelope*total27
+            total27_halves = halves(xp, total27)
+            lost302 = envelope*lost302 + product_error(total312, envelope_halves, total27_halves)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                return fall_, fall_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                fall_ = sunk
+                fall_low2 = sunk_low
+                return fall_, fall_low2
+
+            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+            total27 = fall_ + 1.0
+            back3 = total27 - 1.0
+            lost282 = fall_ - back3
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
+
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            fast = fall_*fall2
+            fall__halves = halves(xp, fall_)
+            fall2_halves = halves(xp, fall2)
+            lost29 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+            low3 = fall2*fall_low2 + lost29
+            total30 = fast + 1.0
+            back3 = total30 - 1.0
+            lost29 = fast - back3
+            total31 = total27*total30
+            total27_halves = halves(xp, total27)
+            total30_halves = halves(xp, total30)
+            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves, total30_halves)
+            apart_of = lost3 + total28
+            nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
+            together_of = 2.0*lost302 + 2.0*total312
+            return apart_of, nyquist_of, together_of
+
+        def no(delta, gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
             whole = xp.where(total3 == 0.0, 1.0, total3)
             q = gamma/whole
             off = gamma - q*whole
@@ -5421,10 +5595,16 @@ def apart_nyquist_together(xp, gamma, delta):
                 lost5 = curved - back4
                 mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
                 total4 = given*total5
-                total4 = 1.0 - total4
-                fall_ = total4
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
                 mean = total5
-                return fall_, mean, mean_low
+                return fall_, fall_low, mean, mean_low
 
             def no(q, q_low):
                 sunk = xp.exp(-q)
@@ -5441,13 +5621,17 @@ def apart_nyquist_together(xp, gamma, delta):
                 left4 = left4 + lost8 - q_low*total9 - sunk_low
                 lost8 = left4/bottom
                 fall_ = sunk
+                fall_low2 = sunk_low
                 mean = total9
                 mean_low2 = lost8
-                return fall_, mean, mean_low2
+                return fall_, fall_low2, mean, mean_low2
 
-            fall_, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
             twice = 2.0*fall_
+            total282 = fall_ + 1.0
+            back3 = total282 - 1.0
+            lost3 = fall_ - back3
 
             def yes(root, root_low):
                 given2 = 2.0*root
@@ -5461,10 +5645,16 @@ def apart_nyquist_together(xp, gamma, delta):
                 lost11 = curved2 - back8
                 mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
                 total10 = given2*total11
-                total10 = 1.0 - total10
-                fall2 = total10
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
                 mean2 = total11
-                return fall2, mean2, mean_low3
+                return fall2, fall_low3, mean2, mean_low3
 
             def no(root, root_low):
                 sunk2 = xp.exp(-2.0*root)
@@ -5481,39 +5671,64 @@ def apart_nyquist_together(xp, gamma, delta):
                 left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
                 lost14 = left7/bottom2
                 fall2 = sunk2
+                fall_low4 = sunk_low2
                 mean2 = total15
                 mean_low4 = lost14
-                return fall2, mean2, mean_low4
+                return fall2, fall_low4, mean2, mean_low4
 
-            fall2, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
             fast = fall_*fall2
             total16 = mean2*twice
             twice_halves = halves(xp, twice)
             mean2_halves = halves(xp, mean2)
-            lost2 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
             total17 = mean - total16
-            back2 = total17 - mean
-            rest3 = total17 - back2
+            back3 = total17 - mean
+            rest3 = total17 - back3
             one2 = mean - rest3
-            two2 = -back2 - total16
+            two2 = -back3 - total16
             lost17 = one2 + two2
             total16 = fast*mean
             fast_halves = halves(xp, fast)
             mean_halves = halves(xp, mean)
             lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
             top = total17 + total16
-            low = lost17 - lost2 + lost18 + mean_low2
+            low = lost17 - lost16 + lost18 + mean_low2
+            fall__halves = halves(xp, fall_)
+            fall2_halves = halves(xp, fall2)
+            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+            low3 = fall2*fall_low2 + lost18
+            total16 = fast + 1.0
+            back3 = total16 - 1.0
+            lost18 = fast - back3
+            total17 = total282*total16
+            total282_halves = halves(xp, total282)
+            total16_halves = halves(xp, total16)
+            lost18 = total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            total282 = 1.0 - fast
+            back3 = total282 - 1.0
+            lost17 = -back3 - fast
+            total283 = mean*total282
+            total282_halves = halves(xp, total282)
+            lost17 = mean*(lost17 - low3) + product_error(total283, mean_halves, total282_halves)
+            moved_low = lost17 + mean_low2*total282
+            total282 = total283/whole
+            left = total283 - total282*whole
+            total282_halves = halves(xp, total282)
+            left = left - product_error(total282*whole, total282_halves, whole_halves)
+            left = left + moved_low - p_low*total282
+            lost17 = left/whole
             apart_of = (low + top)/whole3
-            nyquist_of = (fall_ + 1.0)*(fall_*fall2 + 1.0)
-            together_of = mean*(1.0 - fall_*fall2)/whole
+            nyquist_of = lost18 + total16*(fall_low2 + lost3) + total17
+            together_of = lost17 + total282
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, root, total2, total3), no, (delta, gamma, half, rest2, root, size, total, total2, total3))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
 
         return apart_of, nyquist_of, together_of
 
-    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
 
     return apart_of, nyquist_of, together_of
 
