@@ -6504,7 +6504,9 @@ def need(xp, alpha, beta, l, epsilon, psi):
 
     def no(alpha, beta, epsilon, l, psi):
         early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
-        n = early*(1.0 - epsilon) + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi))
+        late = 0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi)
+        more = late - early
+        n = early + epsilon*more
         root = square_root(xp, epsilon*(1.0 - epsilon)*((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(xp.sin(psi)*xp.sin(psi))) + (n*n))
         return 0.5*n + 0.5*root
 
