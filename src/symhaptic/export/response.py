@@ -5,6 +5,8 @@ That is, rounded once: what the boundary of stability loses there it magnifies.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import sympy as sp
 from sympy import Expr, Symbol, tan
 
@@ -14,43 +16,58 @@ from symhaptic.notation import psi
 _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
 
 
-def less(do: Steps, one: Expr, factor: Expr, square: Expr, low: Expr) -> Symbol:
-    """one - factor (square + low)."""
+def less(do: Steps, one: Expr, factor: Expr, square: Expr, low: Expr) -> tuple[Symbol, Symbol]:
+    """one - factor (square + low), and what its float misses."""
     taken = do("taken", factor * square)
     total, lost = difference(do, one, taken)
     missed = do("missed", ProductError(factor, square) + factor * low)
-    lost = do("lost", lost - missed)
-    return do("left", total + lost)
+    return fast_sum(do, total, do("lost", lost - missed))
 
 
-def _force(do: Steps) -> tuple[Expr, ...]:
-    """A/z and M, real and imaginary part, over cos(psi)^2, and the squared size of M."""
+@dataclass(frozen=True)
+class _Force:
+    """A/z and M at z = exp(2 j psi), over cos(psi)^2, with what their floats miss."""
+
+    above: Expr
+    above_low: Expr
+    above_j: Expr
+    below: Expr
+    below_low: Expr
+    below_j: Expr
+    size: Expr
+    """The squared size of M."""
+
+
+def _force(do: Steps) -> _Force:
     at_one, at_minus_one, loss, together, apart, across = _DEVICE
     t = do("t", tan(psi))
     square, low = do("square", t * t), do("low", ProductError(t, t))
-    above = less(do, at_one, at_minus_one, square, low)
-    below = less(do, together, apart, square, low)
+    above, above_low = less(do, at_one, at_minus_one, square, low)
+    below, below_low = less(do, together, apart, square, low)
     above_j, below_j = do("above_j", 2 * t * loss), do("below_j", t * across)
-    size = do("size", below * below + below_j * below_j)
-    return above, above_j, below, below_j, size
+    rest = do("rest", below_j * below_j + 2 * below * below_low)
+    size = do("size", below * below + rest)
+    return _Force(above, above_low, above_j, below, below_low, below_j, size)
 
 
 def in_phase() -> Routine:
     """The real part."""
     do = Steps()
-    above, above_j, below, below_j, size = _force(do)
-    found = (above * below + above_j * below_j) / size
+    f = _force(do)
+    low = do("low", f.above_low * f.below + f.above * f.below_low)
+    found = do("found", f.above * f.below + (do("rest", f.above_j * f.below_j + low)))
     return do.routine("InPhase", "the real part of A/(z M) at z = exp(2 j psi)",
-                      (psi, *_DEVICE), found)  # fmt: skip
+                      (psi, *_DEVICE), found / f.size)  # fmt: skip
 
 
 def ahead() -> Routine:
     """The imaginary part."""
     do = Steps()
-    above, above_j, below, below_j, size = _force(do)
-    found = (above_j * below - above * below_j) / size
+    f = _force(do)
+    low = do("low", f.above_j * f.below_low - f.above_low * f.below_j)
+    found = do("found", f.above_j * f.below - f.above * f.below_j)
     return do.routine("Ahead", "the imaginary part of A/(z M) at z = exp(2 j psi)",
-                      (psi, *_DEVICE), found)  # fmt: skip
+                      (psi, *_DEVICE), do("found", found + low) / f.size)  # fmt: skip
 
 
 def late_apart() -> Routine:

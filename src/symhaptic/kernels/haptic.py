@@ -5080,23 +5080,34 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, acros
     square_halves = halves(xp, square)
     missed = at_minus_one*low + product_error(taken, at_minus_one_halves, square_halves)
     lost = lost - missed
-    left = lost + total
+    total2 = lost + total
+    back = total2 - total
+    lost = lost - back
     taken = apart_*square
     total = together_ - taken
     back = total - together_
     rest = total - back
     one = together_ - rest
     two = -back - taken
-    lost = one + two
+    lost4 = one + two
     apart__halves = halves(xp, apart_)
     missed = apart_*low + product_error(taken, apart__halves, square_halves)
-    lost = lost - missed
-    left2 = lost + total
+    lost4 = lost4 - missed
+    total4 = lost4 + total
+    back = total4 - total
+    lost4 = lost4 - back
     above_j = 2.0*loss*t
     below_j = across*t
-    size = (below_j*below_j) + (left2*left2)
-    ahead_of = (above_j*left2 - below_j*left)/size
-    in_phase_of = (above_j*below_j + left*left2)/size
+    rest = (below_j*below_j) + 2.0*lost4*total4
+    size = rest + (total4*total4)
+    low = above_j*lost4 - below_j*lost
+    found = above_j*total4 - below_j*total2
+    found = found + low
+    ahead_of = found/size
+    low = lost*total4 + lost4*total2
+    rest = above_j*below_j + low
+    found = rest + total2*total4
+    in_phase_of = found/size
     return ahead_of, in_phase_of
 
 

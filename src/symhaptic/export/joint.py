@@ -1,0 +1,114 @@
+"""Routines that begin alike, as one: what they find from the same arguments is found together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+from sympy import Expr, Symbol
+from sympy.core.function import AppliedUndef
+
+from symhaptic.export.routine import Routine, Several, Step, expm1, fresh
+from symhaptic.export.target import code_name
+from symhaptic.model.entire import CosNext, Entire, SinNext
+from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.model.response import Ahead, Careful, InPhase, KickLow
+from symhaptic.model.slopes import ApartDrop, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
+
+MERGED = (
+    Apart, Fall, Nyquist, Rise, Swing, Together,
+    Kick, KickLow, Coast, Echo, Ebb, RiseDrop, FallDrop, ApartDrop,
+    CosNext, SinNext, Ahead, InPhase,
+)  # fmt: skip
+"""Functions that have steps in common with others of the same arguments."""
+
+_CALLS = (Entire, Careful, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
+
+
+def merged(user: Routine) -> Routine:
+    """The routine with one call for all that several of MERGED find from the same arguments."""
+    taken = {s.name for s in (*user.arguments, *(s for s, _ in user.assignments))}
+    calls: dict[Expr, Symbol] = {}
+    steps: list[tuple[Symbol, Expr]] = []
+
+    def named(expr: Expr) -> Expr:
+        """Every such call is a step of its own, those inside it first."""
+        while inner := [
+            c for c in expr.atoms(*MERGED) if not any(a.atoms(*MERGED) for a in c.args)
+        ]:
+            for call in sorted(inner, key=sp.default_sort_key):
+                if call not in calls:
+                    calls[call] = fresh(f"{code_name(type(call).__name__)}_of", taken)
+                    steps.append((calls[call], call))
+            expr = expr.xreplace(calls)
+        return expr
+
+    same: dict[Symbol, Expr] = {}
+    for symbol, expr in user.assignments:
+        value = named(expr.xreplace(same))
+        if value.is_Symbol:
+            same[symbol] = value
+        else:
+            steps.append((symbol, value))
+    results = tuple((name, named(expr.xreplace(same))) for name, expr in user.results)
+    found: dict[tuple[Expr, ...], dict[str, Symbol]] = {}
+    for call, symbol in calls.items():
+        found.setdefault(call.args, {})[type(call).__name__] = symbol
+    done: list[Step] = []
+    for symbol, expr in steps:
+        together = found.get(expr.args, {}) if isinstance(expr, MERGED) else {}
+        if len(together) < 2:
+            done.append((symbol, expr))
+        elif symbol == next(iter(together.values())):
+            several = sorted(together)
+            joint = sp.Function("_".join(several))(*expr.args)
+            done.append(Several(tuple(together[name] for name in several), joint))
+    return replace(user, steps=tuple(done), results=results)
+
+
+def joint(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
+    """Routines of the same arguments as one; a step that two of them have is done once."""
+    arguments = routines[parts[0]].arguments
+    taken = {s.name for s in arguments}
+    done: dict[Expr, Symbol] = {}
+    found: dict[str, Symbol] = {}
+
+    def step(name: str, expr: Expr) -> Symbol:
+        if expr.is_Symbol:
+            return expr
+        if expr not in done:
+            done[expr] = fresh(name, taken)
+        return done[expr]
+
+    def named(expr: Expr) -> Expr:
+        """Every call is a step of its own."""
+        while inner := [c for c in expr.atoms(*_CALLS) if c != expr and not _calls(c)]:
+            call = min(inner, key=sp.default_sort_key)
+            expr = expr.xreplace({call: value(call)})
+        return value(expr) if isinstance(expr, MERGED) else expr
+
+    def value(call: Expr) -> Symbol:
+        own = type(call).__name__
+        if isinstance(call, MERGED) and call.args == arguments:
+            return result(own)
+        return step(f"{code_name(own)}_of", call)
+
+    def result(own: str) -> Symbol:
+        if own not in found:
+            names: dict[Symbol, Expr] = {}
+            for symbol, expr in routines[own].assignments:
+                names[symbol] = step(symbol.name, named(expr.xreplace(names)))
+            last = routines[own].results[0][1].xreplace(names)
+            found[own] = step(f"{code_name(own)}_of", named(last))
+        return found[own]
+
+    results = tuple((code_name(part), result(part)) for part in parts)
+    about = "; ".join(routines[part].about for part in parts)
+    return Routine(
+        "_".join(parts), about, arguments, tuple((s, e) for e, s in done.items()), results
+    )
+
+
+def _calls(call: Expr) -> bool:
+    return any(arg.atoms(*_CALLS) for arg in call.args)
