@@ -19,8 +19,8 @@ _whole = sp.Eq(epsilon, 0)
 def need() -> Routine:
     """The damping that the wall needs at an angle."""
     do = Steps()
-    early, late = do("early", worst.straight(l)), do("late", worst.straight(l + 1))
-    n = do("n", early + epsilon * do("more", late - early))
+    early, late = do("early", worst.straight(l)), worst.straight(l + 1)
+    n = do("n", worst.between(early, late))
     root = do("root", sqrt(n * n + worst.extra()))
     return do.routine("Need", "the damping that the wall needs at the angle 2 psi",
                       worst.ARGUMENTS, choose(_whole, early, (n + root) / 2))  # fmt: skip

@@ -6515,9 +6515,7 @@ def need(xp, alpha, beta, l, epsilon, psi):
 
     def no(alpha, beta, epsilon, l, psi):
         early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
-        late = 0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi)
-        more = late - early
-        n = early + epsilon*more
+        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
         root = square_root(xp, epsilon*(1.0 - epsilon)*((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(xp.sin(psi)*xp.sin(psi))) + (n*n))
         return 0.5*n + 0.5*root
 
@@ -6554,7 +6552,7 @@ def rising(xp, alpha, beta, l, epsilon, psi):
     t5 = t4 + 2.0
     t4 = t4 + 4.0
     early = t3*(t5*t5)*sinc(xp, psi*t5) - t2*chord(xp, l, t)
-    steep = early*(1.0 - epsilon) + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - t2*chord(xp, l + 1.0, t))
+    steep = early + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - early - t2*chord(xp, l + 1.0, t))
     return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*need(xp, alpha, beta, l, epsilon, psi)
 
 
@@ -6778,10 +6776,11 @@ def turn_single(xp, psi, l, epsilon):
     t9 = epsilon*t8
     t10 = 2.0*l
     t5 = 2.0*t5/(wave7*wave7)
-    t12 = 1.0/wave7
-    t13 = epsilon*(t12*t6*wave11*(t10 + 3.0) - t7*wave6)
-    t12 = t8*(0.5*t12*t3*wave9*(t10 + 1.0) - t7*wave5)
-    above = -2.0*t6*t7*t9*wave8 - (-epsilon*t5*wave4 - t5*t8*wave3)*(0.5*t13 + 0.5*t12 + 0.5*square_root(xp, ((t13 + t12)*(t13 + t12)) + t9*(wave2*wave2)/(t2*t2)))
+    t12 = -t5*wave3
+    t13 = 1.0/wave7
+    t14 = epsilon*(t13*t6*wave11*(t10 + 3.0) - t7*wave6)
+    t13 = t8*(0.5*t13*t3*wave9*(t10 + 1.0) - t7*wave5)
+    above = -2.0*t6*t7*t9*wave8 - (epsilon*(-t5*wave4 - t12) + t12)*(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, ((t14 + t13)*(t14 + t13)) + t9*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         return 0.0
@@ -6790,12 +6789,13 @@ def turn_single(xp, psi, l, epsilon):
         wave = xp.sin(psi)
         wave10 = sinc(xp, psi*(2.0*l + 2.0))
         wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t22 = 1.0 - epsilon
-        t23 = epsilon*t22
-        t24 = 2.0*l
-        t27 = -epsilon*wave6
-        t28 = -t22*wave5
-        below = -2.0*t23*wave8 - (epsilon*wave12*((t24 + 4.0)*(t24 + 4.0)) + t22*wave10*((t24 + 2.0)*(t24 + 2.0)))*(0.5*t27 + 0.5*t28 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t27 + t28)*(t27 + t28))))
+        t23 = 1.0 - epsilon
+        t24 = epsilon*t23
+        t25 = 2.0*l
+        t27 = wave10*((t25 + 2.0)*(t25 + 2.0))
+        t29 = -epsilon*wave6
+        t23 = -t23*wave5
+        below = -2.0*t24*wave8 - (epsilon*(wave12*((t25 + 4.0)*(t25 + 4.0)) - t27) + t27)*(0.5*t29 + 0.5*t23 + 0.5*square_root(xp, 4.0*t24*(wave*wave) + ((t29 + t23)*(t29 + t23))))
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -6829,21 +6829,22 @@ def turn_single(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                t29 = xp.sin(new)
-                t30 = l + 1.0
-                t31 = 1.0/t30
-                t32 = xp.cos(new)
-                t33 = t31*t32
-                t34 = 0.5*t33
-                t35 = t29 - t34
-                t36 = 1.0 - epsilon
-                t37 = epsilon*t36
-                t38 = 2.0*l
-                t33 = 2.0*t33/(wave7*wave7)
-                t40 = 1.0/wave7
-                t41 = epsilon*(t34*t40*wave11*(t38 + 3.0) - t35*wave6)
-                t40 = t36*(0.5*t31*t32*t40*wave9*(t38 + 1.0) - t35*wave5)
-                value = -2.0*t35*t37*wave8*(t29 + t34) - (epsilon*(t29*wave12*((t38 + 4.0)*(t38 + 4.0)) - t33*wave4) + t36*(t29*wave10*((t38 + 2.0)*(t38 + 2.0)) - t33*wave3))*(0.5*t41 + 0.5*t40 + 0.5*square_root(xp, t37*(4.0*(t29*t29)*(wave*wave) + (t32*t32)*(wave2*wave2)/(t30*t30)) + ((t41 + t40)*(t41 + t40))))
+                t31 = xp.sin(new)
+                t32 = l + 1.0
+                t33 = 1.0/t32
+                t34 = xp.cos(new)
+                t35 = t33*t34
+                t36 = 0.5*t35
+                t37 = t31 - t36
+                t38 = 1.0 - epsilon
+                t39 = epsilon*t38
+                t40 = 2.0*l
+                t35 = 2.0*t35/(wave7*wave7)
+                t42 = t31*wave10*((t40 + 2.0)*(t40 + 2.0)) - t35*wave3
+                t43 = 1.0/wave7
+                t44 = epsilon*(t36*t43*wave11*(t40 + 3.0) - t37*wave6)
+                t43 = t38*(0.5*t33*t34*t43*wave9*(t40 + 1.0) - t37*wave5)
+                value = -2.0*t37*t39*wave8*(t31 + t36) - (epsilon*(t31*wave12*((t40 + 4.0)*(t40 + 4.0)) - t35*wave4 - t42) + t42)*(0.5*t44 + 0.5*t43 + 0.5*square_root(xp, t39*(4.0*(t31*t31)*(wave*wave) + (t34*t34)*(wave2*wave2)/(t32*t32)) + ((t44 + t43)*(t44 + t43))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -6888,10 +6889,11 @@ def turn(xp, psi, l, epsilon):
     t9 = epsilon*t8
     t10 = 2.0*l
     t5 = 2.0*t5/(wave7*wave7)
-    t12 = 1.0/wave7
-    t13 = epsilon*(t12*t6*wave11*(t10 + 3.0) - t7*wave6)
-    t12 = t8*(0.5*t12*t3*wave9*(t10 + 1.0) - t7*wave5)
-    above = -2.0*t6*t7*t9*wave8 - (-epsilon*t5*wave4 - t5*t8*wave3)*(0.5*t13 + 0.5*t12 + 0.5*square_root(xp, ((t13 + t12)*(t13 + t12)) + t9*(wave2*wave2)/(t2*t2)))
+    t12 = -t5*wave3
+    t13 = 1.0/wave7
+    t14 = epsilon*(t13*t6*wave11*(t10 + 3.0) - t7*wave6)
+    t13 = t8*(0.5*t13*t3*wave9*(t10 + 1.0) - t7*wave5)
+    above = -2.0*t6*t7*t9*wave8 - (epsilon*(-t5*wave4 - t12) + t12)*(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, ((t14 + t13)*(t14 + t13)) + t9*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         return 0.0
@@ -6900,12 +6902,13 @@ def turn(xp, psi, l, epsilon):
         wave = xp.sin(psi)
         wave10 = sinc(xp, psi*(2.0*l + 2.0))
         wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t22 = 1.0 - epsilon
-        t23 = epsilon*t22
-        t24 = 2.0*l
-        t27 = -epsilon*wave6
-        t28 = -t22*wave5
-        below = -2.0*t23*wave8 - (epsilon*wave12*((t24 + 4.0)*(t24 + 4.0)) + t22*wave10*((t24 + 2.0)*(t24 + 2.0)))*(0.5*t27 + 0.5*t28 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t27 + t28)*(t27 + t28))))
+        t23 = 1.0 - epsilon
+        t24 = epsilon*t23
+        t25 = 2.0*l
+        t27 = wave10*((t25 + 2.0)*(t25 + 2.0))
+        t29 = -epsilon*wave6
+        t23 = -t23*wave5
+        below = -2.0*t24*wave8 - (epsilon*(wave12*((t25 + 4.0)*(t25 + 4.0)) - t27) + t27)*(0.5*t29 + 0.5*t23 + 0.5*square_root(xp, 4.0*t24*(wave*wave) + ((t29 + t23)*(t29 + t23))))
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -6939,21 +6942,22 @@ def turn(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                t29 = xp.sin(new)
-                t30 = l + 1.0
-                t31 = 1.0/t30
-                t32 = xp.cos(new)
-                t33 = t31*t32
-                t34 = 0.5*t33
-                t35 = t29 - t34
-                t36 = 1.0 - epsilon
-                t37 = epsilon*t36
-                t38 = 2.0*l
-                t33 = 2.0*t33/(wave7*wave7)
-                t40 = 1.0/wave7
-                t41 = epsilon*(t34*t40*wave11*(t38 + 3.0) - t35*wave6)
-                t40 = t36*(0.5*t31*t32*t40*wave9*(t38 + 1.0) - t35*wave5)
-                value = -2.0*t35*t37*wave8*(t29 + t34) - (epsilon*(t29*wave12*((t38 + 4.0)*(t38 + 4.0)) - t33*wave4) + t36*(t29*wave10*((t38 + 2.0)*(t38 + 2.0)) - t33*wave3))*(0.5*t41 + 0.5*t40 + 0.5*square_root(xp, t37*(4.0*(t29*t29)*(wave*wave) + (t32*t32)*(wave2*wave2)/(t30*t30)) + ((t41 + t40)*(t41 + t40))))
+                t31 = xp.sin(new)
+                t32 = l + 1.0
+                t33 = 1.0/t32
+                t34 = xp.cos(new)
+                t35 = t33*t34
+                t36 = 0.5*t35
+                t37 = t31 - t36
+                t38 = 1.0 - epsilon
+                t39 = epsilon*t38
+                t40 = 2.0*l
+                t35 = 2.0*t35/(wave7*wave7)
+                t42 = t31*wave10*((t40 + 2.0)*(t40 + 2.0)) - t35*wave3
+                t43 = 1.0/wave7
+                t44 = epsilon*(t36*t43*wave11*(t40 + 3.0) - t37*wave6)
+                t43 = t38*(0.5*t33*t34*t43*wave9*(t40 + 1.0) - t37*wave5)
+                value = -2.0*t37*t39*wave8*(t31 + t36) - (epsilon*(t31*wave12*((t40 + 4.0)*(t40 + 4.0)) - t35*wave4 - t42) + t42)*(0.5*t44 + 0.5*t43 + 0.5*square_root(xp, t39*(4.0*(t31*t31)*(wave*wave) + (t34*t34)*(wave2*wave2)/(t32*t32)) + ((t44 + t43)*(t44 + t43))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -6989,7 +6993,7 @@ def passive_angle_single(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*cos_next(xp, l + 1.0, 2.0*low) + (1.0 - epsilon)*cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
 
     def yes(low):
         root = low
@@ -7001,7 +7005,7 @@ def passive_angle_single(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*cos_next(xp, l + 1.0, 2.0*high) + (1.0 - epsilon)*cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
 
         def yes(high):
             root = high
@@ -7040,7 +7044,7 @@ def passive_angle_single(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*cos_next(xp, l + 1.0, 2.0*new) + (1.0 - epsilon)*cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -7072,7 +7076,7 @@ def passive_angle(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*cos_next(xp, l + 1.0, 2.0*low) + (1.0 - epsilon)*cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
 
     def yes(low):
         root = low
@@ -7084,7 +7088,7 @@ def passive_angle(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*cos_next(xp, l + 1.0, 2.0*high) + (1.0 - epsilon)*cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
 
         def yes(high):
             root = high
@@ -7123,7 +7127,7 @@ def passive_angle(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*cos_next(xp, l + 1.0, 2.0*new) + (1.0 - epsilon)*cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)

@@ -35,6 +35,11 @@ def steepness(k: Expr) -> Expr:
 
 def between(early: Expr, late: Expr) -> Expr:
     """The mean over the two whole delays."""
+    return early + epsilon * (late - early)
+
+
+def weighted(early: Expr, late: Expr) -> Expr:
+    """The same as a sum of two, whose terms stay apart in a formula."""
     return (1 - epsilon) * early + epsilon * late
 
 
@@ -51,7 +56,7 @@ def rising(need: Expr, steep: Expr) -> Expr:
 
 def need() -> Expr:
     """The damping that all motions need at an angle, at a fraction of a period."""
-    n = between(straight(l), straight(l + 1))
+    n = weighted(straight(l), straight(l + 1))
     return (n + sp.sqrt(n * n + extra())) / 2
 
 
@@ -70,6 +75,7 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
     n, steep = (between(f(l), f(l + 1)) for f in (straight, steepness))
     return (
         (straight(l), whole),
+        (weighted(straight(l), straight(l + 1)), n),
         (psi * steepness(l), whole.diff(psi)),
         (delta**2 - delta * n - extra() / 4, margin),
         (psi * rising(delta, steep), -margin.diff(psi)),
