@@ -1,0 +1,111 @@
+"""What several routines find from the same arguments is what each of them finds alone."""
+
+from collections import Counter
+from functools import cache, partial
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from mpmath import mpf
+
+from symhaptic.export import joint, request
+from symhaptic.export.array_api import TARGET
+from symhaptic.export.library import known, library, named, routine
+from symhaptic.export.routine import Several, computed
+from symhaptic.model.derivatives import differentiable, with_derivatives
+
+ROUTINES = known()
+PLAIN = request.chosen([], delay=2)
+FORMS = [*PLAIN, with_derivatives(PLAIN[0], differentiable(PLAIN[0]))]
+MERGED = {form.name: joint.merged(routine(form)) for form in FORMS}
+JOINT = sorted({step.call.func.__name__ for r in MERGED.values() for step in r.steps
+                if isinstance(step, Several)})  # fmt: skip
+
+
+@cache
+def program(name):
+    """The steps and the results of a routine as functions of all that is known before."""
+    found = named(name, ROUTINES)
+    modules = [{n: partial(alone, n) for n in ROUTINES}, {"ProductError": lambda *_: 0}, "mpmath"]
+    before, steps = list(found.arguments), []
+    for symbol, expr in found.steps:
+        steps.append(sp.lambdify(before, expr, modules))
+        before.append(symbol)
+    return steps, [sp.lambdify(before, expr, modules) for _, expr in found.results]
+
+
+def run(name, *values):
+    """All results, in as many digits as are asked for."""
+    steps, results = program(name)
+    for step in steps:
+        values = (*values, step(*values))
+    return [result(*values) for result in results]
+
+
+def alone(name, *values):
+    """The one result."""
+    (found,) = run(name, *values)
+    return found
+
+
+POINTS = {
+    2: [("0.01", "0.1"), ("3.99", "0.01"), ("30", "1"), ("2", "40"), ("1", "2"), ("0.2", "1.9")],
+    7: [("0.7", "0.4", "3.1", "0.3", "0.9", "0.05", "1.1")],
+}
+
+
+@pytest.mark.parametrize("name", JOINT)
+def test_each_result_is_that_of_the_routine_alone(name):
+    count = len(named(name, ROUTINES).arguments)
+    for point in POINTS[count]:
+        with mpmath.workdps(40):
+            numbers = [mpf(x) for x in point]
+            theirs = [alone(part, *numbers) for part in name.split("_")]
+            for one, other in zip(run(name, *numbers), theirs, strict=True):
+                assert abs(one - other) <= 1e-35 * abs(other)
+
+
+def test_there_are_some_with_all_kinds_of_arguments():
+    assert {len(named(name, ROUTINES).arguments) for name in JOINT} == set(POINTS)
+
+
+@pytest.mark.parametrize("name", MERGED)
+def test_nothing_is_called_twice_with_the_same_arguments(name):
+    found = MERGED[name]
+    asked = Counter()
+    for step in found.steps:
+        for expr in computed(step):
+            calls = expr.atoms(*joint.MERGED)
+            asked.update(call.args for call in calls)
+            if isinstance(step, Several):
+                asked[expr.args] += 1
+    assert not [args for args, times in asked.items() if times > 1]
+
+
+def test_merged_or_not_the_numbers_are_the_same():
+    """To the last places of a float: terms may be added in another order."""
+    rng = np.random.default_rng(5)
+    given = {"gamma": rng.uniform(0, 5, 60), "delta": rng.uniform(0, 5, 60), "epsilon": 0.3,
+             "theta": rng.uniform(0.1, 1, 60), "alpha": 0.4, "beta": 0.2,
+             "d": rng.choice([0.0, 1.0, 0.5, 2.25], 60)}  # fmt: skip
+    forms = request.chosen([])
+    spaces = []
+    for merges in (True, False):
+        space = {}
+        exec(TARGET.source(library("some", "", forms, TARGET, merges))["some.py"], space)
+        spaces.append(space)
+    for form in forms:
+        one, two = (np.stack(np.atleast_1d(s[form.name](*(given[a.name] for a in form.arguments))))
+                    for s in spaces)  # fmt: skip
+        tolerance = 1e-9 if form.name == "max_stable_stiffness" else 1e-13  # its flat angle
+        np.testing.assert_allclose(one, two, rtol=tolerance, atol=1e-15)
+
+
+def test_a_file_for_octave_has_what_its_function_needs_and_no_more():
+    from symhaptic.export.targets import TARGETS
+
+    _, files = request.built(TARGETS["octave"], PLAIN, vectors=False)
+    assert files["+haptic/linear_limit.m"].count("\nfunction ") == 1  # pick
+    assert "kick" in files["+haptic/stability_boundary.m"]
+    assert "kick" not in files["+haptic/discretize.m"]
