@@ -16,6 +16,14 @@ _WALL = (alpha, beta, l, epsilon)
 _whole = sp.Eq(epsilon, 0)
 
 
+def between() -> Routine:
+    """A mean; the difference is rounded before it is weighted."""
+    do = Steps()
+    share, early, late = given = sp.symbols("share early late")
+    more = do("more", late - early)
+    return do.routine("Between", "early + share (late - early)", given, early + share * more)
+
+
 def need() -> Routine:
     """The damping that the wall needs at an angle."""
     do = Steps()
@@ -163,7 +171,7 @@ def some_part() -> Routine:
                       choose(sp.Eq(part, 0), sp.S.Half, part))  # fmt: skip
 
 
-ROUTINES = (
+ROUTINES = (between,
     whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
     rated,
 )  # fmt: skip

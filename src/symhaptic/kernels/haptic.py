@@ -6739,6 +6739,12 @@ def largest_need(xp, alpha, beta, d):
     return select(xp, alpha < 0.0, yes, (alpha,), no, (alpha, beta, d))
 
 
+def between(xp, share, early, late):
+    """early + share (late - early)"""
+    more = late - early
+    return early + more*share
+
+
 def spread(xp, k, x):
     """((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3"""
     turn_ = x*(k + 1.0)
@@ -6768,19 +6774,20 @@ def turn_single(xp, psi, l, epsilon):
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
     t2 = l + 1.0
-    t3 = 1.0/t2
-    t5 = t3
-    t6 = 0.5*t5
-    t7 = -t6
-    t8 = 1.0 - epsilon
-    t9 = epsilon*t8
-    t10 = 2.0*l
-    t5 = 2.0*t5/(wave7*wave7)
-    t12 = -t5*wave3
-    t13 = 1.0/wave7
-    t14 = epsilon*(t13*t6*wave11*(t10 + 3.0) - t7*wave6)
-    t13 = t8*(0.5*t13*t3*wave9*(t10 + 1.0) - t7*wave5)
-    above = -2.0*t6*t7*t9*wave8 - (epsilon*(-t5*wave4 - t12) + t12)*(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, ((t14 + t13)*(t14 + t13)) + t9*(wave2*wave2)/(t2*t2)))
+    t4 = 1.0/t2
+    t5 = 0.5*t4
+    t6 = -t5
+    t7 = epsilon*(1.0 - epsilon)
+    t8 = 2.0*l
+    t9 = 2.0*t4/(wave7*wave7)
+    t10 = -t9*wave3
+    t11 = t6*wave5
+    t12 = 1.0/wave7
+    t13 = wave9*(t8 + 1.0)
+    t14 = t12*t5
+    t15 = t13*t14
+    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         return 0.0
@@ -6789,13 +6796,12 @@ def turn_single(xp, psi, l, epsilon):
         wave = xp.sin(psi)
         wave10 = sinc(xp, psi*(2.0*l + 2.0))
         wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t23 = 1.0 - epsilon
-        t24 = epsilon*t23
-        t25 = 2.0*l
-        t27 = wave10*((t25 + 2.0)*(t25 + 2.0))
-        t29 = -epsilon*wave6
-        t23 = -t23*wave5
-        below = -2.0*t24*wave8 - (epsilon*(wave12*((t25 + 4.0)*(t25 + 4.0)) - t27) + t27)*(0.5*t29 + 0.5*t23 + 0.5*square_root(xp, 4.0*t24*(wave*wave) + ((t29 + t23)*(t29 + t23))))
+        t23 = epsilon*(1.0 - epsilon)
+        t24 = 2.0*l
+        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
+        t27 = wave5
+        t32 = epsilon*(t27 - wave6)
+        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -6829,22 +6835,23 @@ def turn_single(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                t31 = xp.sin(new)
-                t32 = l + 1.0
-                t33 = 1.0/t32
-                t34 = xp.cos(new)
-                t35 = t33*t34
-                t36 = 0.5*t35
-                t37 = t31 - t36
-                t38 = 1.0 - epsilon
-                t39 = epsilon*t38
+                t33 = xp.sin(new)
+                t34 = l + 1.0
+                t35 = xp.cos(new)
+                t36 = t35/t34
+                t37 = 0.5*t36
+                t38 = t33 - t37
+                t39 = epsilon*(1.0 - epsilon)
                 t40 = 2.0*l
-                t35 = 2.0*t35/(wave7*wave7)
-                t42 = t31*wave10*((t40 + 2.0)*(t40 + 2.0)) - t35*wave3
-                t43 = 1.0/wave7
-                t44 = epsilon*(t36*t43*wave11*(t40 + 3.0) - t37*wave6)
-                t43 = t38*(0.5*t33*t34*t43*wave9*(t40 + 1.0) - t37*wave5)
-                value = -2.0*t37*t39*wave8*(t31 + t36) - (epsilon*(t31*wave12*((t40 + 4.0)*(t40 + 4.0)) - t35*wave4 - t42) + t42)*(0.5*t44 + 0.5*t43 + 0.5*square_root(xp, t39*(4.0*(t31*t31)*(wave*wave) + (t34*t34)*(wave2*wave2)/(t32*t32)) + ((t44 + t43)*(t44 + t43))))
+                t41 = 2.0*t36/(wave7*wave7)
+                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
+                t43 = t38*wave5
+                t44 = 1.0/wave7
+                t45 = wave9*(t40 + 1.0)
+                t46 = t37*t44
+                t47 = t45*t46
+                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
+                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -6881,19 +6888,20 @@ def turn(xp, psi, l, epsilon):
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
     t2 = l + 1.0
-    t3 = 1.0/t2
-    t5 = t3
-    t6 = 0.5*t5
-    t7 = -t6
-    t8 = 1.0 - epsilon
-    t9 = epsilon*t8
-    t10 = 2.0*l
-    t5 = 2.0*t5/(wave7*wave7)
-    t12 = -t5*wave3
-    t13 = 1.0/wave7
-    t14 = epsilon*(t13*t6*wave11*(t10 + 3.0) - t7*wave6)
-    t13 = t8*(0.5*t13*t3*wave9*(t10 + 1.0) - t7*wave5)
-    above = -2.0*t6*t7*t9*wave8 - (epsilon*(-t5*wave4 - t12) + t12)*(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, ((t14 + t13)*(t14 + t13)) + t9*(wave2*wave2)/(t2*t2)))
+    t4 = 1.0/t2
+    t5 = 0.5*t4
+    t6 = -t5
+    t7 = epsilon*(1.0 - epsilon)
+    t8 = 2.0*l
+    t9 = 2.0*t4/(wave7*wave7)
+    t10 = -t9*wave3
+    t11 = t6*wave5
+    t12 = 1.0/wave7
+    t13 = wave9*(t8 + 1.0)
+    t14 = t12*t5
+    t15 = t13*t14
+    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
 
     def yes(above):
         return 0.0
@@ -6902,13 +6910,12 @@ def turn(xp, psi, l, epsilon):
         wave = xp.sin(psi)
         wave10 = sinc(xp, psi*(2.0*l + 2.0))
         wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t23 = 1.0 - epsilon
-        t24 = epsilon*t23
-        t25 = 2.0*l
-        t27 = wave10*((t25 + 2.0)*(t25 + 2.0))
-        t29 = -epsilon*wave6
-        t23 = -t23*wave5
-        below = -2.0*t24*wave8 - (epsilon*(wave12*((t25 + 4.0)*(t25 + 4.0)) - t27) + t27)*(0.5*t29 + 0.5*t23 + 0.5*square_root(xp, 4.0*t24*(wave*wave) + ((t29 + t23)*(t29 + t23))))
+        t23 = epsilon*(1.0 - epsilon)
+        t24 = 2.0*l
+        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
+        t27 = wave5
+        t32 = epsilon*(t27 - wave6)
+        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -6942,22 +6949,23 @@ def turn(xp, psi, l, epsilon):
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
                 new = a + share*width
-                t31 = xp.sin(new)
-                t32 = l + 1.0
-                t33 = 1.0/t32
-                t34 = xp.cos(new)
-                t35 = t33*t34
-                t36 = 0.5*t35
-                t37 = t31 - t36
-                t38 = 1.0 - epsilon
-                t39 = epsilon*t38
+                t33 = xp.sin(new)
+                t34 = l + 1.0
+                t35 = xp.cos(new)
+                t36 = t35/t34
+                t37 = 0.5*t36
+                t38 = t33 - t37
+                t39 = epsilon*(1.0 - epsilon)
                 t40 = 2.0*l
-                t35 = 2.0*t35/(wave7*wave7)
-                t42 = t31*wave10*((t40 + 2.0)*(t40 + 2.0)) - t35*wave3
-                t43 = 1.0/wave7
-                t44 = epsilon*(t36*t43*wave11*(t40 + 3.0) - t37*wave6)
-                t43 = t38*(0.5*t33*t34*t43*wave9*(t40 + 1.0) - t37*wave5)
-                value = -2.0*t37*t39*wave8*(t31 + t36) - (epsilon*(t31*wave12*((t40 + 4.0)*(t40 + 4.0)) - t35*wave4 - t42) + t42)*(0.5*t44 + 0.5*t43 + 0.5*square_root(xp, t39*(4.0*(t31*t31)*(wave*wave) + (t34*t34)*(wave2*wave2)/(t32*t32)) + ((t44 + t43)*(t44 + t43))))
+                t41 = 2.0*t36/(wave7*wave7)
+                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
+                t43 = t38*wave5
+                t44 = 1.0/wave7
+                t45 = wave9*(t40 + 1.0)
+                t46 = t37*t44
+                t47 = t45*t46
+                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
+                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -7461,18 +7469,15 @@ def passivity_boundary(theta, delta, d):
             t8 = xp.sin(t8)
             t12 = t8 - 0.5*t10
             t13 = 2.0*t4
-            t14 = t13 + 3.0
+            t14 = t13 + 1.0
             t2 = 1.0/t2
-            cos_next_of = cos_next(xp, t5, theta)
-            t14 = t7*(0.5*t14*t2*t6*t9*sinc(xp, t1*t14) - cos_next_of*t12)
-            t17 = 1.0 - t7
-            t13 = t13 + 1.0
+            t13 = t13 + 3.0
             cos_next_of = cos_next(xp, t4, theta)
-            t13 = t17*(0.5*t2*t13*t6*t9*sinc(xp, t1*t13) - cos_next_of*t12)
-            t2 = t14 + t13
-            t6 = xp.sin(t1)
+            cos_next_of2 = cos_next(xp, t5, theta)
+            t13 = between(xp, t7, 0.5*t14*t2*t6*t9*sinc(xp, t1*t14) - cos_next_of*t12, 0.5*t2*t13*t6*t9*sinc(xp, t1*t13) - cos_next_of2*t12)
+            t2 = xp.sin(t1)
             t1 = xp.cos(t1)
-            t1 = delta/(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, t17*t7*(4.0*(t8*t8)*(t6*t6) + (t1*t1)*(t9*t9)/(t5*t5)) + (t2*t2)))
+            t1 = delta/(0.5*t13 + 0.5*square_root(xp, (t13*t13) + t7*(1.0 - t7)*(4.0*(t8*t8)*(t2*t2) + (t1*t1)*(t9*t9)/(t5*t5))))
             return t10*t1, t12*t1
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
@@ -7510,19 +7515,16 @@ def max_passive_stiffness(delta, d):
             t8 = xp.sin(t8)
             t12 = t8 - 0.5*t10
             t13 = 2.0*t3
-            t14 = t13 + 3.0
+            t14 = t13 + 1.0
             t15 = 0.5*t7
             t16 = sinc(xp, t15)
-            cos_next_of = cos_next(xp, t4, t7)
-            t14 = t6*(0.5*t14*t5*t9*sinc(xp, t14*t15)/t16 - cos_next_of*t12)
-            t18 = 1.0 - t6
-            t13 = t13 + 1.0
+            t13 = t13 + 3.0
             cos_next_of = cos_next(xp, t3, t7)
-            t13 = t18*(0.5*t13*t5*t9*sinc(xp, t15*t13)/t16 - cos_next_of*t12)
-            t16 = t14 + t13
-            t5 = xp.sin(t15)
+            cos_next_of2 = cos_next(xp, t4, t7)
+            t13 = between(xp, t6, 0.5*t14*t5*t9*sinc(xp, t14*t15)/t16 - cos_next_of*t12, 0.5*t13*t5*t9*sinc(xp, t15*t13)/t16 - cos_next_of2*t12)
+            t16 = xp.sin(t15)
             t15 = xp.cos(t15)
-            t15 = delta/(0.5*t14 + 0.5*t13 + 0.5*square_root(xp, t18*t6*(4.0*(t8*t8)*(t5*t5) + (t15*t15)*(t9*t9)/(t4*t4)) + (t16*t16)))
+            t15 = delta/(0.5*t13 + 0.5*square_root(xp, (t13*t13) + t6*(1.0 - t6)*(4.0*(t8*t8)*(t16*t16) + (t15*t15)*(t9*t9)/(t4*t4))))
             return t10*t15, t12*t15, t7
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))

@@ -9,6 +9,7 @@ delays n is the mean of both and all motions need :math:`b` with
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 import sympy as sp
@@ -16,6 +17,7 @@ from sympy import Expr, Symbol, cos, sin
 
 from symhaptic.model import fractional, passivity
 from symhaptic.model.entire import Chord, CosNext, Sinc
+from symhaptic.model.response import Careful
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta
 
 
@@ -38,9 +40,17 @@ def between(early: Expr, late: Expr) -> Expr:
     return early + epsilon * (late - early)
 
 
-def weighted(early: Expr, late: Expr) -> Expr:
-    """The same as a sum of two, whose terms stay apart in a formula."""
-    return (1 - epsilon) * early + epsilon * late
+class Between(Careful):
+    """The same as a function, so that what is needed at the later delay stays one number."""
+
+    nargs = 3
+    meaning = "early + epsilon (late - early)"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The mean."""
+        share, early, late = args
+        return early + share * (late - early)
 
 
 def extra() -> Expr:
@@ -54,9 +64,9 @@ def rising(need: Expr, steep: Expr) -> Expr:
     return need * steep + 2 * epsilon * (1 - epsilon) * beta * (alpha + beta) * Sinc(2 * psi)
 
 
-def need() -> Expr:
+def need(mean: Callable[[Expr, Expr], Expr] = between) -> Expr:
     """The damping that all motions need at an angle, at a fraction of a period."""
-    n = weighted(straight(l), straight(l + 1))
+    n = mean(straight(l), straight(l + 1))
     return (n + sp.sqrt(n * n + extra())) / 2
 
 
@@ -75,7 +85,7 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
     n, steep = (between(f(l), f(l + 1)) for f in (straight, steepness))
     return (
         (straight(l), whole),
-        (weighted(straight(l), straight(l + 1)), n),
+        (Between.definition(epsilon, alpha, beta), between(alpha, beta)),
         (psi * steepness(l), whole.diff(psi)),
         (delta**2 - delta * n - extra() / 4, margin),
         (psi * rising(delta, steep), -margin.diff(psi)),
