@@ -74,14 +74,16 @@ def test_what_is_recorded_is_within_its_goal(precision, name):
 
 
 def test_a_goal_is_missed_only_where_it_is_said():
-    """What is above its goal: the angle of a flat maximum, and a boundary next to pi."""
+    """What is above its goal: the angle of a flat maximum, and what only a search found."""
     missed = {
         (name, record.result)
         for names in MEASURED.values()
         for name, record in names.items()
         if record.error > GOALS[name]
     }
-    assert missed == {("max_stable_stiffness", "theta"), ("stability_boundary", "alpha")}
+    assert missed == {
+        ("discretize", "n1"), ("max_stable_stiffness", "theta"), ("stability_boundary", "beta")
+    }  # fmt: skip
     assert set(ABOVE) == {name for name, _ in missed}
 
 

@@ -6,14 +6,30 @@ import sympy as sp
 from sympy import Expr, atan2, cos, floor, pi, sin, sqrt
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, Steps, choose, difference, product, quotient
 from symhaptic.export.search import crossing
 from symhaptic.model import worst
+from symhaptic.model.entire import CosNext, Sinc
 from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta
 
 _WALL = (alpha, beta, l, epsilon)
 
 _whole = sp.Eq(epsilon, 0)
+
+
+def straight() -> Routine:
+    """What straight motions need, its products and its quotient not rounded one by one."""
+    do = Steps()
+    stiffness, damping, k, angle = given = sp.symbols("stiffness damping k angle")
+    order = do("order", 2 * k + 1)
+    wave, near = do("wave", Sinc(order * angle)), do("near", 2 * Sinc(angle))
+    top, top_low = product(do, order, wave)
+    kernel, kernel_low = quotient(do, top, near, top_low)
+    one, one_low = product(do, stiffness, kernel, kernel_low)
+    two, two_low = product(do, damping, do("along", CosNext(k, 2 * angle)))
+    total, lost = difference(do, one, two)
+    return do.routine("Straight", "what straight motions need at a whole delay of k periods",
+                      given, total + (lost + (one_low - two_low)))  # fmt: skip
 
 
 def between() -> Routine:
@@ -171,7 +187,8 @@ def some_part() -> Routine:
                       choose(sp.Eq(part, 0), sp.S.Half, part))  # fmt: skip
 
 
-ROUTINES = (between,
+ROUTINES = (straight,
+    between,
     whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
     rated,
 )  # fmt: skip

@@ -6762,6 +6762,39 @@ def spread(xp, k, x):
     return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
 
 
+def straight(xp, stiffness, damping, k, angle):
+    """what straight motions need at a whole delay of k periods"""
+    order = 2.0*k + 1.0
+    wave = sinc(xp, angle*order)
+    near = 2.0*sinc(xp, angle)
+    total = order*wave
+    order_halves = halves(xp, order)
+    wave_halves = halves(xp, wave)
+    lost = product_error(total, order_halves, wave_halves)
+    total2 = total/near
+    left = total - near*total2
+    total2_halves = halves(xp, total2)
+    near_halves = halves(xp, near)
+    left = left - product_error(total2*near, total2_halves, near_halves)
+    left = left + lost
+    lost = left/near
+    total = stiffness*total2
+    stiffness_halves = halves(xp, stiffness)
+    lost = lost*stiffness + product_error(total, stiffness_halves, total2_halves)
+    along = cos_next(xp, k, 2.0*angle)
+    total2 = along*damping
+    damping_halves = halves(xp, damping)
+    along_halves = halves(xp, along)
+    lost4 = product_error(total2, damping_halves, along_halves)
+    total5 = total - total2
+    back = total5 - total
+    rest = total5 - back
+    one = total - rest
+    two = -back - total2
+    lost5 = one + two
+    return lost - lost4 + lost5 + total5
+
+
 def turn_single(xp, psi, l, epsilon):
     """The same in single precision."""
     wave2 = xp.cos(psi)
@@ -7458,27 +7491,19 @@ def passivity_boundary(theta, delta, d):
 
         def no(d, delta, theta):
             t1 = 0.5*theta
-            t2 = sinc(xp, t1)
-            t4 = whole_part(xp, d)
-            t5 = t4 + 1.0
-            t6 = 1.0/t5
-            t7 = some_part(xp, d)
-            t8 = touching(xp, theta, t4, t7)
-            t9 = xp.cos(t8)
-            t10 = t6*t9
-            t8 = xp.sin(t8)
-            t12 = t8 - 0.5*t10
-            t13 = 2.0*t4
-            t14 = t13 + 1.0
-            t2 = 1.0/t2
-            t13 = t13 + 3.0
-            cos_next_of = cos_next(xp, t4, theta)
-            cos_next_of2 = cos_next(xp, t5, theta)
-            t13 = between(xp, t7, 0.5*t14*t2*t6*t9*sinc(xp, t1*t14) - cos_next_of*t12, 0.5*t2*t13*t6*t9*sinc(xp, t1*t13) - cos_next_of2*t12)
-            t2 = xp.sin(t1)
+            t3 = whole_part(xp, d)
+            t4 = t3 + 1.0
+            t5 = some_part(xp, d)
+            t6 = touching(xp, theta, t3, t5)
+            t7 = xp.cos(t6)
+            t8 = t7/t4
+            t6 = xp.sin(t6)
+            t10 = t6 - 0.5*t8
+            t3 = between(xp, t5, straight(xp, t8, t10, t3, t1), straight(xp, t8, t10, t4, t1))
+            t14 = xp.sin(t1)
             t1 = xp.cos(t1)
-            t1 = delta/(0.5*t13 + 0.5*square_root(xp, (t13*t13) + t7*(1.0 - t7)*(4.0*(t8*t8)*(t2*t2) + (t1*t1)*(t9*t9)/(t5*t5))))
-            return t10*t1, t12*t1
+            t1 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*(4.0*(t14*t14)*(t6*t6) + (t1*t1)*(t7*t7)/(t4*t4))))
+            return t1*t8, t10*t1
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
@@ -7506,26 +7531,19 @@ def max_passive_stiffness(delta, d):
         def no(d, delta):
             t3 = whole_part(xp, d)
             t4 = t3 + 1.0
-            t5 = 1.0/t4
-            t6 = some_part(xp, d)
-            t7 = passive_angle(xp, t3, t6)
-            t8 = touching(xp, t7, t3, t6)
-            t9 = xp.cos(t8)
-            t10 = t5*t9
-            t8 = xp.sin(t8)
-            t12 = t8 - 0.5*t10
-            t13 = 2.0*t3
-            t14 = t13 + 1.0
-            t15 = 0.5*t7
-            t16 = sinc(xp, t15)
-            t13 = t13 + 3.0
-            cos_next_of = cos_next(xp, t3, t7)
-            cos_next_of2 = cos_next(xp, t4, t7)
-            t13 = between(xp, t6, 0.5*t14*t5*t9*sinc(xp, t14*t15)/t16 - cos_next_of*t12, 0.5*t13*t5*t9*sinc(xp, t15*t13)/t16 - cos_next_of2*t12)
-            t16 = xp.sin(t15)
-            t15 = xp.cos(t15)
-            t15 = delta/(0.5*t13 + 0.5*square_root(xp, (t13*t13) + t6*(1.0 - t6)*(4.0*(t8*t8)*(t16*t16) + (t15*t15)*(t9*t9)/(t4*t4))))
-            return t10*t15, t12*t15, t7
+            t5 = some_part(xp, d)
+            t6 = passive_angle(xp, t3, t5)
+            t7 = touching(xp, t6, t3, t5)
+            t8 = xp.cos(t7)
+            t9 = t8/t4
+            t7 = xp.sin(t7)
+            t11 = t7 - 0.5*t9
+            t12 = 0.5*t6
+            t3 = between(xp, t5, straight(xp, t9, t11, t3, t12), straight(xp, t9, t11, t4, t12))
+            t15 = xp.sin(t12)
+            t12 = xp.cos(t12)
+            t12 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*(4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4))))
+            return t12*t9, t11*t12, t6
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 import sympy as sp
 from sympy import Expr, cos, pi, sin
 
@@ -152,7 +150,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
 def _touched(turn: Expr, angle: Expr) -> tuple[Expr, Expr]:
     """The wall of this direction that is just passive, if its worst angle is this one."""
     wall = {s: expr.xreplace({phi: turn}) for s, expr in worst.of_size_one().items()}
-    need = worst.need(partial(worst.Between, epsilon)).xreplace({**wall, psi: angle / 2})
+    need = worst.need(worst.careful()).xreplace({**wall, psi: angle / 2})
     return delta * wall[alpha] / need, delta * wall[beta] / need
 
 

@@ -9,7 +9,6 @@ delays n is the mean of both and all motions need :math:`b` with
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 
 import sympy as sp
@@ -17,7 +16,7 @@ from sympy import Expr, Symbol, cos, sin
 
 from symhaptic.model import fractional, passivity
 from symhaptic.model.entire import Chord, CosNext, Sinc
-from symhaptic.model.response import Careful
+from symhaptic.model.response import Careful, closed
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta
 
 
@@ -40,8 +39,22 @@ def between(early: Expr, late: Expr) -> Expr:
     return early + epsilon * (late - early)
 
 
+class Straight(Careful):
+    """The need of straight motions as a function, whose products are not rounded one by one."""
+
+    nargs = 4
+    meaning = "alpha sin((2 k + 1) psi)/(2 sin(psi)) - beta cos(2 (k + 1) psi)"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The need."""
+        return straight(args[2]).xreplace(
+            dict(zip((alpha, beta, psi), (*args[:2], args[3]), strict=True))
+        )
+
+
 class Between(Careful):
-    """The same as a function, so that what is needed at the later delay stays one number."""
+    """The mean as a function, so that what is needed at the later delay stays one number."""
 
     nargs = 3
     meaning = "early + epsilon (late - early)"
@@ -51,6 +64,12 @@ class Between(Careful):
         """The mean."""
         share, early, late = args
         return early + share * (late - early)
+
+
+def careful() -> Expr:
+    """What straight motions need between whole delays, of these two."""
+    both = (Straight(alpha, beta, k, psi) for k in (l, l + 1))
+    return Between(epsilon, *both)
 
 
 def extra() -> Expr:
@@ -64,9 +83,9 @@ def rising(need: Expr, steep: Expr) -> Expr:
     return need * steep + 2 * epsilon * (1 - epsilon) * beta * (alpha + beta) * Sinc(2 * psi)
 
 
-def need(mean: Callable[[Expr, Expr], Expr] = between) -> Expr:
+def need(straight_needs: Expr | None = None) -> Expr:
     """The damping that all motions need at an angle, at a fraction of a period."""
-    n = mean(straight(l), straight(l + 1))
+    n = straight_needs or between(straight(l), straight(l + 1))
     return (n + sp.sqrt(n * n + extra())) / 2
 
 
@@ -85,7 +104,7 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
     n, steep = (between(f(l), f(l + 1)) for f in (straight, steepness))
     return (
         (straight(l), whole),
-        (Between.definition(epsilon, alpha, beta), between(alpha, beta)),
+        (closed(careful()), n),
         (psi * steepness(l), whole.diff(psi)),
         (delta**2 - delta * n - extra() / 4, margin),
         (psi * rising(delta, steep), -margin.diff(psi)),
