@@ -99,12 +99,12 @@ def favours(need: Expr) -> Expr:
 def derived() -> tuple[tuple[Expr, Expr], ...]:
     """Pairs that are equal: these, and the same from the energy that a motion extracts."""
     units = {K: alpha, B: beta, T: sp.S.One, b: delta, theta: 2 * psi}
-    whole = passivity.dirichlet_form().xreplace(units).subs(d, l)
+    whole, later = (passivity.dirichlet_form().xreplace(units).subs(d, k) for k in (l, l + 1))
     margin = fractional.margin().xreplace(units)
     n, steep = (between(f(l), f(l + 1)) for f in (straight, steepness))
     return (
         (straight(l), whole),
-        (closed(careful()), n),
+        (closed(careful()), between(whole, later)),
         (psi * steepness(l), whole.diff(psi)),
         (delta**2 - delta * n - extra() / 4, margin),
         (psi * rising(delta, steep), -margin.diff(psi)),
