@@ -32,10 +32,10 @@ GOALS: Mapping[str, float] = {
 """Above this no record may be, but for those of ABOVE."""
 
 ABOVE: Mapping[str, str] = {
-    "discretize": "n1 next to critical damping, found by a search around the worst points; the "
-    "worst of 100 000 is 1.90",
-    "stability_boundary": "beta near a stiff spring's own frequency, found by a search; the worst "
-    "of 100 000 points is 7.46",
+    "discretize": "n1 at critical damping, found by a search around the worst points; the worst of "
+    "100 000 is 1.90",
+    "stability_boundary": "beta with a stiff spring, found by a search; the worst of 100 000 points "
+    "is 7.46",
     "max_stable_stiffness": "theta, where the maximum is flat",
 }
 """Where a goal is missed, and by what; at a flat maximum alpha and beta are right."""
@@ -122,9 +122,10 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
         ),
     },
 }
-"""The worst results of 100 000 points a function; of those that touch a searched angle 20 000, of
-what is searched for 4000 in double and 20 000 in single precision; in double precision also of the
-points that `benchmarks/accuracy.py --around` goes on to from the worst ones."""
+"""The worst results of 100 000 points a function; of those that touch a searched angle 6000 to
+20 000, of what is searched for 4000 in double and 20 000 in single precision; of the device, the
+stability boundary and the linear limit in double precision also of the points that
+`benchmarks/accuracy.py --around` goes on to from the worst ones."""
 
 DERIVATIVES: Mapping[str, float] = {
     "discretize_and_derivatives": 7.31,  # n0_by_gamma; n1_by_gamma 4.85, others 4.11
@@ -135,4 +136,5 @@ DERIVATIVES: Mapping[str, float] = {
     "max_passive_stiffness_and_derivatives": 5.44,  # beta; beta_by_delta 5.03
     "linear_limit_and_derivatives": 2.25,
 }
-"""The same of the derivatives by all arguments by which there are some, of 10 000 points each."""
+"""The same of the derivatives by all arguments by which there are some, of 10 000 points each; of
+the stability boundary 6000, of the passive walls 3000."""

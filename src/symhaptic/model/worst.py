@@ -34,9 +34,9 @@ def steepness(k: Expr) -> Expr:
     return turned - 2 * alpha * Chord(k, 2 * psi) / Sinc(psi) ** 2
 
 
-def between(early: Expr, late: Expr) -> Expr:
+def between(early: Expr, late: Expr, share: Expr = epsilon) -> Expr:
     """The mean over the two whole delays."""
-    return early + epsilon * (late - early)
+    return early + share * (late - early)
 
 
 class Straight(Careful):
@@ -48,9 +48,8 @@ class Straight(Careful):
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
         """The need."""
-        return straight(args[2]).xreplace(
-            dict(zip((alpha, beta, psi), (*args[:2], args[3]), strict=True))
-        )
+        stiffness, damping, k, angle = args
+        return straight(k).xreplace({alpha: stiffness, beta: damping, psi: angle})
 
 
 class Between(Careful):
@@ -63,7 +62,7 @@ class Between(Careful):
     def definition(cls, *args: Expr) -> Expr:
         """The mean."""
         share, early, late = args
-        return early + share * (late - early)
+        return between(early, late, share)
 
 
 def careful() -> Expr:
@@ -85,7 +84,7 @@ def rising(need: Expr, steep: Expr) -> Expr:
 
 def need(straight_needs: Expr | None = None) -> Expr:
     """The damping that all motions need at an angle, at a fraction of a period."""
-    n = straight_needs or between(straight(l), straight(l + 1))
+    n = between(straight(l), straight(l + 1)) if straight_needs is None else straight_needs
     return (n + sp.sqrt(n * n + extra())) / 2
 
 
