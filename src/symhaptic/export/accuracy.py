@@ -34,8 +34,8 @@ GOALS: Mapping[str, float] = {
 ABOVE: Mapping[str, str] = {
     "discretize": "n1 at critical damping, found by a search around the worst points; the worst of "
     "100 000 is 1.90",
-    "stability_boundary": "beta with a stiff spring, found by a search; the worst of 100 000 points "
-    "is 7.46",
+    "stability_boundary": "beta with a stiff spring, found by a search; the worst of 100 000 "
+    "points is 7.46",
     "max_stable_stiffness": "theta, where the maximum is flat",
 }
 """Where a goal is missed, and by what; at a flat maximum alpha and beta are right."""

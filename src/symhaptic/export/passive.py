@@ -28,8 +28,9 @@ def straight() -> Routine:
     one, one_low = product(do, stiffness, kernel, kernel_low)
     two, two_low = product(do, damping, do("along", CosNext(k, 2 * angle)))
     total, lost = difference(do, one, two)
+    low = do("low", lost + one_low - two_low)
     return do.routine("Straight", "what straight motions need at a whole delay of k periods",
-                      given, total + (lost + (one_low - two_low)))  # fmt: skip
+                      given, total + low)  # fmt: skip
 
 
 def between() -> Routine:

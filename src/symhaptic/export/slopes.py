@@ -108,7 +108,7 @@ def kick_low() -> Routine:
     """What Kick misses."""
     do = Steps()
     _, low = _kick(do)
-    return _two(do, "KickLow", "what the float of Kick misses", low)
+    return _two(do, "KickLow", "what the last rounding of Kick takes", low)
 
 
 def coast() -> Routine:

@@ -2458,7 +2458,7 @@ def decay(xp, x):
 
 
 def apart_fall_kick_kick_low_rise(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); displacement by a unit impulse after a period; what the float of Kick misses; n1, how far a unit force moves the device in a period"""
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how far a unit force moves the device in a period"""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -6792,7 +6792,8 @@ def straight(xp, stiffness, damping, k, angle):
     one = total - rest
     two = -back - total2
     lost5 = one + two
-    return lost - lost4 + lost5 + total5
+    low = lost - lost4 + lost5
+    return low + total5
 
 
 def turn_single(xp, psi, l, epsilon):

@@ -72,7 +72,7 @@ class LateApart(Careful):
     """M at z = -1 behind a fraction of a period, whose square the boundary has near pi.
 
     Of epsilon, what an impulse moves in the period's rest and in its beginning, each with what its
-    float misses, and three more terms.
+    last rounding took, and three more terms.
     """
 
     nargs = 8
@@ -92,10 +92,10 @@ class LateApart(Careful):
 
 
 class KickLow(Careful):
-    """What the float of Kick misses: nothing, where nothing is rounded."""
+    """What the last rounding of Kick takes: nothing, where nothing is rounded."""
 
     nargs = 2
-    meaning = "what the float of Kick misses"
+    meaning = "what the last rounding of Kick takes"
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
