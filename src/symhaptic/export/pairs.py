@@ -71,6 +71,7 @@ class Wave:
 
 def waving(do: Steps, square: Expr, square_low: Expr, angle: Expr, angle_low: Expr) -> Wave:
     """The pair for angle + angle_low, whose square, taken negative, is square + square_low."""
+    square = do("square", square)
     slow = square > -SLOW
     given = do("given", choose(slow, square, 0))
     first, lost = fast_sum(do, sp.S.One, given / 2)

@@ -293,15 +293,17 @@ def describe(form: Form) -> list[str]:
     return lines
 
 
-def calls(routine: Routine) -> set[str]:
+@cache
+def calls(routine: Routine) -> frozenset[str]:
     """Names of the routines that a routine calls."""
     found = {f.func.__name__ for e in routine.expressions for f in e.atoms(sp.Function)}
-    return {name for name in found if name not in OPERATIONS and name not in ("Piecewise",)}
+    return frozenset(found - {*OPERATIONS, "Piecewise"})
 
 
-def operations(routine: Routine) -> set[str]:
+@cache
+def operations(routine: Routine) -> frozenset[str]:
     """The shared operations that a routine needs."""
     atoms = {a for e in routine.expressions for a in sp.preorder_traversal(e)}
     names = {type(a).__name__ for a in atoms}
     roots = any(a.is_Pow and abs(a.args[1]) == sp.S.Half for a in atoms if isinstance(a, Expr))
-    return (names & set(OPERATIONS)) | ({"sqrt"} if roots else set())
+    return frozenset(names & set(OPERATIONS)) | ({"sqrt"} if roots else set())

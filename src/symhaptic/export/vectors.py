@@ -22,7 +22,7 @@ from symhaptic.model.response import Careful, closed
 from symhaptic.model.searched import Rated, Searched
 from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.stable import Form
-from symhaptic.model.values import value
+from symhaptic.model.values import numeric, settled
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
 _ALLOWED = {
@@ -193,8 +193,7 @@ _SMALL = mpf(2) ** -60
 def _entire(cls: Any, args: tuple[mpf, ...]) -> mpf:
     if cls in BY_MATRIX:
         return BY_MATRIX[cls](*args)
-    symbols = sp.symbols(f"x:{len(args)}")
-    return value(cls(*symbols), dict(zip(symbols, args, strict=True)), _DIGITS)
+    return settled(numeric(cls), args, _DIGITS, cls.__name__)
 
 
 @cache

@@ -16,8 +16,8 @@ from array_api_compat import (
     is_torch_array,
 )
 
-BLOCK = 8192
-"""Elements of NumPy arrays worked on at a time: so many fit the caches."""
+BLOCK = 24576
+"""Elements of NumPy arrays worked on at a time: few calls, and each branch fits the caches."""
 
 
 def by_value(function):
@@ -854,6 +854,7 @@ def fall_rise_swing(xp, gamma, delta):
         reach = 0.25*gamma
 
         def yes(delta, gamma, half, lost2, total2):
+            square2 = total2
             envelope = xp.exp(-half)
             rest6 = fall_series(xp, gamma, delta)
             total29 = rest6 + 0.5
@@ -879,8 +880,8 @@ def fall_rise_swing(xp, gamma, delta):
             total29_halves = halves(xp, total29)
             lost282 = envelope*lost282 + product_error(total292, envelope_halves, total29_halves)
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total20 = 0.5*given3 + 1.0
                 back13 = total20 - 1.0
                 lost20 = 0.5*given3 - back13
@@ -909,7 +910,7 @@ def fall_rise_swing(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
             total29 = envelope*even
             even_halves = halves(xp, even)
@@ -920,11 +921,12 @@ def fall_rise_swing(xp, gamma, delta):
             return fall_of, rise_of, swing_of
 
         def no(gamma, half, lost2, total2):
+            square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total20 = 0.5*given3 + 1.0
                 back13 = total20 - 1.0
                 lost20 = 0.5*given3 - back13
@@ -970,7 +972,7 @@ def fall_rise_swing(xp, gamma, delta):
                 odd_low2 = lost23
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
             total24 = half*odd
             half_halves = halves(xp, half)
@@ -1361,11 +1363,12 @@ def fall(xp, gamma, delta):
         def no(gamma, half, rest2, total, total2):
             back2 = total2 - total
             lost2 = rest2 - back2
+            square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total20 = 0.5*given3 + 1.0
                 back13 = total20 - 1.0
                 lost20 = 0.5*given3 - back13
@@ -1409,7 +1412,7 @@ def fall(xp, gamma, delta):
                 odd_low2 = lost23
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
             total24 = half*odd
             half_halves = halves(xp, half)
@@ -1639,11 +1642,12 @@ def rise(xp, gamma, delta):
         def no(gamma, half, rest2, total, total2):
             back2 = total2 - total
             lost2 = rest2 - back2
+            square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total19 = 0.5*given3 + 1.0
                 back13 = total19 - 1.0
                 lost19 = 0.5*given3 - back13
@@ -1687,7 +1691,7 @@ def rise(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
             total23 = half*odd
             half_halves = halves(xp, half)
@@ -1974,6 +1978,7 @@ def swing_together(xp, gamma, delta):
         reach = 0.25*gamma
 
         def yes(half, lost2, total2):
+            square2 = total2
             envelope = xp.exp(-half)
             rest5 = together_series(xp, half, total2)
             total30 = rest5 + 0.5
@@ -1987,8 +1992,8 @@ def swing_together(xp, gamma, delta):
             total30_halves = halves(xp, total30)
             lost30 = envelope*lost30 + product_error(total31, envelope_halves, total30_halves)
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total16 = 0.5*given3 + 1.0
                 back12 = total16 - 1.0
                 lost16 = 0.5*given3 - back12
@@ -2017,7 +2022,7 @@ def swing_together(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
             total30 = envelope*even
             even_halves = halves(xp, even)
@@ -2036,6 +2041,7 @@ def swing_together(xp, gamma, delta):
             left = left + sign_low
             whole = xp.where(root == 0.0, 1.0, root)
             root_low = 0.5*left/whole
+            square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
             expm1_of = xp.expm1(-half)
@@ -2073,8 +2079,8 @@ def swing_together(xp, gamma, delta):
             left = left + low
             lost102 = left/stiff
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total16 = 0.5*given3 + 1.0
                 back12 = total16 - 1.0
                 lost16 = 0.5*given3 - back12
@@ -2094,7 +2100,7 @@ def swing_together(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
 
             total102 = envelope*even
             even_halves = halves(xp, even)
@@ -2479,6 +2485,7 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
         def yes(delta, gamma, half, lost2, reach, total2):
 
             def yes(delta, gamma, half, lost2, total2):
+                square2 = total2
                 envelope = xp.exp(-half)
                 rest5 = apart_series(xp, half, total2)
                 total27 = rest5 + 0.16666666666666666
@@ -2514,8 +2521,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total27_halves = halves(xp, total27)
                 lost283 = envelope*lost283 + product_error(total292, envelope_halves, total27_halves)
 
-                def yes(lost2, total2):
-                    given3 = total2
+                def yes(lost2, square2):
+                    given3 = square2
                     sin_series_of = sin_series(xp, given3)
                     bent = given3*sin_series_of
                     total21 = bent + 1.0
@@ -2549,7 +2556,7 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     odd_low2 = lost22
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
                 total27 = envelope*odd
                 odd_halves = halves(xp, odd)
@@ -2565,6 +2572,7 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             def no(gamma, half, lost2, total2):
+                square2 = total2
                 envelope = xp.exp(-half)
                 stiff = gamma
                 rest5 = apart_series(xp, half, total2)
@@ -2579,8 +2587,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total27_halves = halves(xp, total27)
                 lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
 
-                def yes(lost2, total2):
-                    given3 = total2
+                def yes(lost2, square2):
+                    given3 = square2
                     total19 = 0.5*given3 + 1.0
                     back13 = total19 - 1.0
                     lost19 = 0.5*given3 - back13
@@ -2626,7 +2634,7 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     odd_low2 = lost22
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
                 total27 = half*odd
                 half_halves = halves(xp, half)
@@ -2689,12 +2697,13 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
         def no(delta, gamma, half, lost2, total2):
+            square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
             mean3 = decay(xp, delta)
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total19 = 0.5*given3 + 1.0
                 back13 = total19 - 1.0
                 lost19 = 0.5*given3 - back13
@@ -2740,7 +2749,7 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
             total23 = half*odd
             half_halves = halves(xp, half)
@@ -3341,6 +3350,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
         def yes(delta, gamma, half, lost2, reach, total2):
 
             def yes(delta, gamma, half, lost2, total2):
+                square2 = total2
                 envelope = xp.exp(-half)
                 rest5 = apart_series(xp, half, total2)
                 total27 = rest5 + 0.16666666666666666
@@ -3387,8 +3397,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total27_halves = halves(xp, total27)
                 lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
 
-                def yes(total2):
-                    given3 = total2
+                def yes(square2):
+                    given3 = square2
                     total19 = 0.5*given3 + 1.0
                     cos_series_of = cos_series(xp, given3)
                     curved3 = cos_series_of*(given3*given3)
@@ -3403,11 +3413,11 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     even = cosine
                     return even
 
-                even = select(xp, total2 > -1.5, yes, (total2,), no, (total2,))
+                even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
 
                 total27 = even*twice2
 
-                def yes(envelope2, even, lost2, lost28, lost293, lost30, lost312, total2, total263, total28, total292, total30, total312, twice2):
+                def yes(envelope2, even, lost2, lost28, lost293, lost30, lost312, square2, total2, total263, total28, total292, total30, total312, twice2):
                     total253 = envelope2 + 1.0
                     back182 = total253 - 1.0
                     lost253 = envelope2 - back182
@@ -3415,8 +3425,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     back182 = total273 - total253
                     lost273 = total263 - back182
 
-                    def yes(lost2, total2):
-                        given3 = total2
+                    def yes(lost2, square2):
+                        given3 = square2
                         total19 = 0.5*given3 + 1.0
                         back13 = total19 - 1.0
                         lost19 = 0.5*given3 - back13
@@ -3442,7 +3452,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
@@ -3498,11 +3508,12 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 2.0*lost312 + 2.0*total312
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total27 > 0.0, yes, (envelope2, even, lost2, lost27, lost284, lost29, lost303, total2, total27, total28, total292, total30, total312, twice2), no, (envelope, half, lost2, lost27, lost284, lost29, lost303, total2, total28, total292, total30, total312))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total27 > 0.0, yes, (envelope2, even, lost2, lost27, lost284, lost29, lost303, square2, total2, total27, total28, total292, total30, total312, twice2), no, (envelope, half, lost2, lost27, lost284, lost29, lost303, total2, total28, total292, total30, total312))
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
             def no(delta, gamma, half, lost2, total2):
+                square2 = total2
                 envelope = xp.exp(-half)
                 stiff = gamma
                 rest5 = apart_series(xp, half, total2)
@@ -3528,8 +3539,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total27_halves = halves(xp, total27)
                 lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
 
-                def yes(lost2, total2):
-                    given3 = total2
+                def yes(lost2, square2):
+                    given3 = square2
                     total19 = 0.5*given3 + 1.0
                     back13 = total19 - 1.0
                     lost19 = 0.5*given3 - back13
@@ -3575,7 +3586,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     odd_low2 = lost22
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
                 total27 = half*odd
                 half_halves = halves(xp, half)
@@ -3703,6 +3714,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             left = left + sign_low
             whole = xp.where(root == 0.0, 1.0, root)
             root_low = 0.5*left/whole
+            square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
             mean3 = decay(xp, delta)
@@ -3742,8 +3754,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             left = left + low4
             lost103 = left/stiff
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total19 = 0.5*given3 + 1.0
                 back13 = total19 - 1.0
                 lost19 = 0.5*given3 - back13
@@ -3780,7 +3792,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
 
             total103 = half*odd
             half_halves = halves(xp, half)
@@ -5131,6 +5143,7 @@ def apart_nyquist_together(xp, gamma, delta):
         reach = 0.25*gamma
 
         def yes(delta, half, lost2, total2):
+            square2 = total2
             envelope = xp.exp(-half)
             rest5 = apart_series(xp, half, total2)
             total27 = rest5 + 0.16666666666666666
@@ -5155,8 +5168,8 @@ def apart_nyquist_together(xp, gamma, delta):
             total27_halves = halves(xp, total27)
             lost302 = envelope*lost302 + product_error(total312, envelope_halves, total27_halves)
 
-            def yes(total2):
-                given3 = total2
+            def yes(square2):
+                given3 = square2
                 total19 = 0.5*given3 + 1.0
                 cos_series_of = cos_series(xp, given3)
                 curved3 = cos_series_of*(given3*given3)
@@ -5171,11 +5184,11 @@ def apart_nyquist_together(xp, gamma, delta):
                 even = cosine
                 return even
 
-            even = select(xp, total2 > -1.5, yes, (total2,), no, (total2,))
+            even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
 
             total27 = even*twice2
 
-            def yes(delta, even, lost2, lost28, lost312, total2, total262, total28, total312, twice2):
+            def yes(delta, even, lost2, lost28, lost312, square2, total2, total262, total28, total312, twice2):
                 e = xp.exp(-delta)
                 total252 = e + 1.0
                 back18 = total252 - 1.0
@@ -5184,8 +5197,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 back18 = total272 - total252
                 lost272 = total262 - back18
 
-                def yes(lost2, total2):
-                    given3 = total2
+                def yes(lost2, square2):
+                    given3 = square2
                     total19 = 0.5*given3 + 1.0
                     back13 = total19 - 1.0
                     lost19 = 0.5*given3 - back13
@@ -5211,7 +5224,7 @@ def apart_nyquist_together(xp, gamma, delta):
                     even_low2 = -root_low*sine
                     return even_low2
 
-                even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (lost2, total2))
+                even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
                 twice2_halves = halves(xp, twice2)
                 even_halves = halves(xp, even)
@@ -5263,7 +5276,7 @@ def apart_nyquist_together(xp, gamma, delta):
                 together_of = 2.0*lost312 + 2.0*total312
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost302, total2, total27, total28, total312, twice2), no, (envelope, half, lost2, lost27, lost302, total2, total28, total312))
+            apart_of, nyquist_of, together_of = select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost302, square2, total2, total27, total28, total312, twice2), no, (envelope, half, lost2, lost27, lost302, total2, total28, total312))
 
             return apart_of, nyquist_of, together_of
 
@@ -5277,6 +5290,7 @@ def apart_nyquist_together(xp, gamma, delta):
             left = left + sign_low
             whole = xp.where(root == 0.0, 1.0, root)
             root_low = 0.5*left/whole
+            square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
             mean3 = decay(xp, delta)
@@ -5316,8 +5330,8 @@ def apart_nyquist_together(xp, gamma, delta):
             left = left + low4
             lost103 = left/stiff
 
-            def yes(lost2, total2):
-                given3 = total2
+            def yes(lost2, square2):
+                given3 = square2
                 total19 = 0.5*given3 + 1.0
                 cos_series_of = cos_series(xp, given3)
                 curved3 = cos_series_of*(given3*given3)
@@ -5348,7 +5362,7 @@ def apart_nyquist_together(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, odd, odd_low2
 
-            even, odd, odd_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
 
             total103 = envelope*odd
             odd_halves = halves(xp, odd)
@@ -5367,7 +5381,7 @@ def apart_nyquist_together(xp, gamma, delta):
             lost25 = left/stiff
             total25 = even*twice2
 
-            def yes(delta, even, lost132, lost2, lost26, root, root_low, total132, total2, total26, total262, twice2):
+            def yes(delta, even, lost132, lost2, lost26, root, root_low, square2, total132, total26, total262, twice2):
                 e = xp.exp(-delta)
                 total252 = e + 1.0
                 back18 = total252 - 1.0
@@ -5376,8 +5390,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 back18 = total272 - total252
                 lost272 = total262 - back18
 
-                def yes(lost2, total2):
-                    given3 = total2
+                def yes(lost2, square2):
+                    given3 = square2
                     total19 = 0.5*given3 + 1.0
                     back13 = total19 - 1.0
                     lost19 = 0.5*given3 - back13
@@ -5394,7 +5408,7 @@ def apart_nyquist_together(xp, gamma, delta):
                     even_low2 = -root_low*sine
                     return even_low2
 
-                even_low2 = select(xp, total2 > -1.5, yes, (lost2, total2), no, (root, root_low))
+                even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
 
                 twice2_halves = halves(xp, twice2)
                 even_halves = halves(xp, even)
@@ -5432,7 +5446,7 @@ def apart_nyquist_together(xp, gamma, delta):
                 together_of = 4.0*lost132 + 4.0*total132
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total25 > 0.0, yes, (delta, even, lost103, lost2, lost25, root, root_low, total93, total2, total103, total25, twice2), no, (envelope, grown, lost103, lost25, root_low, sin_of, total93, total103, wave))
+            apart_of, nyquist_of, together_of = select(xp, total25 > 0.0, yes, (delta, even, lost103, lost2, lost25, root, root_low, square2, total93, total103, total25, twice2), no, (envelope, grown, lost103, lost25, root_low, sin_of, total93, total103, wave))
 
             return apart_of, nyquist_of, together_of
 

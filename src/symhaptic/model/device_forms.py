@@ -119,7 +119,7 @@ def discretize(parts: Parts = FULL) -> Form:
         "the sampled device, P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m",
         symbols,
         (("n1", device.n1), ("n0", device.n0), ("a", device.a), ("e", device.e)),
-        same_device(parts)[:4],
+        lambda: same_device(parts)[:4],
         domain(symbols),
     )
 
@@ -138,7 +138,7 @@ def discretize_late(parts: Parts = FULL) -> Form:
         "P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m",
         symbols,
         (("m2", first), ("m1", middle), ("m0", last), ("a", device.a), ("e", device.e)),
-        (*same_device(parts), *delayed.derived(parts)),
+        lambda: (*same_device(parts), *delayed.derived(parts)),
         domain(symbols),
     )
 
@@ -160,6 +160,6 @@ def characteristic_polynomial(parts: Parts = FULL, delay: int | None = None) -> 
         f"coefficients p{degree} to p0 of the monic characteristic polynomial, d = {steps}",
         symbols,
         tuple((f"p{degree - i}", c.xreplace(known)) for i, c in enumerate(coefficients)),
-        same_device(parts)[:4],
+        lambda: same_device(parts)[:4],
         domain(symbols),
     )

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import sympy as sp
 from sympy import Expr, Rational, Symbol
@@ -19,6 +21,9 @@ class NoForm(ValueError):
     """The scene lacks what the form is about; the message says what."""
 
 
+Pairs = tuple[tuple[Expr, Expr], ...]
+
+
 @dataclass(frozen=True)
 class Form:
     """One function to compute."""
@@ -29,8 +34,8 @@ class Form:
     arguments: tuple[Symbol, ...]
     results: tuple[tuple[str, Expr], ...]
     """Each result's name and its stable form."""
-    equal: tuple[tuple[Expr, Expr], ...]
-    """Pairs, stable and derived from first principles, that together make it the same formula."""
+    derived: Callable[[], Pairs] = field(compare=False, repr=False)
+    """Derives ``equal``; who only computes need not wait for it."""
     domain: tuple[str, ...]
     """Where it is meant, one condition each."""
     held: tuple[str, ...] = ()
@@ -39,6 +44,11 @@ class Form:
     """The results in terms whose derivatives keep their digits; empty where ``results`` are."""
     plain: Form | None = None
     """The form without the derivatives that are among the results."""
+
+    @cached_property
+    def equal(self) -> Pairs:
+        """Pairs, stable and derived from physics, that together make it the same formula."""
+        return self.derived()
 
     @property
     def expressions(self) -> tuple[Expr, ...]:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import sympy as sp
 from sympy import Expr, cos, pi, sin
 
@@ -14,7 +17,7 @@ from symhaptic.model.entire import (
     Spread,
     at_numbers,
 )
-from symhaptic.model.form import HALF, Form, NoForm, domain, either, present, undelayed
+from symhaptic.model.form import HALF, Form, NoForm, Pairs, domain, either, present, undelayed
 from symhaptic.model.searched import (
     LargestNeed,
     LatePart,
@@ -71,7 +74,7 @@ def passivity_margin_at(parts: Parts = FULL) -> Form:
         "the wall is passive where it is positive at every angle",
         symbols,
         (("margin", margin),),
-        ((margin, _normalised(parts, passivity.margin())),),
+        lambda: ((margin, _normalised(parts, passivity.margin())),),
         domain(symbols, *(("d whole, or fractional on the principal sheet",) * parts.delay)),
     )
 
@@ -86,24 +89,16 @@ def passivity_margin(parts: Parts = FULL) -> Form:
     """
     _needs_damping(parts, "passivity_margin")
     symbols = present(parts, alpha, beta, delta, d)
-    equal: tuple[tuple[Expr, Expr], ...]
+    equal: Callable[[], Pairs]
     if not parts.delay:
         need = alpha / 2 + (sp.Abs(beta) if parts.virtual_damping else 0)
-        damping = beta if parts.virtual_damping else 0
-        margin = _normalised(parts, passivity.margin())
-        ends = margin.subs(theta, 0), margin.subs(theta, pi)
-        ours = delta - alpha / 2 + damping, delta - alpha / 2 - damping
-        equal = tuple(zip(ours, ends, strict=True))
-        largest = Pushed(alpha, need)
+        largest, equal = Pushed(alpha, need), partial(_at_both_ends, parts)
     elif not parts.virtual_damping:
         order, part = d + HALF, LatePart(d)
         largest = Pushed(alpha, alpha * (order + sp.sqrt(order * order + part * (1 - part))) / 2)
-        none = {beta: 0, psi: 0}
-        equal = _springs()
-        order = worst.between(worst.straight(l), worst.straight(l + 1)).subs(none) / alpha
-        equal += ((order, l + epsilon + HALF),)
+        equal = _springs
     else:
-        largest, equal = LargestNeed(alpha, beta, d), worst.derived()
+        largest, equal = LargestNeed(alpha, beta, d), worst.derived
     return Form(
         "passivity_margin",
         "physical damping minus the damping that the wall needs at its worst angle; the wall is "
@@ -113,6 +108,15 @@ def passivity_margin(parts: Parts = FULL) -> Form:
         equal,
         domain(symbols, "-inf for alpha < 0"),
     )
+
+
+def _at_both_ends(parts: Parts) -> Pairs:
+    """Without delay the need is linear in cos(theta)."""
+    damping = beta if parts.virtual_damping else 0
+    margin = _normalised(parts, passivity.margin())
+    ends = margin.subs(theta, 0), margin.subs(theta, pi)
+    ours = delta - alpha / 2 + damping, delta - alpha / 2 - damping
+    return tuple(zip(ours, ends, strict=True))
 
 
 def passivity_boundary(parts: Parts = FULL) -> Form:
@@ -132,7 +136,11 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
     below = Spread(d, theta)
     curve = 2 * delta * push / below, delta * (Chord(d, theta) - push) / below
-    exact = tuple(_normalised(parts, side) for side in passivity.envelope())
+
+    def equal() -> Pairs:
+        exact = tuple(_normalised(parts, side) for side in passivity.envelope())
+        return (*zip(curve, exact, strict=True), *worst.derived())
+
     ends = ["behind a fraction of a period it ends before, where alpha is 0"] * parts.delay
     return Form(
         "passivity_boundary",
@@ -142,7 +150,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
             (name, either(*both))
             for name, *both in zip(("alpha", "beta"), curve, late, strict=True)
         ),
-        (*zip(curve, exact, strict=True), *worst.derived()),
+        equal,
         domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing", *ends),
     )
 
@@ -170,8 +178,12 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
     angle = pi * share / 2
     damping = delta * (2 / (pi * Sinc(angle)) - sp.tan(quarter))
     whole = [at_numbers(undelayed(parts, expr)) for expr in (stiffness, damping, angle)]
-    exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
-    equal = tuple(zip(whole[:2], exact, strict=True))
+
+    def equal() -> Pairs:
+        exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
+        late = worst.derived() if parts.delay else ()
+        return (*zip(whole[:2], exact, strict=True), *late)
+
     names = "alpha", "beta", "theta"
     results = tuple(zip(names, whole, strict=True))
     if parts.delay:
@@ -180,7 +192,6 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
         results = tuple(
             (name, either(*both)) for name, *both in zip(names, whole, late, strict=True)
         )
-        equal += worst.derived()
     return Form(
         "max_passive_stiffness",
         "the passive wall of largest stiffness, and its worst angle theta = omega T",
@@ -196,20 +207,21 @@ def _stiffest_spring(parts: Parts) -> Form:
     symbols = present(parts, delta, d)
     order, part = (d + HALF, LatePart(d)) if parts.delay else (HALF, sp.S.Zero)
     stiffness = 2 * delta / (order + sp.sqrt(order * order + part * (1 - part)))
-    n = worst.between(worst.straight(l), worst.straight(l + 1)).subs({beta: 0, psi: 0})
     return Form(
         "max_passive_stiffness",
         "the stiffest passive wall",
         symbols,
         (("alpha", stiffness),),
-        (*_springs(), (n / alpha, l + epsilon + HALF)),
+        _springs,
         domain(symbols),
     )
 
 
-def _springs() -> tuple[tuple[Expr, Expr], ...]:
+def _springs() -> Pairs:
     """What a wall without damping needs."""
-    return tuple((ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in worst.derived()[:-1])
+    needs = ((ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in worst.derived()[:-1])
+    mean = worst.between(worst.straight(l), worst.straight(l + 1)).subs({beta: 0, psi: 0})
+    return (*needs, (mean / alpha, l + epsilon + HALF))
 
 
 def linear_limit(parts: Parts = FULL) -> Form:
@@ -219,15 +231,19 @@ def linear_limit(parts: Parts = FULL) -> Form:
     if push == 0:
         raise NoForm("linear_limit: a scene without any damping has no stable or passive walls")
     line = push / (HALF + d) if parts.delay else 2 * push
-    need = passivity.dirichlet_form()  # at theta -> 0 it is K T (d + 1/2) - B
-    slope = sp.limit(_normalised(parts, need.diff(K)) * T, theta, 0)
-    rest = sp.limit(_normalised(parts, need.subs(K, 0)), theta, 0)
-    given = delta if parts.damping else sp.S.Zero
+
+    def equal() -> Pairs:
+        need = passivity.dirichlet_form()  # at theta -> 0 it is K T (d + 1/2) - B
+        slope = sp.limit(_normalised(parts, need.diff(K)) * T, theta, 0)
+        rest = sp.limit(_normalised(parts, need.subs(K, 0)), theta, 0)
+        given = delta if parts.damping else sp.S.Zero
+        return ((line, (given - rest) / slope.subs(T, 1)),)
+
     return Form(
         "linear_limit",
         "the stiffness alpha at which the linear condition is an equality",
         symbols,
         (("alpha", line),),
-        ((line, (given - rest) / slope.subs(T, 1)),),
+        equal,
         domain(symbols),
     )

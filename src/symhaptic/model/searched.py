@@ -6,7 +6,8 @@ the exported search does.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
 from typing import Any, ClassVar
 
 import mpmath
@@ -257,6 +258,11 @@ _TRIED = 48
 """Angles in the first half turn of the delay."""
 
 
+def _triples(values: Iterable[mpf]) -> Iterator[tuple[mpf, mpf, mpf]]:
+    """Each value with the two behind it, no sooner than it is asked for."""
+    return ((x, y, z) for (x, y), (_, z) in pairwise(pairwise(values)))
+
+
 class StiffestAngle(Searched):
     """The angle of the wall of largest stable stiffness, of :data:`STIFFEST_ARGUMENTS`."""
 
@@ -273,6 +279,8 @@ class StiffestAngle(Searched):
         gamma, delta, d, whole, part, first, last, at_one, _, loss, together, _ = numbers
         if gamma > 9.8 or (mpmath.sqrt(gamma) * (d + 1) > mpmath.pi and d > 1):
             raise ArithmeticError("outside the domain")
+        if delta == 0:
+            raise ArithmeticError("a device that may be left swinging")
         m2, m0 = (first, last) if part else (first, mpf(0))
         m1 = together - m2 - m0
 
@@ -286,22 +294,21 @@ class StiffestAngle(Searched):
             return q.real - q.imag * mpmath.tan(theta / 2)
 
         turn = mpmath.pi / (d + 1)
+        grid = [turn * (i + mpf(1) / 2) / _TRIED for i in range(_TRIED)]
         with mpmath.workdps(20):
-            grid = [turn * (i + mpf(1) / 2) / _TRIED for i in range(_TRIED)]
-            values = [stiffness(theta) for theta in grid]
-        tops = (i for i in range(1, _TRIED - 1) if values[i - 1] < values[i] > values[i + 1])
-        top = next(tops, None)
+            tops = (i for i, (x, y, z) in enumerate(_triples(map(stiffness, grid))) if x < y > z)
+            top = next(tops, None)
         if top is None:
             raise ArithmeticError("no first maximum")
         with mpmath.extradps(10):
             slope = lambda x: mpmath.diff(stiffness, x)  # noqa: E731
-            ends = grid[top - 1], grid[top + 1]
+            ends = grid[top], grid[top + 2]
             theta = mpmath.findroot(slope, ends, solver="anderson", verify=False)
             q = force(theta)
             beta = q.imag / mpmath.sin(theta)
             alpha = stiffness(theta)
-        if delta == 0 or alpha <= -gamma:
-            raise ArithmeticError("a device that may be left swinging")
+        if alpha <= -gamma:
+            raise ArithmeticError("a device that no wall stops")
         inside = alpha - (alpha + gamma) / 10**6
         if whole <= 12 and late_outside(
             inside, beta, whole, m2, m0, at_one, mpf(0), loss, together, mpf(0)

@@ -15,7 +15,7 @@ from symhaptic.model.entire import (
     CosNext,
     SinNext,
 )
-from symhaptic.model.form import Form, NoForm, domain, either, present, steps_of, undelayed
+from symhaptic.model.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
 from symhaptic.model.response import Ahead, InPhase, closed
 from symhaptic.model.response import parts as parts_of_response
 from symhaptic.model.searched import (
@@ -47,17 +47,22 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     symbols = present(parts, theta, gamma, delta, d)
     delay = d if parts.delay else None
     device = device_of(parts)
-    exact = tuple(undelayed(parts, side) for side in boundary.wall(ANY))
-    equal = *_same(made_of(ANY), 2 * n_1, delay, exact), *same_device(parts)
     wall, smooth = _boundary(device, device.together + device.apart, delay)
     if parts.delay:
         first, last = delayed.ends(parts)
         late, smooth_late = _boundary(late_of(parts), 2 * (first - last), l)
         wall = tuple(either(*both) for both in zip(wall, late, strict=True))
         smooth = tuple(either(*both) for both in zip(smooth, smooth_late, strict=True))
+
+    def equal() -> Pairs:
+        exact = tuple(undelayed(parts, side) for side in boundary.wall(ANY))
+        same = *_same(made_of(ANY), 2 * n_1, delay, exact), *same_device(parts)
+        if not parts.delay:
+            return same
         any_late = replace(made_of(ANY), together=m_2 + m_1 + m_0, apart=m_2 - m_1 + m_0)
-        equal += _same(any_late, 2 * (m_2 - m_0), l, delayed.wall())
-        equal += delayed.derived(parts)
+        late = _same(any_late, 2 * (m_2 - m_0), l, delayed.wall())
+        return (*same, *late, *delayed.derived(parts))
+
     return Form(
         "stability_boundary",
         "the wall (alpha, beta) that puts a characteristic root at z = exp(j theta)",
@@ -69,9 +74,7 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     )
 
 
-def _same(
-    x: Device, across: Expr, delay: Expr | None, exact: Iterable[Expr]
-) -> tuple[tuple[Expr, Expr], ...]:
+def _same(x: Device, across: Expr, delay: Expr | None, exact: Iterable[Expr]) -> Pairs:
     """Both ways to write the boundary beside the derived one."""
     ways = ((closed(side) for side in way) for way in _boundary(x, across, delay))
     return tuple(pair for way in ways for pair in zip(way, exact, strict=True))
@@ -120,16 +123,18 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
     angle = StiffestAngle(*given, steps, steps, sp.S.Zero, x.n1, x.n0, *values, x.apart)
     delay = d if parts.delay else None
     results = (*curve((*values, x.apart, x.together + x.apart), angle, delay), angle)
-    equal = same_device(parts)
     if parts.delay:
         first, last = delayed.ends(parts)
         apart = late_of(parts).apart
         angle = StiffestAngle(*given, d, l, epsilon, first, last, *values, apart)
         late = (*curve((*values, apart, 2 * (first - last)), angle, l), angle)
         results = tuple(either(*both) for both in zip(results, late, strict=True))
-        equal += delayed.derived(parts)
-    if parts == FULL:  # the same for every device
-        equal += stiffest.derived()
+
+    def equal() -> Pairs:
+        late = delayed.derived(parts) if parts.delay else ()
+        search = stiffest.derived() if parts == FULL else ()  # the same for every device
+        return (*same_device(parts), *late, *search)
+
     return Form(
         "max_stable_stiffness",
         "the wall of largest stable stiffness, a limit that is not stable itself, and the angle "
@@ -160,13 +165,17 @@ def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
     known = {n_1: device.n1, n_0: device.n0, loss: device.loss, at_one: device.at_one}
     found = [c.xreplace(known) for c in jury.criterion(polynomial.all_coeffs()).expressions]
     found = [c for c in found if not (c.is_number and c > 0)]
-    same = same_device(parts)
+
+    def equal() -> Pairs:
+        same = same_device(parts)
+        return (*same[:2], same[4], same[6])
+
     return Form(
         "stability_conditions",
         f"numbers that are all positive exactly where the loop is stable, d = {steps}",
         tuple(s for s in (alpha, beta, gamma, delta) if any(c.has(s) for c in found)),
         tuple((f"c{i}", c) for i, c in enumerate(found)),
-        (*same[:2], same[4], same[6]),
+        equal,
         domain(present(parts, gamma, delta)),
     )
 
@@ -180,14 +189,16 @@ def is_stable(parts: Parts = FULL) -> Form:
     numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
     count = UnstableRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)
     results = count, Stable(count, *wall, *given)
-    equal = same_device(parts)
     if parts.delay:
         x = late_of(parts)
         numbers = *delayed.ends(parts), *numbers[2:-1], x.apart
         count = LateRoots(*wall, l, *numbers)
         late = count, Stable(count, *wall, *given)
         results = tuple(either(*both) for both in zip(results, late, strict=True))
-        equal += delayed.derived(parts)
+
+    def equal() -> Pairs:
+        return (*same_device(parts), *(delayed.derived(parts) if parts.delay else ()))
+
     hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
     return Form(
         "is_stable",

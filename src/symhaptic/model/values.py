@@ -56,12 +56,16 @@ def value(expr: Expr, at: dict[Symbol, mpf], digits: int = 40) -> mpf:
     >>> mpmath.nstr(value(Rise(gamma, delta), {gamma: mpf(0), delta: mpf(1e-300)}), 20)
     '0.5'
     """
-    function = _compiled(expr, tuple(at))
+    return settled(_compiled(expr, tuple(at)), tuple(at.values()), digits, str(expr))
+
+
+def settled(function: Callable[..., mpf], at: tuple[mpf, ...], digits: int, name: str) -> mpf:
+    """The value of a function of numbers, with more and more digits until so many stay."""
     before = None
     least = _digits(at, digits)
     for precision in (least + 50 * i * i for i in range(_TRIES)):
         with mpmath.workdps(precision):
-            found = mpmath.mpmathify(function(*at.values()))
+            found = mpmath.mpmathify(function(*at))
             if isinstance(found, mpmath.mpc):
                 found = found.real
             if abs(found) < mpf(10) ** -(precision // 2 + 300):
@@ -69,12 +73,12 @@ def value(expr: Expr, at: dict[Symbol, mpf], digits: int = 40) -> mpf:
             if before is not None and abs(found - before) <= abs(found) * mpf(10) ** -digits:
                 return found
             before = found
-    raise ArithmeticError(f"no {digits} digits of {expr} found at {at}")
+    raise ArithmeticError(f"no {digits} digits of {name} found at {at}")
 
 
-def _digits(at: dict[Symbol, mpf], digits: int) -> int:
+def _digits(at: tuple[mpf, ...], digits: int) -> int:
     """Enough for cubes of the smallest argument, and for exponentials of the largest."""
-    sizes = [abs(v) for v in at.values() if v]
+    sizes = [abs(v) for v in at if v]
     small = max([0, *(-int(mpmath.log10(v)) for v in sizes)])
     large = max([0, *(int(v) for v in sizes if v < 10000)])
     return digits + 40 + 3 * small + large
@@ -114,7 +118,7 @@ def numeric(cls: Any) -> Callable[..., mpf]:
     """The function in mpmath: its closed form, and its limit where that is 0/0."""
     if cls in BY_MATRIX:
         return BY_MATRIX[cls]
-    arguments = [sp.Dummy() for _ in range(next(iter(cls.nargs)))]
+    arguments = sp.symbols(f"x:{next(iter(cls.nargs))}")
     closed = sp.lambdify(arguments, cls.definition(*arguments), "mpmath")
 
     def at(*values: mpf) -> mpf:
