@@ -39,6 +39,11 @@ class _Lazy:
         conditions = (c for e in routine.expressions for c in e.atoms(sp.StrictLessThan))
         self.limits = {c for c in conditions if c.rhs.is_number}
         self.order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
+        # what each step needs directly: of several results, the others too
+        self.below = {s: _free(e) & self.order.keys() for s, e in self.known.items()}
+        self.below |= {
+            s: (r.free_symbols | set(names(r))) & self.order.keys() for s, r in self.several.items()
+        }
 
     def returned(self, results: tuple[Expr, ...], done: set[Symbol], facts: Facts) -> Block:
         """What leads to the results and returns them."""
@@ -123,17 +128,10 @@ class _Lazy:
     def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
         """Steps that the expressions may need."""
         found: set[Symbol] = set()
-        left = [s for e in wanted for s in _free(e)]
-        while left:
-            symbol = left.pop()
-            if symbol in found or symbol in done:
-                continue
-            if symbol in self.known:
-                found.add(symbol)
-                left += _free(self.known[symbol])
-            elif symbol in self.several:
-                found |= set(names(self.several[symbol]))
-                left += self.several[symbol].free_symbols
+        left = set().union(*map(_free, wanted)) & self.order.keys()
+        while left := left - found - done:
+            found |= left
+            left = set().union(*(self.below[s] for s in left))
         return found
 
     def _always(

@@ -158,7 +158,7 @@ def precise(name: str) -> bool:
     return any(_makers()[code_name(part)][1] for part in name.split("_"))
 
 
-def _called(routine: Routine) -> set[str]:
+def _called(routine: Routine) -> frozenset[str]:
     """The routines that it calls, and operations that may have to be written out."""
     return calls(routine) | operations(routine)
 

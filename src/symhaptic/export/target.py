@@ -101,7 +101,7 @@ class Printing(CodePrinter):  # type: ignore[misc]
             return str(self._print(item))
         return str(super().parenthesize(item, level, strict))
 
-    _print_Mul = CodePrinter._print_Mul  # noqa: N815
+    _print_Add, _print_Mul = CodePrinter._print_Add, CodePrinter._print_Mul  # noqa: N815
 
     def _operation(self, expr: Expr) -> str:
         return self._written(type(expr).__name__, expr.args)

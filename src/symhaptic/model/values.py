@@ -80,7 +80,7 @@ def _digits(at: tuple[mpf, ...], digits: int) -> int:
     """Enough for cubes of the smallest argument, and for exponentials of the largest."""
     sizes = [abs(v) for v in at if v]
     small = max([0, *(-int(mpmath.log10(v)) for v in sizes)])
-    large = max([0, *(int(v) for v in sizes if v < 10000)])
+    large = max([0, *(int(mpmath.log10(mpmath.e) * v) for v in sizes if v < 10000)])
     return digits + 40 + 3 * small + large
 
 
@@ -150,10 +150,11 @@ def _hidden(cls: Any, at: list[mpf]) -> mpf | None:
     gamma, delta = at
     if gamma == 0:
         return numeric(_WITHOUT_SPRING[cls])(delta)
-    critical = delta**2 == 4 * gamma and cls is not Together
-    if not critical and not (delta == 0 and cls is Apart):
+    if delta == 0 and cls is Apart:
+        return numeric(Gap)(mpmath.sqrt(gamma))
+    if delta**2 != 4 * gamma or cls is Together:
         return None
     # smooth, and the point beside is nearer than the precision asked for
     step = mpf(10) ** -(2 * mpmath.mp.dps)
     with mpmath.workdps(5 * mpmath.mp.dps):
-        return numeric(cls)(gamma * (1 + step), delta + step * (delta or 1))
+        return numeric(cls)(gamma * (1 + step), delta * (1 + step))
