@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import And, Expr, Max, Or, atan2, pi, sqrt
+from sympy import And, Expr, Max, Or, atan2, cos, pi, sin, sqrt
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, Steps, choose, difference, product
 from symhaptic.export.search import crossing
 from symhaptic.model import stiffest
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.searched import STIFFEST_ARGUMENTS, STIFFEST_SPRING
 from symhaptic.model.stability_forms import curve
+from symhaptic.notation import theta
 
 gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together, apart = (
     STIFFEST_ARGUMENTS
@@ -21,10 +22,54 @@ _PARTS = 24
 """Of the first half turn of the delay, at which the first maximum is looked for."""
 
 
+def end_slope() -> Routine:
+    """Its terms cancel where the maximum is next to pi: each is known twice as well as a float."""
+    do = Steps()
+    _, r, loss, s, a, late = stiffest.EARLY
+    side, side_low = difference(do, s, 4 * late)
+    square, square_low = product(do, side, side, 2 * side_low)
+    across, across_low = product(do, a, s)
+    gap, gap_low = difference(do, across, square)
+    gap_low = do("gap_low", gap_low + (across_low - square_low))
+    lean, lean_low = difference(do, square, 2 * across)
+    lean_low = do("lean_low", lean_low + (square_low - 2 * across_low))
+    one, one_low = product(do, side, lean, lean_low)
+    two, two_low = product(do, a, across, across_low)
+    bent, bent_low = difference(do, one, -two)
+    bent_low = do("bent_low", bent_low + (one_low + side_low * lean + two_low))
+    one, one_low = product(do, r, bent, bent_low)
+    part, part_low = product(do, a, gap, gap_low)
+    two, two_low = product(do, loss, part, part_low)
+    rest, rest_low = difference(do, 2 * a, side)
+    wide, wide_low = product(do, a, a)
+    three, three_low = product(do, wide, rest, rest_low - side_low)
+    three_low = do("three_low", three_low + wide_low * rest)
+    found, lost = difference(do, 4 * three, one)
+    found, more = difference(do, found, 2 * two)
+    low = do("low", (lost + more) + (4 * three_low - (one_low + 2 * two_low)))
+    return do.routine("EndSlope", "has the sign of the slope of the boundary's alpha next to pi",
+                      stiffest.EARLY[1:], found + low)  # fmt: skip
+
+
+def early_slope() -> Routine:
+    """The sign of the slope for delays below one period, of the coefficients of a quartic."""
+    do = Steps()
+    coefficients = sp.symbols("k4 k3 k2 k1 k0")
+    sine, cosine = do("sine", sin(theta / 2)), do("cosine", cos(theta / 2))
+    up, along = do("up", sine * sine), do("along", cosine * cosine)
+    found, power = coefficients[0], sp.S.One
+    for k in coefficients[1:]:
+        power = do("power", power * along)
+        found = do("found", found * up + k * power)
+    return do.routine("EarlySlope", "has the sign of the slope of the boundary's alpha, d < 1",
+                      (theta, *coefficients), found)  # fmt: skip
+
+
 def undelayed_angle() -> Routine:
     """Without delay: where a parabola changes its sign first, or pi where it does not."""
     do = Steps()
-    square, middle, last = (do("k", k) for k in do.common(*stiffest.undelayed()))
+    square = do("k", sp.Function("EndSlope")(*stiffest.UNDELAYED[1:], 0))
+    middle, last = (do("k", k) for k in do.common(*stiffest.undelayed()[1:]))
     discriminant = do("discriminant", middle * middle - 4 * square * last)
     root = do("root", sqrt(Max(discriminant, 0)))
     falls = choose(discriminant < 0, 0, root - middle)
@@ -49,8 +94,14 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     turn = do("turn", pi / (d + 1))
     numbers = at_one, at_minus_one, loss, together, apart, across
 
+    early = And(part > 0, d < 1)
+    others = do.common(*stiffest.early()[1:])
+    end = sp.Function("EndSlope")(at_minus_one, loss, together, apart, last)
+    quartic = [do("k", choose(early, k, 0)) for k in (end, *others)]
+
     def slope(_: Steps, at: Expr) -> Expr:
-        return sp.Function("BoundarySlope")(at, steps, *numbers)
+        late = sp.Function("BoundarySlope")(at, steps, *numbers)
+        return choose(early, sp.Function("EarlySlope")(at, *quartic), late)
 
     def angle(count: Expr) -> Expr:
         return count * turn / _PARTS
@@ -71,9 +122,9 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     low = do("low", Max(angle(count - 1), high / 1000))
     inner_maximum = found > 0
     root = crossing(do, slope, low, high, precision.close, inner_maximum)
-    early = sp.Function("UndelayedAngle")(at_one, at_minus_one, loss, together, apart)
-    theta = do("theta", choose(at_once, early, choose(inner_maximum, root, sp.nan)))
-    stiffness, damping = do.common(*curve((*numbers[:-1], 2 * across), theta, steps))
+    undelayed = sp.Function("UndelayedAngle")(at_one, at_minus_one, loss, together, apart)
+    top = do("theta", choose(at_once, undelayed, choose(inner_maximum, root, sp.nan)))
+    stiffness, damping = do.common(*curve((*numbers[:-1], 2 * across), top, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
     inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))
@@ -89,8 +140,8 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     good = do("good", Stable(outside, *wall, gamma, delta))
     return do.routine("StiffestAngle", "the angle of the wall of largest stable stiffness, or NaN",
                       STIFFEST_ARGUMENTS,
-                      choose(known, choose(good > 0, theta, sp.nan), sp.nan))  # fmt: skip
+                      choose(known, choose(good > 0, top, sp.nan), sp.nan))  # fmt: skip
 
 
-ROUTINES = (boundary_slope, undelayed_angle)
+ROUTINES = (boundary_slope, early_slope, end_slope, undelayed_angle)
 PRECISE = (stiffest_angle,)
