@@ -150,6 +150,7 @@ def _suspects(form: Form, arrays: list[Array], found: Array) -> Array:
         off = np.abs(found - right) / np.spacing(sizes.astype(np.float32))
     off[~((sizes >= SINGLE.tiny) & (sizes <= SINGLE.huge))] = 0
     off[np.isnan(off)] = np.inf
+    off[np.isnan(found) & np.isnan(right)] = 0
     return np.unique(np.argsort(off, axis=1)[:, -20:])
 
 

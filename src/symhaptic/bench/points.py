@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections.abc import Callable
+from functools import cache
+from typing import Any, cast
 
 import numpy as np
+import sympy as sp
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
+from symhaptic.kernels.haptic import discretize
+from symhaptic.model import stiffest
 from symhaptic.model.stable import Form
 
 Array = NDArray[np.floating[Any]]
@@ -51,6 +57,21 @@ def plants(rng: np.random.Generator, count: int, precision: Precision = DOUBLE) 
     return np.array(found[:count])
 
 
+def leaving_pi(gamma: float) -> float:
+    """The damping from which on the stiffest stable wall without delay is no longer at pi."""
+
+    def rises(delta: float) -> float:
+        n1, n0, a, e = discretize(gamma, delta)
+        return float(_end()(1 - a + e, 1 + a + e, 1 - e, n1 + n0, n1 - n0, 0.0))
+
+    return float(brentq(rises, 0.1, 4.0))
+
+
+@cache
+def _end() -> Callable[..., float]:
+    return cast(Callable[..., float], sp.lambdify(stiffest.EARLY, stiffest.end(), "math"))
+
+
 def columns(
     form: Form, rng: np.random.Generator, count: int, precision: Precision = DOUBLE
 ) -> list[Array]:
@@ -74,6 +95,12 @@ def columns(
     if form.name == "passivity_boundary":  # delta over the cube of the delay is a normal float
         least = 2 * float(np.finfo(precision.kind).tiny) * (2 * (delay + 1)) ** 3
         damping = np.where(damping > 0, np.maximum(damping, least), 0)
+    if (form.plain or form).name == "max_stable_stiffness":  # there its angle is hard to find
+        edge = np.flatnonzero(rng.random(count) < 0.2)
+        both[edge, 0] = rng.uniform(0, 9.7, edge.size)
+        beside = 1 + rng.choice([-1.0, 1.0], edge.size) * 10 ** rng.uniform(-10, -1, edge.size)
+        both[edge, 1] = [leaving_pi(gamma) for gamma in both[edge, 0]] * beside
+        delay[edge] = rng.choice([0.0, 1.0], edge.size) * 10 ** rng.uniform(-8, 0, edge.size)
     values = {
         "gamma": both[:, 0],
         "delta": damping,

@@ -213,14 +213,22 @@ def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[A
         return real - up * half.sin() / half.cos()
 
     turn = arb.pi() / (arb(d) + 1)
+    shares = [(i + _Balls.half) / _MANY for i in range(_MANY)]
+    shares += [1 - arb(2) ** -k for k in range(8, 60)]  # the maximum may be next to the end
     before = None
-    for i in range(_MANY):
-        angle = arb((turn * (i + _Balls.half) / _MANY).mid())
+    for share in shares:
+        angle = arb((turn * share).mid())
         rises = series(alpha, angle, 2)[1] > 0
         if before is not None and not rises:
             break
         before = angle if rises else None
     else:
-        return (arb("nan"),) * 3
+        return _at_pi(parts) if d == 0 and before is not None else (arb("nan"),) * 3
     theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), before, angle)
     return alpha(theta), parts(theta)[1] / theta.sin(), theta
+
+
+def _at_pi(parts: Callable[[Any], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
+    """The end of the curve without delay, where its imaginary part vanishes with sin(theta)."""
+    slope = series(lambda t: parts(t)[1], arb.pi(), 2)[1]
+    return parts(arb.pi())[0] + 2 * slope, -slope, arb.pi()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy as sp
 from sympy import And, Expr, Max, Or, atan2, cos, pi, sin, sqrt
 
@@ -86,54 +88,72 @@ def boundary_slope() -> Routine:
                       stiffest.SLOPE_ARGUMENTS, *do.common(stiffest.slope()[0]))  # fmt: skip
 
 
-def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
-    """The first maximum of alpha on the boundary, if it borders the stable region, else NaN."""
-    do = Steps(taken={symbol.name for symbol in STIFFEST_ARGUMENTS})
-    whole = sp.Eq(part, 0)
-    across = do("across", choose(whole, first, first - last))
-    turn = do("turn", pi / (d + 1))
-    numbers = at_one, at_minus_one, loss, together, apart, across
-
-    early = And(part > 0, d < 1)
-    others = do.common(*stiffest.early()[1:])
-    end = sp.Function("EndSlope")(at_minus_one, loss, together, apart, last)
-    quartic = [do("k", choose(early, k, 0)) for k in (end, *others)]
-
-    def slope(_: Steps, at: Expr) -> Expr:
-        late = sp.Function("BoundarySlope")(at, steps, *numbers)
-        return choose(early, sp.Function("EarlySlope")(at, *quartic), late)
+def _first_maximum(
+    do: Steps, delay: Expr, slope: Callable[[Expr], Expr], precision: Precision
+) -> Expr:
+    """Where a slope that is positive at 0 changes its sign first, NaN where it does not."""
+    turn = do("turn", pi / (delay + 1))
 
     def angle(count: Expr) -> Expr:
         return count * turn / _PARTS
 
     def scan(inner: Steps, states: tuple[sp.Symbol, ...]) -> tuple[Expr, ...]:
         count, _ = states
-        rises = inner("rises", slope(inner, angle(count)))
+        rises = inner("rises", slope(angle(count)))
         return choose(rises > 0, count + 1, count), choose(rises > 0, 0, 1)
 
-    at_once = sp.Eq(d, 0)
     count, found = do.repeat(
-        {"count": do("start", choose(at_once, _PARTS + 1, 1)), "found": sp.S.Zero},
+        {"count": sp.S.One, "found": sp.S.Zero},
         scan,
         lambda states: Or(states[1] > 0, states[0] > _PARTS),
         _PARTS,
     )
     high = do("high", angle(count))
     low = do("low", Max(angle(count - 1), high / 1000))
-    inner_maximum = found > 0
-    root = crossing(do, slope, low, high, precision.close, inner_maximum)
-    undelayed = sp.Function("UndelayedAngle")(at_one, at_minus_one, loss, together, apart)
-    top = do("theta", choose(at_once, undelayed, choose(inner_maximum, root, sp.nan)))
-    stiffness, damping = do.common(*curve((*numbers[:-1], 2 * across), top, steps))
+    root = crossing(do, lambda _, at: slope(at), low, high, precision.close, found > 0)
+    return choose(found > 0, root, sp.nan)
+
+
+def early_angle(precision: Precision = DOUBLE) -> Routine:
+    """For delays below one period."""
+    given = d, *stiffest.EARLY
+    do = Steps(taken={symbol.name for symbol in given})
+    end = sp.Function("EndSlope")(*stiffest.EARLY[1:])
+    quartic = [do("k", k) for k in (end, *do.common(*stiffest.early()[1:]))]
+    found = _first_maximum(do, d, lambda at: sp.Function("EarlySlope")(at, *quartic), precision)
+    return do.routine("EarlyAngle", "the angle of the largest stiffness for delays below a period",
+                      given, found)  # fmt: skip
+
+
+def later_angle(precision: Precision = DOUBLE) -> Routine:
+    """For all others."""
+    given = d, *stiffest.SLOPE_ARGUMENTS[1:]
+    do = Steps(taken={symbol.name for symbol in given})
+    _, *numbers = given
+    found = _first_maximum(do, d, lambda at: sp.Function("BoundarySlope")(at, *numbers), precision)
+    return do.routine("LaterAngle", "the angle of the largest stiffness for a period and more",
+                      given, found)  # fmt: skip
+
+
+def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
+    """The first maximum of alpha on the boundary, if it borders the stable region, else NaN."""
+    do = Steps(taken={symbol.name for symbol in STIFFEST_ARGUMENTS})
+    whole = sp.Eq(part, 0)
+    across = do("across", choose(whole, first, first - last))
+    numbers = at_one, at_minus_one, loss, together, apart
+    early = sp.Function("EarlyAngle")(d, *numbers, last)
+    later = sp.Function("LaterAngle")(d, steps, *numbers, across)
+    undelayed = sp.Function("UndelayedAngle")(*numbers)
+    top = do("theta", choose(sp.Eq(d, 0), undelayed, choose(d < 1, early, later)))
+    stiffness, damping = do.common(*curve((*numbers, 2 * across), top, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
     inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))
-    device = at_one, at_minus_one, loss, together, apart
     wall = inside, damping
     outside = choose(
         whole,
-        UnstableRoots(*wall, steps, first, last, *device),
-        LateRoots(*wall, steps, first, last, *device),
+        UnstableRoots(*wall, steps, first, last, *numbers),
+        LateRoots(*wall, steps, first, last, *numbers),
     )
     outside = do("outside", outside)
     known = And(gamma <= STIFFEST_SPRING, Or(sqrt(gamma) * (d + 1) <= pi, d <= 1))
@@ -144,4 +164,4 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
 
 
 ROUTINES = (boundary_slope, early_slope, end_slope, undelayed_angle)
-PRECISE = (stiffest_angle,)
+PRECISE = (early_angle, later_angle, stiffest_angle)

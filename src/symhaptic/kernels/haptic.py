@@ -5973,6 +5973,335 @@ def cos_next(xp, k, x):
     return cosine - off*sine
 
 
+def early_slope(xp, theta, k4, k3, k2, k1, k0):
+    """has the sign of the slope of the boundary's alpha, d < 1"""
+    sine = xp.sin(0.5*theta)
+    cosine = xp.cos(0.5*theta)
+    up = (sine*sine)
+    along = (cosine*cosine)
+    power = along
+    found = k3*power + k4*up
+    power = along*power
+    found = found*up + k2*power
+    power = along*power
+    found = found*up + k1*power
+    power = along*power
+    found = found*up + k0*power
+    return found
+
+
+def end_slope(xp, at_minus_one, loss, together_, apart_, last):
+    """has the sign of the slope of the boundary's alpha next to pi"""
+    total = together_ - 4.0*last
+    back = total - together_
+    rest = total - back
+    one = together_ - rest
+    two = -back - 4.0*last
+    lost = one + two
+    total2 = (total*total)
+    total_halves = halves(xp, total)
+    lost2 = 2.0*lost*total + product_error(total2, total_halves, total_halves)
+    total3 = apart_*together_
+    apart__halves = halves(xp, apart_)
+    together__halves = halves(xp, together_)
+    lost3 = product_error(total3, apart__halves, together__halves)
+    total4 = total3 - total2
+    back = total4 - total3
+    rest = total4 - back
+    one = total3 - rest
+    two = -back - total2
+    lost4 = one + two
+    gap_low = lost3 - lost2 + lost4
+    total5 = total2 - 2.0*total3
+    back = total5 - total2
+    rest = total5 - back
+    one = total2 - rest
+    two = -back - 2.0*total3
+    lost4 = one + two
+    lean_low = lost2 - 2.0*lost3 + lost4
+    total2 = total*total5
+    total5_halves = halves(xp, total5)
+    lost4 = lean_low*total + product_error(total2, total_halves, total5_halves)
+    total7 = apart_*total3
+    total3_halves = halves(xp, total3)
+    lost3 = apart_*lost3 + product_error(total7, apart__halves, total3_halves)
+    total3 = total2 + total7
+    back = total3 - total2
+    rest = total3 - back
+    one = total2 - rest
+    two = total7 - back
+    lost2 = one + two
+    bent_low = lost*total5 + lost4 + lost3 + lost2
+    total5 = at_minus_one*total3
+    at_minus_one_halves = halves(xp, at_minus_one)
+    total3_halves = halves(xp, total3)
+    lost2 = at_minus_one*bent_low + product_error(total5, at_minus_one_halves, total3_halves)
+    total3 = apart_*total4
+    total4_halves = halves(xp, total4)
+    lost3 = apart_*gap_low + product_error(total3, apart__halves, total4_halves)
+    total4 = loss*total3
+    loss_halves = halves(xp, loss)
+    total3_halves = halves(xp, total3)
+    lost3 = loss*lost3 + product_error(total4, loss_halves, total3_halves)
+    total3 = 2.0*apart_ - total
+    back = total3 - 2.0*apart_
+    rest = total3 - back
+    one = 2.0*apart_ - rest
+    two = -back - total
+    lost4 = one + two
+    total = (apart_*apart_)
+    lost13 = product_error(total, apart__halves, apart__halves)
+    total7 = total3*total
+    total_halves = halves(xp, total)
+    total3_halves = halves(xp, total3)
+    lost4 = total*(lost4 - lost) + product_error(total7, total_halves, total3_halves)
+    three_low = lost13*total3 + lost4
+    total3 = 4.0*total7 - total5
+    back = total3 - 4.0*total7
+    rest = total3 - back
+    one = 4.0*total7 - rest
+    two = -back - total5
+    lost4 = one + two
+    total5 = total3 - 2.0*total4
+    back = total5 - total3
+    rest = total5 - back
+    one = total3 - rest
+    two = -back - 2.0*total4
+    lost13 = one + two
+    low = lost4 - 2.0*lost3 + lost13 - lost2 + 4.0*three_low
+    return low + total5
+
+
+def early_angle_single(xp, d, at_one, at_minus_one, loss, together_, apart_, last):
+    """The same in single precision."""
+    t = (apart_*apart_*apart_)
+    t2 = (together_*together_*together_)
+    t3 = (together_*together_)
+    t4 = apart_*t3
+    t5 = (apart_*apart_)
+    t6 = 2.0*loss
+    t7 = at_minus_one + t6
+    t8 = 4.0*together_
+    t9 = 16.0*apart_
+    t6 = at_one + t6
+    t11 = 2.0*at_one
+    t12 = 5.0*at_minus_one
+    t13 = -at_one
+    t14 = 4.0*loss
+    t15 = apart_*together_
+    t16 = 16.0*together_
+    t17 = at_one*last
+    t18 = apart_*t11
+    t19 = at_one*t5
+    k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
+    k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+    k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+    k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
+    k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    turn_ = 3.141592653589793/(d + 1.0)
+
+    def over(count, found, k, k2, k3, k4, k5, turn_):
+        return (count > 24.0) | (found > 0.0)
+
+    def step(count, found, k, k2, k3, k4, k5, turn_):
+        rises = early_slope(xp, 0.041666666666666664*count*turn_, k, k2, k3, k4, k5)
+        case1 = rises > 0.0
+        next_count = xp.where(case1, count + 1.0, count)
+        next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+        return next_count, next_found
+
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (k, k2, k3, k4, k5, turn_))
+
+    def yes(count, k, k2, k3, k4, k5, turn_):
+        high = 0.041666666666666664*count*turn_
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        above = early_slope(xp, low, k, k2, k3, k4, k5)
+
+        def yes(low2):
+            root = low2
+            return root
+
+        def no(above, high, k, k2, k3, k4, k5, low2):
+            high2 = high
+            below = early_slope(xp, high2, k, k2, k3, k4, k5)
+
+            def yes(high2):
+                root = high2
+                return root
+
+            def no(above, below, high2, k, k2, k3, k4, k5, low2):
+
+                def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
+                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
+                    span = c - b
+                    rise_ = fc - fb
+                    whole = xp.where(span == 0.0, 1.0, span)
+                    place = (a - b)/whole
+                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                    height = (fa - fb)/whole
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    case1 = safe > 0.0
+                    one = xp.where(case1, fb - fa, 1.0)
+                    two = xp.where(case1, fb - fc, 1.0)
+                    three = xp.where(case1, fa - fc, 1.0)
+                    width = b - a
+                    here = fa/one
+                    there = fc/two
+                    whole = xp.where(width == 0.0, 1.0, width)
+                    other = fa/three
+                    last2 = fb/two
+                    guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
+                    edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = xp.where(0.5 < edge, 0.5, edge)
+                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                    share = xp.where(edge > share, edge, share)
+                    new = a + share*width
+                    value = early_slope(xp, new, k, k2, k3, k4, k5)
+                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                    next_b = xp.where(case2, b, a)
+                    next_fb = xp.where(case2, fb, fa)
+                    next_a = new
+                    next_fa = value
+                    next_c = xp.where(case2, a, b)
+                    next_fc = xp.where(case2, fa, fb)
+                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                return root
+
+            root = select(xp, below >= 0.0, yes, (high2,), no, (above, below, high2, k, k2, k3, k4, k5, low2))
+
+            return root
+
+        root = select(xp, above <= 0.0, yes, (low,), no, (above, high, k, k2, k3, k4, k5, low))
+
+        return root
+
+    def no(found):
+        return xp.nan
+
+    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5, turn_), no, (found,))
+
+
+def early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last):
+    """the angle of the largest stiffness for delays below a period"""
+    if d.dtype == xp.float32:
+        return early_angle_single(xp, d, at_one, at_minus_one, loss, together_, apart_, last)
+    t = (apart_*apart_*apart_)
+    t2 = (together_*together_*together_)
+    t3 = (together_*together_)
+    t4 = apart_*t3
+    t5 = (apart_*apart_)
+    t6 = 2.0*loss
+    t7 = at_minus_one + t6
+    t8 = 4.0*together_
+    t9 = 16.0*apart_
+    t6 = at_one + t6
+    t11 = 2.0*at_one
+    t12 = 5.0*at_minus_one
+    t13 = -at_one
+    t14 = 4.0*loss
+    t15 = apart_*together_
+    t16 = 16.0*together_
+    t17 = at_one*last
+    t18 = apart_*t11
+    t19 = at_one*t5
+    k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
+    k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+    k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+    k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
+    k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    turn_ = 3.141592653589793/(d + 1.0)
+
+    def over(count, found, k, k2, k3, k4, k5, turn_):
+        return (count > 24.0) | (found > 0.0)
+
+    def step(count, found, k, k2, k3, k4, k5, turn_):
+        rises = early_slope(xp, 0.041666666666666664*count*turn_, k, k2, k3, k4, k5)
+        case1 = rises > 0.0
+        next_count = xp.where(case1, count + 1.0, count)
+        next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+        return next_count, next_found
+
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (k, k2, k3, k4, k5, turn_))
+
+    def yes(count, k, k2, k3, k4, k5, turn_):
+        high = 0.041666666666666664*count*turn_
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        above = early_slope(xp, low, k, k2, k3, k4, k5)
+
+        def yes(low2):
+            root = low2
+            return root
+
+        def no(above, high, k, k2, k3, k4, k5, low2):
+            high2 = high
+            below = early_slope(xp, high2, k, k2, k3, k4, k5)
+
+            def yes(high2):
+                root = high2
+                return root
+
+            def no(above, below, high2, k, k2, k3, k4, k5, low2):
+
+                def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
+                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
+                    span = c - b
+                    rise_ = fc - fb
+                    whole = xp.where(span == 0.0, 1.0, span)
+                    place = (a - b)/whole
+                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                    height = (fa - fb)/whole
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    case1 = safe > 0.0
+                    one = xp.where(case1, fb - fa, 1.0)
+                    two = xp.where(case1, fb - fc, 1.0)
+                    three = xp.where(case1, fa - fc, 1.0)
+                    width = b - a
+                    here = fa/one
+                    there = fc/two
+                    whole = xp.where(width == 0.0, 1.0, width)
+                    other = fa/three
+                    last2 = fb/two
+                    guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
+                    edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = xp.where(0.5 < edge, 0.5, edge)
+                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                    share = xp.where(edge > share, edge, share)
+                    new = a + share*width
+                    value = early_slope(xp, new, k, k2, k3, k4, k5)
+                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                    next_b = xp.where(case2, b, a)
+                    next_fb = xp.where(case2, fb, fa)
+                    next_a = new
+                    next_fa = value
+                    next_c = xp.where(case2, a, b)
+                    next_fc = xp.where(case2, fa, fb)
+                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                return root
+
+            root = select(xp, below >= 0.0, yes, (high2,), no, (above, below, high2, k, k2, k3, k4, k5, low2))
+
+            return root
+
+        root = select(xp, above <= 0.0, yes, (low,), no, (above, high, k, k2, k3, k4, k5, low))
+
+        return root
+
+    def no(found):
+        return xp.nan
+
+    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5, turn_), no, (found,))
+
+
 def sin_next_single(xp, k, x):
     """The same in single precision."""
     count = k + 1.0
@@ -6129,103 +6458,186 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     return (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*(t7 + together_))) - t4*(0.5*t18 + t5*(t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
 
 
-def early_slope(xp, theta, k4, k3, k2, k1, k0):
-    """has the sign of the slope of the boundary's alpha, d < 1"""
-    sine = xp.sin(0.5*theta)
-    cosine = xp.cos(0.5*theta)
-    up = (sine*sine)
-    along = (cosine*cosine)
-    power = along
-    found = k3*power + k4*up
-    power = along*power
-    found = found*up + k2*power
-    power = along*power
-    found = found*up + k1*power
-    power = along*power
-    found = found*up + k0*power
-    return found
+def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
+    """The same in single precision."""
+    turn_ = 3.141592653589793/(d + 1.0)
+
+    def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+        return (count > 24.0) | (found > 0.0)
+
+    def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+        case1 = rises > 0.0
+        next_count = xp.where(case1, count + 1.0, count)
+        next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+        return next_count, next_found
+
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+
+    def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+        high = 0.041666666666666664*count*turn_
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+        def yes(low2):
+            root = low2
+            return root
+
+        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
+            high2 = high
+            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+            def yes(high2):
+                root = high2
+                return root
+
+            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+
+                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                    span = c - b
+                    rise_ = fc - fb
+                    whole = xp.where(span == 0.0, 1.0, span)
+                    place = (a - b)/whole
+                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                    height = (fa - fb)/whole
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    case1 = safe > 0.0
+                    one = xp.where(case1, fb - fa, 1.0)
+                    two = xp.where(case1, fb - fc, 1.0)
+                    three = xp.where(case1, fa - fc, 1.0)
+                    width = b - a
+                    here = fa/one
+                    there = fc/two
+                    whole = xp.where(width == 0.0, 1.0, width)
+                    other = fa/three
+                    last = fb/two
+                    guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
+                    edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = xp.where(0.5 < edge, 0.5, edge)
+                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                    share = xp.where(edge > share, edge, share)
+                    new = a + share*width
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                    next_b = xp.where(case2, b, a)
+                    next_fb = xp.where(case2, fb, fa)
+                    next_a = new
+                    next_fa = value
+                    next_c = xp.where(case2, a, b)
+                    next_fc = xp.where(case2, fa, fb)
+                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                return root
+
+            root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+
+            return root
+
+        root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+
+        return root
+
+    def no(found):
+        return xp.nan
+
+    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
 
 
-def end_slope(xp, at_minus_one, loss, together_, apart_, last):
-    """has the sign of the slope of the boundary's alpha next to pi"""
-    total = together_ - 4.0*last
-    back = total - together_
-    rest = total - back
-    one = together_ - rest
-    two = -back - 4.0*last
-    lost = one + two
-    total2 = (total*total)
-    total_halves = halves(xp, total)
-    lost2 = 2.0*lost*total + product_error(total2, total_halves, total_halves)
-    total3 = apart_*together_
-    apart__halves = halves(xp, apart_)
-    together__halves = halves(xp, together_)
-    lost3 = product_error(total3, apart__halves, together__halves)
-    total4 = total3 - total2
-    back = total4 - total3
-    rest = total4 - back
-    one = total3 - rest
-    two = -back - total2
-    lost4 = one + two
-    gap_low = lost3 - lost2 + lost4
-    total5 = total2 - 2.0*total3
-    back = total5 - total2
-    rest = total5 - back
-    one = total2 - rest
-    two = -back - 2.0*total3
-    lost4 = one + two
-    lean_low = lost2 - 2.0*lost3 + lost4
-    total2 = total*total5
-    total5_halves = halves(xp, total5)
-    lost4 = lean_low*total + product_error(total2, total_halves, total5_halves)
-    total7 = apart_*total3
-    total3_halves = halves(xp, total3)
-    lost3 = apart_*lost3 + product_error(total7, apart__halves, total3_halves)
-    total3 = total2 + total7
-    back = total3 - total2
-    rest = total3 - back
-    one = total2 - rest
-    two = total7 - back
-    lost2 = one + two
-    bent_low = lost*total5 + lost4 + lost3 + lost2
-    total5 = at_minus_one*total3
-    at_minus_one_halves = halves(xp, at_minus_one)
-    total3_halves = halves(xp, total3)
-    lost2 = at_minus_one*bent_low + product_error(total5, at_minus_one_halves, total3_halves)
-    total3 = apart_*total4
-    total4_halves = halves(xp, total4)
-    lost3 = apart_*gap_low + product_error(total3, apart__halves, total4_halves)
-    total4 = loss*total3
-    loss_halves = halves(xp, loss)
-    total3_halves = halves(xp, total3)
-    lost3 = loss*lost3 + product_error(total4, loss_halves, total3_halves)
-    total3 = 2.0*apart_ - total
-    back = total3 - 2.0*apart_
-    rest = total3 - back
-    one = 2.0*apart_ - rest
-    two = -back - total
-    lost4 = one + two
-    total = (apart_*apart_)
-    lost13 = product_error(total, apart__halves, apart__halves)
-    total7 = total3*total
-    total_halves = halves(xp, total)
-    total3_halves = halves(xp, total3)
-    lost4 = total*(lost4 - lost) + product_error(total7, total_halves, total3_halves)
-    three_low = lost13*total3 + lost4
-    total3 = 4.0*total7 - total5
-    back = total3 - 4.0*total7
-    rest = total3 - back
-    one = 4.0*total7 - rest
-    two = -back - total5
-    lost4 = one + two
-    total5 = total3 - 2.0*total4
-    back = total5 - total3
-    rest = total5 - back
-    one = total3 - rest
-    two = -back - 2.0*total4
-    lost13 = one + two
-    low = lost4 - 2.0*lost3 + lost13 - lost2 + 4.0*three_low
-    return low + total5
+def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
+    """the angle of the largest stiffness for a period and more"""
+    if d.dtype == xp.float32:
+        return later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
+    turn_ = 3.141592653589793/(d + 1.0)
+
+    def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+        return (count > 24.0) | (found > 0.0)
+
+    def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+        case1 = rises > 0.0
+        next_count = xp.where(case1, count + 1.0, count)
+        next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
+        return next_count, next_found
+
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+
+    def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+        high = 0.041666666666666664*count*turn_
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+        def yes(low2):
+            root = low2
+            return root
+
+        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
+            high2 = high
+            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+
+            def yes(high2):
+                root = high2
+                return root
+
+            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+
+                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                    span = c - b
+                    rise_ = fc - fb
+                    whole = xp.where(span == 0.0, 1.0, span)
+                    place = (a - b)/whole
+                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
+                    height = (fa - fb)/whole
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    case1 = safe > 0.0
+                    one = xp.where(case1, fb - fa, 1.0)
+                    two = xp.where(case1, fb - fc, 1.0)
+                    three = xp.where(case1, fa - fc, 1.0)
+                    width = b - a
+                    here = fa/one
+                    there = fc/two
+                    whole = xp.where(width == 0.0, 1.0, width)
+                    other = fa/three
+                    last = fb/two
+                    guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
+                    edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = xp.where(0.5 < edge, 0.5, edge)
+                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+                    share = xp.where(edge > share, edge, share)
+                    new = a + share*width
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
+                    next_b = xp.where(case2, b, a)
+                    next_fb = xp.where(case2, fb, fa)
+                    next_a = new
+                    next_fa = value
+                    next_c = xp.where(case2, a, b)
+                    next_fc = xp.where(case2, fa, fb)
+                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+                return root
+
+            root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+
+            return root
+
+        root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+
+        return root
+
+    def no(found):
+        return xp.nan
+
+    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
 
 
 def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
@@ -6277,168 +6689,38 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
             theta = undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_)
             return theta
 
-        def no(across, apart_, at_minus_one, at_one, d, l, last, loss, part, together_):
-            turn_ = 3.141592653589793/(d + 1.0)
+        def no(across, apart_, at_minus_one, at_one, d, l, last, loss, together_):
 
-            def yes(apart_, at_minus_one, at_one, last, loss, together_):
-                t = (apart_*apart_*apart_)
-                t2 = (together_*together_*together_)
-                t3 = (together_*together_)
-                t4 = apart_*t3
-                t5 = (apart_*apart_)
-                t6 = 2.0*loss
-                t7 = at_minus_one + t6
-                t8 = 4.0*together_
-                t9 = 16.0*apart_
-                t6 = at_one + t6
-                t11 = 2.0*at_one
-                t12 = 5.0*at_minus_one
-                t13 = -at_one
-                t14 = 4.0*loss
-                t15 = apart_*together_
-                t16 = 16.0*together_
-                t17 = at_one*last
-                t18 = apart_*t11
-                t19 = at_one*t5
-                k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
-                k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
-                k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
-                k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
-                k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
-                return k, k2, k3, k4, k5
-
-            def no(d):
-                return 0.0, 0.0, 0.0, 0.0, 0.0
-
-            k, k2, k3, k4, k5 = select(xp, (d < 1.0) & (part > 0.0), yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (d,))
-
-
-            def over(count, found, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_):
-                return (count > 24.0) | (found > 0.0)
-
-            def step(count, found, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_):
-                rises = xp.where((d < 1.0) & (part > 0.0), early_slope(xp, 0.041666666666666664*count*turn_, k, k2, k3, k4, k5), boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across))
-                case1 = rises > 0.0
-                next_count = xp.where(case1, count + 1.0, count)
-                next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
-                return next_count, next_found
-
-            count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_))
-
-            def yes(across, apart_, at_minus_one, at_one, count, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_):
-                high = 0.041666666666666664*count*turn_
-                low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
-
-                def yes(k, k2, k3, k4, k5, low2):
-                    above = early_slope(xp, low2, k, k2, k3, k4, k5)
-                    return above
-
-                def no(across, apart_, at_minus_one, at_one, l, loss, low2, together_):
-                    above = boundary_slope(xp, low2, l, at_one, at_minus_one, loss, together_, apart_, across)
-                    return above
-
-                above = select(xp, (d < 1.0) & (part > 0.0), yes, (k, k2, k3, k4, k5, low), no, (across, apart_, at_minus_one, at_one, l, loss, low, together_))
-
-
-                def yes(low2):
-                    root = low2
-                    return root
-
-                def no(above, across, apart_, at_minus_one, at_one, d, high, k, k2, k3, k4, k5, l, loss, low2, part, together_):
-                    high2 = high
-
-                    def yes(high2, k, k2, k3, k4, k5):
-                        below = early_slope(xp, high2, k, k2, k3, k4, k5)
-                        return below
-
-                    def no(across, apart_, at_minus_one, at_one, high2, l, loss, together_):
-                        below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
-                        return below
-
-                    below = select(xp, (d < 1.0) & (part > 0.0), yes, (high2, k, k2, k3, k4, k5), no, (across, apart_, at_minus_one, at_one, high2, l, loss, together_))
-
-
-                    def yes(high2):
-                        root = high2
-                        return root
-
-                    def no(above, across, apart_, at_minus_one, at_one, below, d, high2, k, k2, k3, k4, k5, l, loss, low2, part, together_):
-
-                        def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_):
-                            return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-
-                        def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_):
-                            span = c - b
-                            rise_ = fc - fb
-                            whole = xp.where(span == 0.0, 1.0, span)
-                            place = (a - b)/whole
-                            whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                            height = (fa - fb)/whole
-                            safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                            case1 = safe > 0.0
-                            one = xp.where(case1, fb - fa, 1.0)
-                            two = xp.where(case1, fb - fc, 1.0)
-                            three = xp.where(case1, fa - fc, 1.0)
-                            width = b - a
-                            here = fa/one
-                            there = fc/two
-                            whole = xp.where(width == 0.0, 1.0, width)
-                            other = fa/three
-                            last2 = fb/two
-                            guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                            edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
-                            edge = xp.where(0.5 < edge, 0.5, edge)
-                            share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                            share = xp.where(edge > share, edge, share)
-                            new = a + share*width
-                            value = xp.where((d < 1.0) & (part > 0.0), early_slope(xp, new, k, k2, k3, k4, k5), boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across))
-                            case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                            next_b = xp.where(case2, b, a)
-                            next_fb = xp.where(case2, fb, fa)
-                            next_a = new
-                            next_fa = value
-                            next_c = xp.where(case2, a, b)
-                            next_fc = xp.where(case2, fa, fb)
-                            return next_b, next_fb, next_a, next_fa, next_c, next_fc
-
-                        b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_))
-                        root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                        return root
-
-                    root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, d, high2, k, k2, k3, k4, k5, l, loss, low2, part, together_))
-
-                    return root
-
-                root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, d, high, k, k2, k3, k4, k5, l, loss, low, part, together_))
-
-                theta = root
+            def yes(apart_, at_minus_one, at_one, d, last, loss, together_):
+                theta = early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last)
                 return theta
 
-            def no(found):
-                return xp.nan
+            def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
+                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
+                return theta
 
-            theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_), no, (found,))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, d, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, part, together_))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
 
-        t20 = sin_next(xp, l, theta)
-        t21 = 0.5*theta
-        t22 = xp.sin(t21)
-        t21 = xp.cos(t21)
-        t24 = (t21*t21)
-        t25 = (t22*t22)
-        t26 = 4.0*t24*t25
-        t27 = t24*together_ - apart_*t25
-        t28 = 1.0/((across*across)*t26 + (t27*t27))
-        t24 = at_one*t24 - at_minus_one*t25
-        t30 = 2.0*loss*t27 - 2.0*across*t24
-        t24 = across*loss*t26 + t27*t24
-        t27 = t28*cos_next(xp, l, theta)
-        t26 = -t20*t28*t24/xp.sin(theta) - 0.5*t30*t27
-        stiffness = t20*t22*t21*t28*t30 - 2.0*t25*t26 - t24*t27
-        damping = t26
+        t = sin_next(xp, l, theta)
+        t2 = 0.5*theta
+        t3 = xp.sin(t2)
+        t2 = xp.cos(t2)
+        t5 = (t2*t2)
+        t6 = (t3*t3)
+        t7 = 4.0*t5*t6
+        t8 = t5*together_ - apart_*t6
+        t9 = 1.0/((across*across)*t7 + (t8*t8))
+        t5 = at_one*t5 - at_minus_one*t6
+        t11 = 2.0*loss*t8 - 2.0*across*t5
+        t5 = across*loss*t7 + t5*t8
+        t8 = t9*cos_next(xp, l, theta)
+        t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
+        stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
+        damping = t7
         inside = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
 
         def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
@@ -6472,168 +6754,38 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
             theta = undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_)
             return theta
 
-        def no(across, apart_, at_minus_one, at_one, d, l, last, loss, part, together_):
-            turn_ = 3.141592653589793/(d + 1.0)
+        def no(across, apart_, at_minus_one, at_one, d, l, last, loss, together_):
 
-            def yes(apart_, at_minus_one, at_one, last, loss, together_):
-                t = (apart_*apart_*apart_)
-                t2 = (together_*together_*together_)
-                t3 = (together_*together_)
-                t4 = apart_*t3
-                t5 = (apart_*apart_)
-                t6 = 2.0*loss
-                t7 = at_minus_one + t6
-                t8 = 4.0*together_
-                t9 = 16.0*apart_
-                t6 = at_one + t6
-                t11 = 2.0*at_one
-                t12 = 5.0*at_minus_one
-                t13 = -at_one
-                t14 = 4.0*loss
-                t15 = apart_*together_
-                t16 = 16.0*together_
-                t17 = at_one*last
-                t18 = apart_*t11
-                t19 = at_one*t5
-                k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
-                k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
-                k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
-                k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
-                k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
-                return k, k2, k3, k4, k5
-
-            def no(d):
-                return 0.0, 0.0, 0.0, 0.0, 0.0
-
-            k, k2, k3, k4, k5 = select(xp, (d < 1.0) & (part > 0.0), yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (d,))
-
-
-            def over(count, found, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_):
-                return (count > 24.0) | (found > 0.0)
-
-            def step(count, found, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_):
-                rises = xp.where((d < 1.0) & (part > 0.0), early_slope(xp, 0.041666666666666664*count*turn_, k, k2, k3, k4, k5), boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across))
-                case1 = rises > 0.0
-                next_count = xp.where(case1, count + 1.0, count)
-                next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
-                return next_count, next_found
-
-            count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_))
-
-            def yes(across, apart_, at_minus_one, at_one, count, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_):
-                high = 0.041666666666666664*count*turn_
-                low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
-
-                def yes(k, k2, k3, k4, k5, low2):
-                    above = early_slope(xp, low2, k, k2, k3, k4, k5)
-                    return above
-
-                def no(across, apart_, at_minus_one, at_one, l, loss, low2, together_):
-                    above = boundary_slope(xp, low2, l, at_one, at_minus_one, loss, together_, apart_, across)
-                    return above
-
-                above = select(xp, (d < 1.0) & (part > 0.0), yes, (k, k2, k3, k4, k5, low), no, (across, apart_, at_minus_one, at_one, l, loss, low, together_))
-
-
-                def yes(low2):
-                    root = low2
-                    return root
-
-                def no(above, across, apart_, at_minus_one, at_one, d, high, k, k2, k3, k4, k5, l, loss, low2, part, together_):
-                    high2 = high
-
-                    def yes(high2, k, k2, k3, k4, k5):
-                        below = early_slope(xp, high2, k, k2, k3, k4, k5)
-                        return below
-
-                    def no(across, apart_, at_minus_one, at_one, high2, l, loss, together_):
-                        below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
-                        return below
-
-                    below = select(xp, (d < 1.0) & (part > 0.0), yes, (high2, k, k2, k3, k4, k5), no, (across, apart_, at_minus_one, at_one, high2, l, loss, together_))
-
-
-                    def yes(high2):
-                        root = high2
-                        return root
-
-                    def no(above, across, apart_, at_minus_one, at_one, below, d, high2, k, k2, k3, k4, k5, l, loss, low2, part, together_):
-
-                        def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_):
-                            return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-
-                        def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_):
-                            span = c - b
-                            rise_ = fc - fb
-                            whole = xp.where(span == 0.0, 1.0, span)
-                            place = (a - b)/whole
-                            whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                            height = (fa - fb)/whole
-                            safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                            case1 = safe > 0.0
-                            one = xp.where(case1, fb - fa, 1.0)
-                            two = xp.where(case1, fb - fc, 1.0)
-                            three = xp.where(case1, fa - fc, 1.0)
-                            width = b - a
-                            here = fa/one
-                            there = fc/two
-                            whole = xp.where(width == 0.0, 1.0, width)
-                            other = fa/three
-                            last2 = fb/two
-                            guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                            edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
-                            edge = xp.where(0.5 < edge, 0.5, edge)
-                            share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                            share = xp.where(edge > share, edge, share)
-                            new = a + share*width
-                            value = xp.where((d < 1.0) & (part > 0.0), early_slope(xp, new, k, k2, k3, k4, k5), boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across))
-                            case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                            next_b = xp.where(case2, b, a)
-                            next_fb = xp.where(case2, fb, fa)
-                            next_a = new
-                            next_fa = value
-                            next_c = xp.where(case2, a, b)
-                            next_fc = xp.where(case2, fa, fb)
-                            return next_b, next_fb, next_a, next_fa, next_c, next_fc
-
-                        b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, d, k, k2, k3, k4, k5, l, loss, part, together_))
-                        root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                        return root
-
-                    root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, d, high2, k, k2, k3, k4, k5, l, loss, low2, part, together_))
-
-                    return root
-
-                root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, d, high, k, k2, k3, k4, k5, l, loss, low, part, together_))
-
-                theta = root
+            def yes(apart_, at_minus_one, at_one, d, last, loss, together_):
+                theta = early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last)
                 return theta
 
-            def no(found):
-                return xp.nan
+            def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
+                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
+                return theta
 
-            theta = select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, d, k, k2, k3, k4, k5, l, loss, part, together_, turn_), no, (found,))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, d, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, part, together_))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
 
-        t20 = sin_next(xp, l, theta)
-        t21 = 0.5*theta
-        t22 = xp.sin(t21)
-        t21 = xp.cos(t21)
-        t24 = (t21*t21)
-        t25 = (t22*t22)
-        t26 = 4.0*t24*t25
-        t27 = t24*together_ - apart_*t25
-        t28 = 1.0/((across*across)*t26 + (t27*t27))
-        t24 = at_one*t24 - at_minus_one*t25
-        t30 = 2.0*loss*t27 - 2.0*across*t24
-        t24 = across*loss*t26 + t27*t24
-        t27 = t28*cos_next(xp, l, theta)
-        t26 = -t20*t28*t24/xp.sin(theta) - 0.5*t30*t27
-        stiffness = t20*t22*t21*t28*t30 - 2.0*t25*t26 - t24*t27
-        damping = t26
+        t = sin_next(xp, l, theta)
+        t2 = 0.5*theta
+        t3 = xp.sin(t2)
+        t2 = xp.cos(t2)
+        t5 = (t2*t2)
+        t6 = (t3*t3)
+        t7 = 4.0*t5*t6
+        t8 = t5*together_ - apart_*t6
+        t9 = 1.0/((across*across)*t7 + (t8*t8))
+        t5 = at_one*t5 - at_minus_one*t6
+        t11 = 2.0*loss*t8 - 2.0*across*t5
+        t5 = across*loss*t7 + t5*t8
+        t8 = t9*cos_next(xp, l, theta)
+        t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
+        stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
+        damping = t7
         inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
 
         def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
