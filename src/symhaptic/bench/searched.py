@@ -20,9 +20,6 @@ _MANY = 40
 _FAR = 8
 """Half turns of a long delay that are looked at; all of them for a short one."""
 
-_STEPS = 60
-"""Newton's steps, at most."""
-
 
 def angles(turn: float) -> Any:
     """The grid, on (0, pi)."""
@@ -40,19 +37,14 @@ def peaks(values: Any) -> Any:
     return found
 
 
-def stationary(f: Callable[[Any], Any], start: float, low: float, high: float) -> Any:
-    """Where the slope of a function of power series vanishes, between two angles."""
-    at = arb(start)
-    for _ in range(_STEPS):
-        _, slope, bend = series(f, at, 3)
-        step = slope / (2 * bend)
-        moved = arb((at - step).mid())
-        if not low <= float(moved) <= high:
-            moved = arb((low + high) / 2) if low <= float(at) <= high else at
-        at = moved
-        if abs(float(step)) < 1e-25 * float(at):
-            break
-    return at
+def stationary(f: Callable[[Any], Any], low: float, near: float, high: float) -> Any:
+    """Where the slope of a function of power series changes its sign, on one side of ``near``."""
+
+    def slope(at: Any) -> Any:
+        return arb(series(f, at, 2)[1].mid())
+
+    ends = (low, near) if slope(arb(near)) < 0 else (near, high)
+    return crossing(slope, *map(arb, ends))
 
 
 def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
@@ -107,10 +99,10 @@ def worst(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
     found = [(n + (n * n + ep * (1 - ep) * al * al).sqrt()) / 2 if part else n]
     exact = needed(al, be, whole, ep if part else 0, _Balls)
     found.append(exact(arb(float(grid[best]))))
-    around = grid[max(best - 1, 0)] * (best > 0), grid[min(best + 1, len(grid) - 1)]
     if best + 1 < len(grid):
-        angle = stationary(exact, float(grid[best]), *map(float, around))
-        found.append(exact(angle))
+        before = grid[best - 1] if best else grid[0] / 10**6
+        angle = stationary(exact, *map(float, (before, grid[best], grid[best + 1])))
+        found += [exact(angle)] if angle.is_finite() else []
     return (arb(delta) - max(found, key=lambda x: float(x.mid())),)
 
 
@@ -212,23 +204,23 @@ def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[A
         half = t * _Balls.half
         return real - up * half.sin() / half.cos()
 
-    turn = arb.pi() / (arb(d) + 1)
+    end = arb.pi() / (arb(d) + 1) if d >= 1 else arb.pi()
     shares = [(i + _Balls.half) / _MANY for i in range(_MANY)]
     shares += [1 - arb(2) ** -k for k in range(8, 60)]  # the maximum may be next to the end
     before = None
     for share in shares:
-        angle = arb((turn * share).mid())
+        angle = arb((end * share).mid())
         rises = series(alpha, angle, 2)[1] > 0
         if before is not None and not rises:
             break
         before = angle if rises else None
     else:
-        return _at_pi(parts) if d == 0 and before is not None else (arb("nan"),) * 3
+        return _at_pi(parts) if d < 1 and before is not None else (arb("nan"),) * 3
     theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), before, angle)
     return alpha(theta), parts(theta)[1] / theta.sin(), theta
 
 
 def _at_pi(parts: Callable[[Any], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
-    """The end of the curve without delay, where its imaginary part vanishes with sin(theta)."""
+    """The end for delays below one period, where the imaginary part vanishes with sin(theta)."""
     slope = series(lambda t: parts(t)[1], arb.pi(), 2)[1]
     return parts(arb.pi())[0] + 2 * slope, -slope, arb.pi()

@@ -21,7 +21,7 @@ gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together,
 )
 
 _PARTS = 24
-"""Of the first half turn of the delay, at which the first maximum is looked for."""
+"""Of what is looked at for the first maximum."""
 
 
 def end_slope() -> Routine:
@@ -89,13 +89,12 @@ def boundary_slope() -> Routine:
 
 
 def _first_maximum(
-    do: Steps, delay: Expr, slope: Callable[[Expr], Expr], precision: Precision
+    do: Steps, end: Expr, slope: Callable[[Expr], Expr], precision: Precision, rising: Expr
 ) -> Expr:
-    """Where a slope that is positive at 0 changes its sign first, NaN where it does not."""
-    turn = do("turn", pi / (delay + 1))
+    """Where a slope that is positive at 0 changes its sign first; or what holds if it does not."""
 
     def angle(count: Expr) -> Expr:
-        return count * turn / _PARTS
+        return count * end / _PARTS
 
     def scan(inner: Steps, states: tuple[sp.Symbol, ...]) -> tuple[Expr, ...]:
         count, _ = states
@@ -111,26 +110,30 @@ def _first_maximum(
     high = do("high", angle(count))
     low = do("low", Max(angle(count - 1), high / 1000))
     root = crossing(do, lambda _, at: slope(at), low, high, precision.close, found > 0)
-    return choose(found > 0, root, sp.nan)
+    return choose(found > 0, root, rising)
 
 
 def early_angle(precision: Precision = DOUBLE) -> Routine:
-    """For delays below one period."""
-    given = d, *stiffest.EARLY
-    do = Steps(taken={symbol.name for symbol in given})
+    """For delays below one period; pi where the stiffness rises all the way."""
+    do = Steps(taken={symbol.name for symbol in stiffest.EARLY})
     end = sp.Function("EndSlope")(*stiffest.EARLY[1:])
     quartic = [do("k", k) for k in (end, *do.common(*stiffest.early()[1:]))]
-    found = _first_maximum(do, d, lambda at: sp.Function("EarlySlope")(at, *quartic), precision)
+    found = _first_maximum(
+        do, pi, lambda at: sp.Function("EarlySlope")(at, *quartic), precision, pi
+    )
     return do.routine("EarlyAngle", "the angle of the largest stiffness for delays below a period",
-                      given, found)  # fmt: skip
+                      stiffest.EARLY, found)  # fmt: skip
 
 
 def later_angle(precision: Precision = DOUBLE) -> Routine:
-    """For all others."""
+    """For all others; NaN where the stiffness rises for the first half turn of the delay."""
     given = d, *stiffest.SLOPE_ARGUMENTS[1:]
     do = Steps(taken={symbol.name for symbol in given})
     _, *numbers = given
-    found = _first_maximum(do, d, lambda at: sp.Function("BoundarySlope")(at, *numbers), precision)
+    turn = do("turn", pi / (d + 1))
+    found = _first_maximum(
+        do, turn, lambda at: sp.Function("BoundarySlope")(at, *numbers), precision, sp.nan
+    )
     return do.routine("LaterAngle", "the angle of the largest stiffness for a period and more",
                       given, found)  # fmt: skip
 
@@ -141,14 +144,14 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     whole = sp.Eq(part, 0)
     across = do("across", choose(whole, first, first - last))
     numbers = at_one, at_minus_one, loss, together, apart
-    early = sp.Function("EarlyAngle")(d, *numbers, last)
+    early = sp.Function("EarlyAngle")(*numbers, last)
     later = sp.Function("LaterAngle")(d, steps, *numbers, across)
     undelayed = sp.Function("UndelayedAngle")(*numbers)
     top = do("theta", choose(sp.Eq(d, 0), undelayed, choose(d < 1, early, later)))
     stiffness, damping = do.common(*curve((*numbers, 2 * across), top, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
-    inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))
+    inside = do("inside", stiffness - 128 * precision.flat * (stiffness + gamma))
     wall = inside, damping
     outside = choose(
         whole,

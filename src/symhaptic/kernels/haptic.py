@@ -6072,7 +6072,7 @@ def end_slope(xp, at_minus_one, loss, together_, apart_, last):
     return low + total5
 
 
-def early_angle_single(xp, d, at_one, at_minus_one, loss, together_, apart_, last):
+def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
     """The same in single precision."""
     t = (apart_*apart_*apart_)
     t2 = (together_*together_*together_)
@@ -6098,23 +6098,22 @@ def early_angle_single(xp, d, at_one, at_minus_one, loss, together_, apart_, las
     k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
     k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
     k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
-    turn_ = 3.141592653589793/(d + 1.0)
 
-    def over(count, found, k, k2, k3, k4, k5, turn_):
+    def over(count, found, k, k2, k3, k4, k5):
         return (count > 24.0) | (found > 0.0)
 
-    def step(count, found, k, k2, k3, k4, k5, turn_):
-        rises = early_slope(xp, 0.041666666666666664*count*turn_, k, k2, k3, k4, k5)
+    def step(count, found, k, k2, k3, k4, k5):
+        rises = early_slope(xp, 0.041666666666666664*3.141592653589793*count, k, k2, k3, k4, k5)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (k, k2, k3, k4, k5, turn_))
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (k, k2, k3, k4, k5))
 
-    def yes(count, k, k2, k3, k4, k5, turn_):
-        high = 0.041666666666666664*count*turn_
-        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+    def yes(count, k, k2, k3, k4, k5):
+        high = 0.041666666666666664*3.141592653589793*count
+        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
         def yes(low2):
@@ -6181,15 +6180,15 @@ def early_angle_single(xp, d, at_one, at_minus_one, loss, together_, apart_, las
         return root
 
     def no(found):
-        return xp.nan
+        return 3.141592653589793
 
-    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5), no, (found,))
 
 
-def early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last):
+def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
     """the angle of the largest stiffness for delays below a period"""
-    if d.dtype == xp.float32:
-        return early_angle_single(xp, d, at_one, at_minus_one, loss, together_, apart_, last)
+    if at_one.dtype == xp.float32:
+        return early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last)
     t = (apart_*apart_*apart_)
     t2 = (together_*together_*together_)
     t3 = (together_*together_)
@@ -6214,23 +6213,22 @@ def early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last):
     k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
     k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
     k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
-    turn_ = 3.141592653589793/(d + 1.0)
 
-    def over(count, found, k, k2, k3, k4, k5, turn_):
+    def over(count, found, k, k2, k3, k4, k5):
         return (count > 24.0) | (found > 0.0)
 
-    def step(count, found, k, k2, k3, k4, k5, turn_):
-        rises = early_slope(xp, 0.041666666666666664*count*turn_, k, k2, k3, k4, k5)
+    def step(count, found, k, k2, k3, k4, k5):
+        rises = early_slope(xp, 0.041666666666666664*3.141592653589793*count, k, k2, k3, k4, k5)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (k, k2, k3, k4, k5, turn_))
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (k, k2, k3, k4, k5))
 
-    def yes(count, k, k2, k3, k4, k5, turn_):
-        high = 0.041666666666666664*count*turn_
-        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+    def yes(count, k, k2, k3, k4, k5):
+        high = 0.041666666666666664*3.141592653589793*count
+        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
         def yes(low2):
@@ -6297,9 +6295,9 @@ def early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last):
         return root
 
     def no(found):
-        return xp.nan
+        return 3.141592653589793
 
-    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5), no, (found,))
 
 
 def sin_next_single(xp, k, x):
@@ -6691,15 +6689,15 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
 
         def no(across, apart_, at_minus_one, at_one, d, l, last, loss, together_):
 
-            def yes(apart_, at_minus_one, at_one, d, last, loss, together_):
-                theta = early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last)
+            def yes(apart_, at_minus_one, at_one, last, loss, together_):
+                theta = early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last)
                 return theta
 
             def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
                 theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, d, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
@@ -6721,7 +6719,7 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
         damping = t7
-        inside = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
+        inside = 0.9990234375*stiffness - 0.0009765625*gamma
 
         def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
             outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
@@ -6756,15 +6754,15 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
 
         def no(across, apart_, at_minus_one, at_one, d, l, last, loss, together_):
 
-            def yes(apart_, at_minus_one, at_one, d, last, loss, together_):
-                theta = early_angle(xp, d, at_one, at_minus_one, loss, together_, apart_, last)
+            def yes(apart_, at_minus_one, at_one, last, loss, together_):
+                theta = early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last)
                 return theta
 
             def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
                 theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, d, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
@@ -6786,7 +6784,7 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
         damping = t7
-        inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
+        inside = 0.9999999403953552*stiffness - 5.960464477539063e-08*gamma
 
         def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
             outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)

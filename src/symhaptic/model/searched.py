@@ -269,8 +269,8 @@ class StiffestAngle(Searched):
     nargs = 12
     meaning = (
         "the first angle at which the stiffness on the boundary is largest, searched for, or the "
-        "end at pi without delay; NaN where that does not border the stable region, for gamma > "
-        "9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
+        "end at pi for delays below one period; NaN where that does not border the stable region, "
+        "for gamma > 9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
     )
 
     @staticmethod
@@ -293,20 +293,25 @@ class StiffestAngle(Searched):
             q = force(theta)
             return q.real - q.imag * mpmath.tan(theta / 2)
 
-        turn = mpmath.pi / (d + 1)
-        grid = [turn * (i + mpf(1) / 2) / _TRIED for i in range(_TRIED)]
+        end = mpmath.pi / (d + 1) if d >= 1 else +mpmath.pi
+        grid = [end * (i + mpf(1) / 2) / _TRIED for i in range(_TRIED)]
+        grid += [end * (1 - mpf(2) ** -k) for k in range(8, 50)] if d < 1 else []
         with mpmath.workdps(20):
             tops = (i for i, (x, y, z) in enumerate(_triples(map(stiffness, grid))) if x < y > z)
             top = next(tops, None)
-        if top is None:
+        if top is None and d >= 1:
             raise ArithmeticError("no first maximum")
         with mpmath.extradps(10):
-            slope = lambda x: mpmath.diff(stiffness, x)  # noqa: E731
-            ends = grid[top], grid[top + 2]
-            theta = mpmath.findroot(slope, ends, solver="anderson", verify=False)
-            q = force(theta)
-            beta = q.imag / mpmath.sin(theta)
-            alpha = stiffness(theta)
+            if top is None:  # there the imaginary part vanishes with sin(theta)
+                theta = +mpmath.pi
+                beta = -mpmath.diff(lambda x: force(x).imag, theta)
+                alpha = force(theta).real - 2 * beta
+            else:
+                slope = lambda x: mpmath.diff(stiffness, x)  # noqa: E731
+                ends = grid[top], grid[top + 2]
+                theta = mpmath.findroot(slope, ends, solver="anderson", verify=False)
+                beta = force(theta).imag / mpmath.sin(theta)
+                alpha = stiffness(theta)
         if alpha <= -gamma:
             raise ArithmeticError("a device that no wall stops")
         inside = alpha - (alpha + gamma) / 10**6
