@@ -159,8 +159,11 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
         LateRoots(*wall, steps, first, last, *numbers),
     )
     outside = do("outside", outside)
-    known = And(gamma <= STIFFEST_SPRING, Or(sqrt(gamma) * (d + 1) <= pi, d <= 1))
-    good = do("good", Stable(outside, *wall, gamma, delta))
+    soft = sqrt(gamma) * (d + 1) <= pi
+    known = And(gamma <= STIFFEST_SPRING, Or(soft, d <= 1))
+    # a damped device without a stiff spring has no other stable walls
+    sure = And(soft, delta > 0, stiffness > -gamma)
+    good = do("good", choose(sure, 1, Stable(outside, *wall, gamma, delta)))
     return do.routine("StiffestAngle", "the angle of the wall of largest stable stiffness, or NaN",
                       STIFFEST_ARGUMENTS,
                       choose(known, choose(good > 0, top, sp.nan), sp.nan))  # fmt: skip

@@ -6718,20 +6718,29 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         t8 = t9*cos_next(xp, l, theta)
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
-        damping = t7
-        inside = 0.9990234375*stiffness - 0.0009765625*gamma
 
-        def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-            outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
-            return outside
+        def yes(d):
+            return 1.0
 
-        def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-            outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
-            return outside
+        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
+            damping = t14
+            inside = 0.9990234375*stiffness - 0.0009765625*gamma
 
-        outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+            def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+                outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+                return outside
 
-        good = stable(xp, outside, inside, damping, gamma, delta)
+            def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+                outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+                return outside
+
+            outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+
+            good = stable(xp, outside, inside, damping, gamma, delta)
+            return good
+
+        good = select(xp, (delta > 0.0) & (gamma > -stiffness) & (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no, (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7, together_))
+
         return xp.where(good > 0.0, theta, xp.nan)
 
     def no(d):
@@ -6783,20 +6792,29 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         t8 = t9*cos_next(xp, l, theta)
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
-        damping = t7
-        inside = 0.9999999403953552*stiffness - 5.960464477539063e-08*gamma
 
-        def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-            outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
-            return outside
+        def yes(d):
+            return 1.0
 
-        def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-            outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
-            return outside
+        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
+            damping = t14
+            inside = 0.9999999403953552*stiffness - 5.960464477539063e-08*gamma
 
-        outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+            def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+                outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+                return outside
 
-        good = stable(xp, outside, inside, damping, gamma, delta)
+            def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
+                outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+                return outside
+
+            outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+
+            good = stable(xp, outside, inside, damping, gamma, delta)
+            return good
+
+        good = select(xp, (delta > 0.0) & (gamma > -stiffness) & (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no, (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7, together_))
+
         return xp.where(good > 0.0, theta, xp.nan)
 
     def no(d):
@@ -7720,7 +7738,7 @@ def max_stable_stiffness(gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, NaN elsewhere and where no wall is stable.
+    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 100 ulp(1) where sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
 

@@ -135,6 +135,7 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
         search = stiffest.derived() if parts == FULL else ()  # the same for every device
         return (*same_device(parts), *late, *search)
 
+    far = "sqrt(gamma) (d + 1)" if parts.delay else "sqrt(gamma)"
     return Form(
         "max_stable_stiffness",
         "the wall of largest stable stiffness, a limit that is not stable itself, and the angle "
@@ -146,6 +147,7 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
             symbols,
             *(("gamma <= 9.8",) * parts.stiffness),
             *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
+            *((f"no 0 < delta < 100 ulp(1) where {far} > pi",) * (parts.stiffness and parts.damping)),
             "NaN elsewhere and where no wall is stable",
         ),
         held=("alpha",),
