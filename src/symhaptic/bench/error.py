@@ -149,9 +149,10 @@ def _suspects(form: Form, arrays: list[Array], found: Array) -> Array:
     with np.errstate(all="ignore"):
         off = np.abs(found - right) / np.spacing(sizes.astype(np.float32))
     off[~((sizes >= SINGLE.tiny) & (sizes <= SINGLE.huge))] = 0
-    off[np.isnan(off)] = np.inf
-    off[np.isnan(found) & np.isnan(right)] = 0
-    return np.unique(np.argsort(off, axis=1)[:, -20:])
+    lacking = np.isnan(found) & ~np.isnan(right)
+    off[np.isnan(off)] = 0
+    worst = [*np.argsort(off, axis=1)[:, -20:], *(np.flatnonzero(row)[:20] for row in lacking)]
+    return np.unique(np.concatenate(worst))
 
 
 def largest(form: Form, arrays: list[Array]) -> Array:

@@ -102,7 +102,7 @@ def columns(
         both[edge, 1] = [leaving_pi(gamma) for gamma in both[edge, 0]] * beside
         delay[edge] = rng.choice([0.0, 1.0], edge.size) * 10 ** rng.uniform(-8, 0, edge.size)
         far = np.sqrt(both[:, 0]) * (delay + 1) > np.pi
-        seen = 100 * precision.ulp(1.0)  # less damping is lost in a pole of size one
+        seen = 5 * precision.ulp(1.0)  # less damping is lost in a pole of size one
         both[far & (both[:, 1] > 0), 1] = np.maximum(both[far & (both[:, 1] > 0), 1], seen)
     values = {
         "gamma": both[:, 0],

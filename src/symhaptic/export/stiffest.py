@@ -151,7 +151,7 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     stiffness, damping = do.common(*curve((*numbers, 2 * across), top, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
-    inside = do("inside", stiffness - 128 * precision.flat * (stiffness + gamma))
+    inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))
     wall = inside, damping
     outside = choose(
         whole,

@@ -6724,7 +6724,7 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
 
         def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
             damping = t14
-            inside = 0.9990234375*stiffness - 0.0009765625*gamma
+            inside = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
 
             def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
                 outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
@@ -6798,7 +6798,7 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
 
         def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
             damping = t14
-            inside = 0.9999999403953552*stiffness - 5.960464477539063e-08*gamma
+            inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
 
             def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
                 outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
@@ -7738,7 +7738,7 @@ def max_stable_stiffness(gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 100 ulp(1) where sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.
+    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
 
