@@ -5,11 +5,14 @@ import math
 import subprocess
 import sys
 
+import flint
 import numpy as np
 import pytest
 from flint import arb
 
 from symhaptic.bench import functions, models, peers, record, tables, timing, tracing, verdicts
+from symhaptic.bench.error import suspects
+from symhaptic.bench.exact import EXACT
 from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, errors
 from symhaptic.bench.printed import expressions, function, swings
 from symhaptic.export import request
@@ -50,6 +53,26 @@ def test_errors_of_a_hand_made_case():
 def test_the_error_of_a_ball_is_its_radius():
     row = errors(form("linear_limit"), [[1.0, 2.0, 1.0]], [[arb(2, 2.0**-50)]], 2.0**-52)
     assert row["worst"] == pytest.approx(2.0, rel=1e-8)  # radii are rounded upwards, 30 bits
+
+
+def test_the_worst_angle_is_found_next_to_the_end_of_a_flat_need():
+    # the largest of the need at 4 000 001 angles by NumPy; a Newton step that came back to where it
+    # began left 39.0604369
+    wall = 1.3359001321000095, 0.933828551283679, 40.38085173538582, 0.17566314077674589
+    with flint.ctx.workprec(200):
+        (margin,) = EXACT["passivity_margin"](*wall)
+    assert abs(float(margin) - 39.06043201637795) < 1e-13
+
+
+def test_what_is_no_number_anywhere_is_no_suspect():
+    """A planted error among many points outside the domain."""
+    stiffest = form("max_stable_stiffness")
+    arrays = [np.full(200, x, dtype=np.float32) for x in (20.0, 1.0, 2.0)]
+    arrays[0][77] = 0.5
+    found = np.full((3, 200), np.nan, dtype=np.float32)
+    assert 77 in suspects(stiffest, arrays, found)
+    found[:, 77] = 1.0
+    assert 77 in suspects(stiffest, arrays, found)
 
 
 def test_a_wrong_exact_value_is_noticed(monkeypatch):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from symhaptic import cli
 from symhaptic.export import kernels
@@ -79,3 +80,39 @@ def test_nan_gives_nan():
     for given in ((some, none), (none, some)):
         assert np.isnan(np.stack(haptic.discretize(*given))).tolist() == [[False, True]] * 4
     assert np.isnan(np.stack(haptic.is_stable(np.nan, 0.1, 0.1, 0.1, 1.0))).all()
+
+
+def sampled(alpha, beta, gamma, delta, late):
+    """The loop of a unit mass over a period, its force late by a part of it, by scipy's expm."""
+    motion = np.zeros((3, 3))
+    motion[:2] = (0, 1, 0), (-gamma, -delta, 1)
+    whole, rest = expm(motion), expm(motion * (1 - late))
+    loop = np.zeros((4, 4))  # position, speed, the last position, the force of before
+    loop[:2, :2] = whole[:2, :2]
+    loop[:2, 3] = whole[:2, 2] - rest[:2, 2]
+    wall = np.array([-alpha - beta, 0, beta, 0])
+    loop[:2] += np.outer(rest[:2, 2], wall)
+    loop[2, 0] = 1
+    loop[3] = wall
+    return loop
+
+
+def stable(*numbers):
+    return max(abs(np.linalg.eigvals(sampled(*numbers)))) < 1
+
+
+@pytest.mark.parametrize(
+    "device",
+    [(0, 5, 1e-3), (0, 20, 0.1), (1, 3.5, 1e-3), (7, 11, 0.05), (7, 11, 0.2), (7.62, 1.44, 1e-3),
+     (0, 5, 0.3), (2, 0.5, 0.9)],
+    ids=str,
+)  # fmt: skip
+def test_below_one_period_no_stable_wall_is_stiffer(device):
+    """Heavily damped devices end at theta = pi, where the search found nothing before."""
+    alpha, beta, theta = (float(x) for x in haptic.max_stable_stiffness(*device))
+    assert 0 < theta <= np.pi
+    gamma = device[0]
+    assert stable(alpha - 1e-4 * (alpha + gamma), beta, *device)
+    stiffer = alpha + 1e-4 * (alpha + gamma)
+    others = beta + 0.3 * (alpha + gamma) * np.linspace(-1, 1, 401)
+    assert not any(stable(stiffer, other, *device) for other in (beta, *others))

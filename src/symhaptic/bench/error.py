@@ -96,7 +96,7 @@ def measure(form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE
     with tempfile.TemporaryDirectory() as place:
         found = compiled(form, Path(place), precision)(arrays)
     if precision is SINGLE:
-        worst = _suspects(form, arrays, found)
+        worst = suspects(form, arrays, found)
         arrays, found = [np.ascontiguousarray(a[worst]) for a in arrays], found[:, worst]
     return compare(form, arrays, found, precision)
 
@@ -140,7 +140,7 @@ def _around(name: str, values: Array, rng: np.random.Generator, precision: Preci
     return np.minimum(moved, precision.kind(precision.below_pi)) if name == "theta" else moved
 
 
-def _suspects(form: Form, arrays: list[Array], found: Array) -> Array:
+def suspects(form: Form, arrays: list[Array], found: Array) -> Array:
     """Where single precision is farthest from double, which is right to 1e-8 of its last place."""
     wide = [a.astype(float) for a in arrays]
     with tempfile.TemporaryDirectory() as place:
