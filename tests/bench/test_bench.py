@@ -11,6 +11,7 @@ import pytest
 from flint import arb
 
 from symhaptic.bench import functions, models, peers, record, tables, timing, tracing, verdicts
+from symhaptic.bench.error import errors as exported_errors
 from symhaptic.bench.error import suspects
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, errors
@@ -73,6 +74,14 @@ def test_what_is_no_number_anywhere_is_no_suspect():
     assert 77 in suspects(stiffest, arrays, found)
     found[:, 77] = 1.0
     assert 77 in suspects(stiffest, arrays, found)
+
+
+def test_no_number_where_there_is_one_is_infinitely_wrong(monkeypatch):
+    """Also where the routines that find the sizes of terms give none, as the function does."""
+    stiffest, device = form("max_stable_stiffness"), [np.array([x]) for x in (0.5, 1.0, 2.0)]
+    monkeypatch.setattr("symhaptic.bench.error.largest", lambda *_: np.full((3, 1), math.nan))
+    off = exported_errors(stiffest, device, np.full((3, 1), math.nan))
+    assert np.isinf(off).all()
 
 
 def test_a_wrong_exact_value_is_noticed(monkeypatch):

@@ -186,7 +186,8 @@ def errors(form: Form, arrays: list[Array], found: Array, precision: Precision =
             exact = exactly(form, point)
             for i in range(len(form.results)):
                 size = float(sizes[i][k])
-                if not precision.tiny <= size <= precision.huge or not exact[i].is_finite():
+                beyond = size < precision.tiny or size > precision.huge  # of NaN neither
+                if beyond or not exact[i].is_finite():
                     continue
                 off[i, k] = float(abs(arb(float(found[i][k])) - exact[i])) / precision.ulp(size)
                 if np.isnan(off[i, k]):

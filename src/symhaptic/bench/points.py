@@ -58,7 +58,7 @@ def plants(rng: np.random.Generator, count: int, precision: Precision = DOUBLE) 
 
 
 def leaving_pi(gamma: float) -> float:
-    """The damping from which on the stiffest stable wall without delay is no longer at pi."""
+    """The damping above which the stiffest stable wall without delay is at theta = pi."""
 
     def rises(delta: float) -> float:
         n1, n0, a, e = discretize(gamma, delta)

@@ -37,7 +37,7 @@ ABOVE: Mapping[str, str] = {
     "stability_boundary": "beta with a stiff spring, found by a search; the worst of 100 000 "
     "points is 7.46",
     "max_stable_stiffness": "theta next to pi, which it leaves like a square root below one period "
-    "of delay, so that a last place of any argument moves it as much; alpha and beta are right",
+    "of delay: a last place of gamma moves it by a quarter of that; alpha and beta are right",
 }
 """Where a goal is missed, and by what."""
 

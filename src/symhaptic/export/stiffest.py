@@ -161,7 +161,7 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     outside = do("outside", outside)
     soft = sqrt(gamma) * (d + 1) <= pi
     known = And(gamma <= STIFFEST_SPRING, Or(soft, d <= 1))
-    # a damped device without a stiff spring has no other stable walls
+    # with damping and no stiff spring, comparison found no maximum that lies elsewhere
     sure = And(soft, delta > 0, stiffness > -gamma)
     good = do("good", choose(sure, 1, Stable(outside, *wall, gamma, delta)))
     return do.routine("StiffestAngle", "the angle of the wall of largest stable stiffness, or NaN",

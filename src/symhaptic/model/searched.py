@@ -255,7 +255,7 @@ STIFFEST_ARGUMENTS = sp.symbols(
 """The plant, the delay and its parts, and n1 and n0, or m2 and m0, with the values at 1 and -1."""
 
 _TRIED = 48
-"""Angles in the first half turn of the delay."""
+"""Angles at which the first maximum is looked for."""
 
 
 def _triples(values: Iterable[mpf]) -> Iterator[tuple[mpf, mpf, mpf]]:
