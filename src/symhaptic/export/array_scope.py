@@ -17,8 +17,9 @@ from symhaptic.export.blocks import (
     expressions,
     inputs,
 )
+from symhaptic.export.printing import Printing
 from symhaptic.export.routine import ProductError, Repeat, Routine, Several
-from symhaptic.export.target import Printing, Target, calls
+from symhaptic.export.target import Target, calls
 
 
 class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]

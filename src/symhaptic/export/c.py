@@ -7,9 +7,10 @@ from sympy.printing.c import C99CodePrinter
 from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
+from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Printing, Target, called, describe, vocabulary
+from symhaptic.export.target import Target, called, describe, vocabulary
 
 FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
 

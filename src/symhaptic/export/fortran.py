@@ -11,9 +11,10 @@ from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
 from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
+from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Repeat, Routine, Several
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Printing, Target, called, describe, vocabulary
+from symhaptic.export.target import Target, called, describe, vocabulary
 
 
 class _Printer(Printing, FCodePrinter):  # type: ignore[misc]

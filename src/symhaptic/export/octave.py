@@ -8,9 +8,10 @@ from sympy.printing.octave import OctaveCodePrinter
 
 from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
+from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Printing, Target, called, describe, vocabulary
+from symhaptic.export.target import Target, called, describe, vocabulary
 
 
 class _Printer(Printing, OctaveCodePrinter):  # type: ignore[misc]

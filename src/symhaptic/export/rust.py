@@ -9,9 +9,10 @@ from sympy.printing.rust import RustCodePrinter
 from symhaptic.export.branches import lazy
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
+from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Printing, Target, describe, vocabulary
+from symhaptic.export.target import Target, describe, vocabulary
 
 
 class _Printer(Printing, RustCodePrinter):  # type: ignore[misc]

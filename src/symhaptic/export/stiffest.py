@@ -12,8 +12,8 @@ from symhaptic.export.routine import Routine, Steps, choose, difference, product
 from symhaptic.export.search import crossing
 from symhaptic.model import stiffest
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
-from symhaptic.model.searched import STIFFEST_ARGUMENTS, STIFFEST_SPRING
 from symhaptic.model.stability_forms import curve
+from symhaptic.model.stiffest_angle import STIFFEST_ARGUMENTS, STIFFEST_SPRING
 from symhaptic.notation import theta
 
 gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together, apart = (

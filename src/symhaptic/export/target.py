@@ -7,15 +7,14 @@ by name before anything is written.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from copy import copy
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy as sp
-from sympy import Expr, Symbol
-from sympy.printing.codeprinter import CodePrinter
+from sympy import Expr
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine
@@ -23,6 +22,7 @@ from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
     from symhaptic.export.library import Library
+    from symhaptic.export.printing import Printing
     from symhaptic.model.stable import Form
 
 OPERATIONS = (
@@ -84,106 +84,6 @@ def _taken() -> frozenset[str]:
     from symhaptic.export.library import known
 
     return frozenset(map(code_name, known()))
-
-
-class Printing(CodePrinter):  # type: ignore[misc]
-    """What all printers share; a target's own printer derives from this and from SymPy's."""
-
-    target: Target
-
-    def doprint(self, expr: Expr, assign_to: Any = None) -> str:
-        """An expression as source code, on one line."""
-        return str(self._print(expr))
-
-    def parenthesize(self, item: Expr, level: int, strict: bool = False) -> str:
-        """As SymPy does, but without brackets round a number."""
-        if item.is_Rational and item >= 0:
-            return str(self._print(item))
-        return str(super().parenthesize(item, level, strict))
-
-    _print_Add, _print_Mul = CodePrinter._print_Add, CodePrinter._print_Mul  # noqa: N815
-
-    def _operation(self, expr: Expr) -> str:
-        return self._written(type(expr).__name__, expr.args)
-
-    def _written(self, name: str, args: Iterable[Expr]) -> str:
-        template = self.target.operations.get(name)
-        if template is None:
-            raise Refused(f"{self.target.name}: has no operation {name!r}")
-        return template.format(*(self._print(a) for a in args), real=self.target.real)
-
-    _print_Abs = _print_ProductError = _print_atan2 = _print_cos = _print_exp = _operation  # noqa: N815
-    _print_expm1 = _print_floor = _print_sin = _print_tan = _operation
-
-    def _print_NaN(self, expr: Expr) -> str:
-        return self._written("NaN", ())
-
-    def _print_Infinity(self, expr: Expr) -> str:
-        return self._written("Infinity", ())
-
-    def _folded(self, expr: Expr) -> str:
-        """Max and Min of two or more, by pairs."""
-        name, (first, *others) = type(expr).__name__, expr.args
-        text = str(self._print(first))
-        template = self.target.operations.get(name)
-        if template is None:
-            raise Refused(f"{self.target.name}: has no operation {name!r}")
-        for other in others:
-            text = template.format(text, self._print(other))
-        return text
-
-    _print_Max = _print_Min = _folded  # noqa: N815
-
-    def _print_Function(self, expr: Expr) -> str:
-        args = ", ".join(self._print(a) for a in expr.args)
-        return f"{self.target.call(expr.func.__name__)}({args})"
-
-    def _number(self, expr: Expr) -> str:
-        return self.target.number(float(expr))
-
-    _print_Integer = _print_Rational = _print_Half = _print_Pi = _print_Float = _number  # noqa: N815
-    _print_One = _print_Zero = _print_NegativeOne = _number  # noqa: N815
-
-    def _print_Pow(self, expr: Expr, rational: bool = False) -> str:
-        base, power = expr.args
-        if abs(power) == sp.S.Half:
-            root = self._written("sqrt", [base])
-            return root if power > 0 else f"{self.target.number(1.0)}/{root}"
-        times = int(power)
-        factor = self.parenthesize(base, 60)
-        product = "*".join([factor] * abs(times))
-        if times > 0:
-            return f"({product})" if times > 1 else factor
-        return f"{self.target.number(1.0)}/{f'({product})' if times < -1 else factor}"
-
-    def _print_Relational(self, expr: Expr) -> str:
-        left, right = (self._print(side) for side in expr.args)
-        return f"{left} {self.target.comparison(expr.rel_op)} {right}"
-
-    def _print_And(self, expr: Expr) -> str:
-        return self._joined(expr, "&&")
-
-    def _print_Or(self, expr: Expr) -> str:
-        return self._joined(expr, "||")
-
-    def _print_Not(self, expr: Expr) -> str:
-        return f"{self.target.words.get('!', '!')}({self._print(expr.args[0])})"
-
-    def _joined(self, expr: Expr, word: str) -> str:
-        parts = sorted((self._print(a) for a in expr.args), key=str)
-        return f" {self.target.words.get(word, word)} ".join(f"({p})" for p in parts)
-
-    def _print_Piecewise(self, expr: Expr) -> str:
-        *choices, (last, always) = expr.args
-        if always != sp.true:
-            raise ValueError(f"{expr}: has no value where no condition holds")
-        text = str(self._print(last))
-        for value, condition in reversed(choices):
-            text = self.target.choice.format(self._print(condition), self._print(value), text)
-        return text
-
-    def _print_Symbol(self, expr: Symbol) -> str:
-        return self.target.rename(expr.name)
 
 
 class Target:

@@ -36,11 +36,11 @@ from symhaptic.model.searched import (
     Rated,
     Searched,
     SomePart,
-    StiffestAngle,
     WholePart,
 )
 from symhaptic.model.slopes import STABLE, Ripple
 from symhaptic.model.stable import Form, NoForm
+from symhaptic.model.stiffest_angle import StiffestAngle
 from symhaptic.notation import alpha, beta, d, epsilon, l, psi
 
 

@@ -18,9 +18,7 @@ from symhaptic.model.entire import (
 from symhaptic.model.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
 from symhaptic.model.response import Ahead, InPhase, closed
 from symhaptic.model.response import parts as parts_of_response
-from symhaptic.model.searched import (
-    StiffestAngle,
-)
+from symhaptic.model.stiffest_angle import StiffestAngle
 from symhaptic.notation import (
     alpha,
     beta,
