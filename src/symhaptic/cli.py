@@ -38,7 +38,9 @@ def main() -> None:
     except (ParserError, Unusable) as wrong:
         said = getattr(wrong, "format_message", wrong.__str__)()
         said = said.replace("Value error, ", "")
-        if said.startswith("No such"):
+        if (errors := getattr(wrong.__cause__, "errors", None)) is not None:
+            said = said.replace("Input should", f"{errors()[0]['input']!r} should")
+        if said.startswith(("No such", "Got unexpected")):
             said = f"{said.rstrip('.')}; allowed is what --help lists"
         typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
         raise SystemExit(2) from None
