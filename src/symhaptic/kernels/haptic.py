@@ -278,16 +278,31 @@ def decay_series(xp, x):
 
 
 def halves(xp, y):
-    """A number as two of half its digits, whose products are exact."""
-    big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
-    high = big - (big - y)
+    """A number as two of half its digits, whose products are exact.
+
+    Of the bits of NumPy's doubles the last 27 are cut off, which takes half of the time; then the
+    product of the lower halves is rounded, far below what counts.
+    """
+    if isinstance(y, numpy.ndarray) and y.dtype == xp.float64:
+        high = (y.view(numpy.int64) & -(2**27)).view(numpy.float64)
+    else:
+        big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
+        high = big - (big - y)
     return high, y - high
 
 
 def product_error(product, one, two):
     """What a product misses, by Dekker, from the halves of its factors."""
     (high, low), (most, least) = one, two
-    return ((high*most - product) + high*least + low*most) + low*least
+    error = high*most
+    if not isinstance(error, numpy.ndarray):
+        return ((error - product) + high*least + low*most) + low*least
+    error -= product  # in place: new memory takes a third of the time
+    part = high*least
+    error += part
+    error += numpy.multiply(low, most, out=part)
+    error += numpy.multiply(low, least, out=part)
+    return error
 
 
 def fall_series_single(xp, gamma, delta):
