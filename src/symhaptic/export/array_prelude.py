@@ -72,6 +72,8 @@ def _default(xp):
 
 def deferred(x):
     """Whether the numbers in an array cannot be looked at now: JAX, or torch while it compiles."""
+    if isinstance(x, numpy.ndarray):
+        return False
     if is_torch_array(x):
         return sys.modules["torch"].compiler.is_compiling()
     return is_lazy_array(x)
@@ -135,21 +137,36 @@ def select(xp, condition, yes, yes_values, no, no_values):
         return _all(_rows(xp, like, yes(*yes_values)))
     if count == 0:
         return _all(_rows(xp, like, no(*no_values)))
-    found, quick = None, is_numpy_array(condition)  # the standard has only masks here
+    pieces = []
     for where, work, values in ((condition, yes, yes_values), (~condition, no, no_values)):
         (at,) = xp.nonzero(where)
-        rows = work(*(v if v.shape[0] == 1 else xp.take(v, at) for v in values))
-        rows = rows if isinstance(rows, tuple) else (rows,)
-        if found is None:
-            found = [xp.empty_like(condition, dtype=like.dtype) for _ in rows]
-        for whole, row in zip(found, rows, strict=True):
-            whole[at if quick else where] = row
-    return _all(found)
+        pieces.append((at, _rows(xp, like[:1], work(*_some(xp, at, values)))))
+    return _all(_together(xp, size, pieces))
+
+
+def _some(xp, at, values):
+    return [v if v.shape[0] == 1 else xp.take(v, at) for v in values]
+
+
+def _together(xp, size, pieces):
+    """All rows of the pieces, each number in its place."""
+    places = [at for at, _ in pieces]
+    columns = zip(*(rows for _, rows in pieces), strict=True)
+    if isinstance(places[0], numpy.ndarray):
+        found = []
+        for column in columns:
+            found.append(numpy.empty(size, column[0].dtype))
+            for at, row in zip(places, column, strict=True):
+                found[-1][at] = row
+        return found
+    order = xp.argsort(xp.concat(places))
+    wide = [[xp.broadcast_to(r, at.shape) for at, r in zip(places, c, strict=True)] for c in columns]
+    return [xp.take(xp.concat(rows), order) for rows in wide]
 
 
 def _rows(xp, like, results):
     results = results if isinstance(results, tuple) else (results,)
-    return [r if is_array_api_obj(r) else xp.full_like(like, r) for r in results]
+    return [xp.full_like(like, r) if isinstance(r, (int, float)) else r for r in results]
 
 
 def _all(rows):
@@ -185,24 +202,20 @@ def repeat(xp, most, over, step, start, given):
         for _ in range(most):
             states = kept(states)
         return tuple(states)
-    states = [xp.asarray(v, copy=True) for v in states]
-    busy = xp.ones(shape, dtype=xp.bool)
+    pieces, places = [], xp.arange(shape[0], device=device(like))
     for _ in range(most):
-        now, own = _some(xp, busy, states), _some(xp, busy, given)
-        done = over(*now, *own)
+        done = xp.broadcast_to(over(*states, *given), places.shape)
         if bool(xp.any(done)):
-            busy[xp.asarray(busy, copy=True)] = ~done
-            if not bool(xp.any(busy)):
+            (gone,), (left,) = xp.nonzero(done), xp.nonzero(~done)
+            pieces.append((xp.take(places, gone), _some(xp, gone, states)))
+            if left.shape[0] == 0:
                 break
-            now, own = _some(xp, busy, states), _some(xp, busy, given)
-        for whole, row in zip(states, step(*now, *own), strict=True):
-            whole[busy] = row
-    return tuple(states)
-
-
-def _some(xp, where, values):
-    (at,) = xp.nonzero(where)
-    return [v if v.shape[0] == 1 else xp.take(v, at) for v in values]
+            places = xp.take(places, left)
+            states, given = _some(xp, left, states), _some(xp, left, given)
+        states = _rows(xp, states[0][:1], step(*states, *given))
+    else:
+        pieces.append((places, states))
+    return tuple(_together(xp, shape[0], pieces))
 
 
 def square_root(xp, x):
