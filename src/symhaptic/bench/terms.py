@@ -92,5 +92,8 @@ def swing(expr: Expr, args: list[Any]) -> Any:
     g, d = args
     swings = (g >= 4) & (d * d < 4 * g)
     decayed, g = np.exp(-d / 2), np.maximum(g, 4)
+    if isinstance(expr, Fall):
+        root = np.sqrt(np.where(swings, g - d * d / 4, 1))
+        decayed = decayed * np.maximum(1, np.abs(d / 2 * np.sin(root) / root))
     size = {Swing: 2 * decayed, Apart: 1 / g / np.maximum(d, 1), Rise: 1 / g, Fall: decayed / g}
     return np.where(swings, size[type(expr)], 0.0)

@@ -19,7 +19,7 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.device_series import NEAR
 from symhaptic.export.elementary import SIXTH, number_and
-from symhaptic.export.pairs import Fading, fading, waving
+from symhaptic.export.pairs import Fading, fading, fallen, waving
 from symhaptic.export.routine import (
     ProductError,
     Routine,
@@ -155,8 +155,10 @@ def rise() -> Routine:
     left, left_low = product(do, v.envelope, both, lost + (v.even_low + v.odd_low))
     top, lost = fast_sum(do, sp.S.One, -left)
     swing, more = quotient(do, top, v.stiff, lost - left_low)
-    given = choose(m.soft, m.half, 0), choose(m.soft, m.w, 0)
-    near = number_and(do, exp(-m.half), sp.S.Half, "RiseSeries", *given)
+    half = do("half", choose(m.soft, m.half, 0))
+    decayed, lost = fallen(do, half)
+    given = half, choose(m.soft, m.w, 0)
+    near = number_and(do, decayed, sp.S.Half, "RiseSeries", *given, low=lost)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
                       (gamma, delta),
                       _cases(m, m.soft, near, swing + more, creep + missed))  # fmt: skip
@@ -178,8 +180,10 @@ def fall() -> Routine:
     top, lost = difference(do, top, -v.envelope)
     top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
     swing, missed = quotient(do, top, v.stiff, top_low)
+    decayed, lost = fallen(do, choose(m.soft, m.half, 0))
+    decayed, lost = product(do, decayed, decayed, 2 * lost)
     given = choose(m.soft, gamma, 0), choose(m.soft, delta, 0)
-    near = number_and(do, exp(-delta), sp.S.Half, "FallSeries", *given)
+    near = number_and(do, decayed, sp.S.Half, "FallSeries", *given, low=lost)
     return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
                       (gamma, delta), _cases(m, m.soft, near, swing + missed, creep))  # fmt: skip
 

@@ -53,12 +53,14 @@ def decay() -> Routine:
     return do.routine("Decay", "(1 - exp(-x))/x", (x,), choose(sp.Eq(x, 0), 1, -expm1(-x) / whole))
 
 
-def number_and(do: Steps, fall: Expr, number: Expr, series: str, *arguments: Expr) -> Expr:
-    """fall (number + series), the sum in brackets not rounded."""
+def number_and(
+    do: Steps, fall: Expr, number: Expr, series: str, *arguments: Expr, low: Expr = sp.S.Zero
+) -> Expr:
+    """(fall + low) (number + series), the sum in brackets not rounded."""
     rest = do("rest", sp.Function(series)(*arguments))
     total, lost = difference(do, rest, -number)
     found, missed = product(do, do("envelope", fall), total, lost)
-    return found + missed
+    return found + (missed + low * total)
 
 
 def creep() -> Routine:

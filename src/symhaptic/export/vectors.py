@@ -218,7 +218,10 @@ def _swing(expr: Expr, args: list[mpf]) -> mpf:
         return 2 * decayed
     if isinstance(expr, Apart):
         return 1 / g / max(dl, mpf(1))
-    return (1 if isinstance(expr, Rise) else decayed) / g
+    if isinstance(expr, Rise):
+        return 1 / g
+    root = mpmath.sqrt(g - dl**2 / 4)
+    return decayed * max(1, abs(dl / 2 * mpmath.sin(root) / root)) / g
 
 
 @cache

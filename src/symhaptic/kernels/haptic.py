@@ -73,6 +73,8 @@ def _default(xp):
 
 def deferred(x):
     """Whether the numbers in an array cannot be looked at now: JAX, or torch while it compiles."""
+    if isinstance(x, numpy.ndarray):
+        return False
     if is_torch_array(x):
         return sys.modules["torch"].compiler.is_compiling()
     return is_lazy_array(x)
@@ -136,21 +138,36 @@ def select(xp, condition, yes, yes_values, no, no_values):
         return _all(_rows(xp, like, yes(*yes_values)))
     if count == 0:
         return _all(_rows(xp, like, no(*no_values)))
-    found, quick = None, is_numpy_array(condition)  # the standard has only masks here
+    pieces = []
     for where, work, values in ((condition, yes, yes_values), (~condition, no, no_values)):
         (at,) = xp.nonzero(where)
-        rows = work(*(v if v.shape[0] == 1 else xp.take(v, at) for v in values))
-        rows = rows if isinstance(rows, tuple) else (rows,)
-        if found is None:
-            found = [xp.empty_like(condition, dtype=like.dtype) for _ in rows]
-        for whole, row in zip(found, rows, strict=True):
-            whole[at if quick else where] = row
-    return _all(found)
+        pieces.append((at, _rows(xp, like[:1], work(*_some(xp, at, values)))))
+    return _all(_together(xp, size, pieces))
+
+
+def _some(xp, at, values):
+    return [v if v.shape[0] == 1 else xp.take(v, at) for v in values]
+
+
+def _together(xp, size, pieces):
+    """All rows of the pieces, each number in its place."""
+    places = [at for at, _ in pieces]
+    columns = zip(*(rows for _, rows in pieces), strict=True)
+    if isinstance(places[0], numpy.ndarray):
+        found = []
+        for column in columns:
+            found.append(numpy.empty(size, column[0].dtype))
+            for at, row in zip(places, column, strict=True):
+                found[-1][at] = row
+        return found
+    order = xp.argsort(xp.concat(places))
+    wide = [[xp.broadcast_to(r, at.shape) for at, r in zip(places, c, strict=True)] for c in columns]
+    return [xp.take(xp.concat(rows), order) for rows in wide]
 
 
 def _rows(xp, like, results):
     results = results if isinstance(results, tuple) else (results,)
-    return [r if is_array_api_obj(r) else xp.full_like(like, r) for r in results]
+    return [xp.full_like(like, r) if isinstance(r, (int, float)) else r for r in results]
 
 
 def _all(rows):
@@ -186,24 +203,20 @@ def repeat(xp, most, over, step, start, given):
         for _ in range(most):
             states = kept(states)
         return tuple(states)
-    states = [xp.asarray(v, copy=True) for v in states]
-    busy = xp.ones(shape, dtype=xp.bool)
+    pieces, places = [], xp.arange(shape[0], device=device(like))
     for _ in range(most):
-        now, own = _some(xp, busy, states), _some(xp, busy, given)
-        done = over(*now, *own)
+        done = xp.broadcast_to(over(*states, *given), places.shape)
         if bool(xp.any(done)):
-            busy[xp.asarray(busy, copy=True)] = ~done
-            if not bool(xp.any(busy)):
+            (gone,), (left,) = xp.nonzero(done), xp.nonzero(~done)
+            pieces.append((xp.take(places, gone), _some(xp, gone, states)))
+            if left.shape[0] == 0:
                 break
-            now, own = _some(xp, busy, states), _some(xp, busy, given)
-        for whole, row in zip(states, step(*now, *own), strict=True):
-            whole[busy] = row
-    return tuple(states)
-
-
-def _some(xp, where, values):
-    (at,) = xp.nonzero(where)
-    return [v if v.shape[0] == 1 else xp.take(v, at) for v in values]
+            places = xp.take(places, left)
+            states, given = _some(xp, left, states), _some(xp, left, given)
+        states = _rows(xp, states[0][:1], step(*states, *given))
+    else:
+        pieces.append((places, states))
+    return tuple(_together(xp, shape[0], pieces))
 
 
 def square_root(xp, x):
@@ -871,29 +884,74 @@ def fall_rise_swing(xp, gamma, delta):
         def yes(delta, gamma, half, lost2, total2):
             square2 = total2
             envelope = xp.exp(-half)
+            given4 = 0.5*half
+            total29 = 1.0 - 0.5*given4
+            back18 = total29 - 1.0
+            lost29 = -back18 - 0.5*given4
+            decay_series_of3 = decay_series(xp, given4)
+            curved4 = decay_series_of3*(given4*given4)
+            total30 = curved4 + total29
+            back18 = total30 - total29
+            lost30 = curved4 - back18
+            mean_low5 = lost29 + lost30
+            total29 = given4*total30
+            given4_halves = halves(xp, given4)
+            total30_halves = halves(xp, total30)
+            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
+            total30 = 1.0 - total29
+            back18 = total30 - 1.0
+            lost29 = -back18 - total29
+            fall_low5 = lost29 - lost30
+            total29 = (total30*total30)
+            total30_halves = halves(xp, total30)
+            lost29 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
+            total30 = (total29*total29)
+            total29_halves = halves(xp, total29)
+            lost29 = 2.0*lost29*total29 + product_error(total30, total29_halves, total29_halves)
             rest6 = fall_series(xp, gamma, delta)
             total29 = rest6 + 0.5
             back18 = total29 - rest6
             rest7 = total29 - back18
             one5 = rest6 - rest7
             two5 = 0.5 - back18
-            lost29 = one5 + two5
-            envelope2 = xp.exp(-delta)
-            total30 = envelope2*total29
-            envelope2_halves = halves(xp, envelope2)
+            lost30 = one5 + two5
+            total36 = total30*total29
+            total30_halves = halves(xp, total30)
             total29_halves = halves(xp, total29)
-            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
-            rest7 = rise_series(xp, half, total2)
-            total29 = rest7 + 0.5
-            back18 = total29 - rest7
-            rest6 = total29 - back18
+            lost30 = lost30*total30 + product_error(total36, total30_halves, total29_halves)
+            half2 = half
+            given4 = 0.5*half2
+            total30 = 1.0 - 0.5*given4
+            back18 = total30 - 1.0
+            lost282 = -back18 - 0.5*given4
+            decay_series_of3 = decay_series(xp, given4)
+            curved4 = decay_series_of3*(given4*given4)
+            total292 = curved4 + total30
+            back18 = total292 - total30
+            lost292 = curved4 - back18
+            mean_low5 = lost282 + lost292
+            total30 = given4*total292
+            given4_halves = halves(xp, given4)
+            total292_halves = halves(xp, total292)
+            lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
+            total292 = 1.0 - total30
+            back18 = total292 - 1.0
+            lost282 = -back18 - total30
+            fall_low5 = lost282 - lost292
+            total30 = (total292*total292)
+            total292_halves = halves(xp, total292)
+            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+            rest7 = rise_series(xp, half2, total2)
+            total292 = rest7 + 0.5
+            back18 = total292 - rest7
+            rest6 = total292 - back18
             one5 = rest7 - rest6
             two5 = 0.5 - back18
-            lost282 = one5 + two5
-            total292 = envelope*total29
-            envelope_halves = halves(xp, envelope)
-            total29_halves = halves(xp, total29)
-            lost282 = envelope*lost282 + product_error(total292, envelope_halves, total29_halves)
+            lost292 = one5 + two5
+            total342 = total30*total292
+            total30_halves = halves(xp, total30)
+            total292_halves = halves(xp, total292)
+            lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
 
             def yes(lost2, square2):
                 given3 = square2
@@ -927,12 +985,13 @@ def fall_rise_swing(xp, gamma, delta):
 
             even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
-            total29 = envelope*even
+            total30 = envelope*even
+            envelope_halves = halves(xp, envelope)
             even_halves = halves(xp, even)
-            lost212 = envelope*even_low2 + product_error(total29, envelope_halves, even_halves)
-            fall_of = lost29 + total30
-            rise_of = lost282 + total292
-            swing_of = 2.0*lost212 + 2.0*total29
+            lost212 = envelope*even_low2 + product_error(total30, envelope_halves, even_halves)
+            fall_of = lost29*total29 + lost30 + total36
+            rise_of = lost282*total292 + lost292 + total342
+            swing_of = 2.0*lost212 + 2.0*total30
             return fall_of, rise_of, swing_of
 
         def no(gamma, half, lost2, total2):
@@ -1072,30 +1131,74 @@ def fall_rise_swing(xp, gamma, delta):
             off = off - p_low*q
             q_low = off/whole
             rate2 = 2.0*root
-            envelope = xp.exp(-half)
+            given4 = 0.5*half
+            total29 = 1.0 - 0.5*given4
+            back3 = total29 - 1.0
+            lost3 = -back3 - 0.5*given4
+            decay_series_of3 = decay_series(xp, given4)
+            curved4 = decay_series_of3*(given4*given4)
+            total30 = curved4 + total29
+            back3 = total30 - total29
+            lost30 = curved4 - back3
+            mean_low5 = lost3 + lost30
+            total29 = given4*total30
+            given4_halves = halves(xp, given4)
+            total30_halves = halves(xp, total30)
+            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
+            total30 = 1.0 - total29
+            back3 = total30 - 1.0
+            lost3 = -back3 - total29
+            fall_low5 = lost3 - lost30
+            total29 = (total30*total30)
+            total30_halves = halves(xp, total30)
+            lost3 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
+            total30 = (total29*total29)
+            total29_halves = halves(xp, total29)
+            lost3 = 2.0*lost3*total29 + product_error(total30, total29_halves, total29_halves)
             rest6 = fall_series(xp, gamma, delta)
             total29 = rest6 + 0.5
             back3 = total29 - rest6
             rest7 = total29 - back3
             one5 = rest6 - rest7
             two5 = 0.5 - back3
-            lost3 = one5 + two5
-            envelope2 = xp.exp(-delta)
-            total30 = envelope2*total29
-            envelope2_halves = halves(xp, envelope2)
+            lost30 = one5 + two5
+            total36 = total30*total29
+            total30_halves = halves(xp, total30)
             total29_halves = halves(xp, total29)
-            lost3 = envelope2*lost3 + product_error(total30, envelope2_halves, total29_halves)
-            rest7 = rise_series(xp, half, total2)
-            total29 = rest7 + 0.5
-            back3 = total29 - rest7
-            rest6 = total29 - back3
+            lost30 = lost30*total30 + product_error(total36, total30_halves, total29_halves)
+            half2 = half
+            given4 = 0.5*half2
+            total30 = 1.0 - 0.5*given4
+            back3 = total30 - 1.0
+            lost282 = -back3 - 0.5*given4
+            decay_series_of3 = decay_series(xp, given4)
+            curved4 = decay_series_of3*(given4*given4)
+            total292 = curved4 + total30
+            back3 = total292 - total30
+            lost292 = curved4 - back3
+            mean_low5 = lost282 + lost292
+            total30 = given4*total292
+            given4_halves = halves(xp, given4)
+            total292_halves = halves(xp, total292)
+            lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
+            total292 = 1.0 - total30
+            back3 = total292 - 1.0
+            lost282 = -back3 - total30
+            fall_low5 = lost282 - lost292
+            total30 = (total292*total292)
+            total292_halves = halves(xp, total292)
+            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+            rest7 = rise_series(xp, half2, total2)
+            total292 = rest7 + 0.5
+            back3 = total292 - rest7
+            rest6 = total292 - back3
             one5 = rest7 - rest6
             two5 = 0.5 - back3
-            lost282 = one5 + two5
-            total292 = envelope*total29
-            envelope_halves = halves(xp, envelope)
-            total29_halves = halves(xp, total29)
-            lost282 = envelope*lost282 + product_error(total292, envelope_halves, total29_halves)
+            lost292 = one5 + two5
+            total342 = total30*total292
+            total30_halves = halves(xp, total30)
+            total292_halves = halves(xp, total292)
+            lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
 
             def yes(q, q_low):
                 given = q
@@ -1160,16 +1263,16 @@ def fall_rise_swing(xp, gamma, delta):
 
             fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-            total29 = fall2 + 1.0
-            back3 = total29 - 1.0
+            total30 = fall2 + 1.0
+            back3 = total30 - 1.0
             lost222 = fall2 - back3
-            total232 = fall_*total29
+            total232 = fall_*total30
             fall__halves = halves(xp, fall_)
-            total29_halves = halves(xp, total29)
-            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total29_halves)
-            creep2 = fall_low2*total29 + lost222 + total232
-            fall_of = lost3 + total30
-            rise_of = lost282 + total292
+            total30_halves = halves(xp, total30)
+            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total30_halves)
+            creep2 = fall_low2*total30 + lost222 + total232
+            fall_of = lost3*total29 + lost30 + total36
+            rise_of = lost282*total292 + lost292 + total342
             swing_of = creep2
             return fall_of, rise_of, swing_of
 
@@ -1360,20 +1463,43 @@ def fall(xp, gamma, delta):
     def yes(delta, gamma, half, rest2, total, total2):
         reach = 0.25*gamma
 
-        def yes(delta, gamma):
+        def yes(delta, gamma, half):
+            given4 = 0.5*half
+            total29 = 1.0 - 0.5*given4
+            back18 = total29 - 1.0
+            lost29 = -back18 - 0.5*given4
+            curved4 = (given4*given4)*decay_series(xp, given4)
+            total30 = curved4 + total29
+            back18 = total30 - total29
+            lost30 = curved4 - back18
+            mean_low5 = lost29 + lost30
+            total29 = given4*total30
+            given4_halves = halves(xp, given4)
+            total30_halves = halves(xp, total30)
+            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
+            total30 = 1.0 - total29
+            back18 = total30 - 1.0
+            lost29 = -back18 - total29
+            fall_low5 = lost29 - lost30
+            total29 = (total30*total30)
+            total30_halves = halves(xp, total30)
+            lost29 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
+            total30 = (total29*total29)
+            total29_halves = halves(xp, total29)
+            lost29 = 2.0*lost29*total29 + product_error(total30, total29_halves, total29_halves)
             rest6 = fall_series(xp, gamma, delta)
             total29 = rest6 + 0.5
             back18 = total29 - rest6
             rest7 = total29 - back18
             one5 = rest6 - rest7
             two5 = 0.5 - back18
-            lost29 = one5 + two5
-            envelope2 = xp.exp(-delta)
+            lost30 = one5 + two5
+            envelope2 = total30
             total30 = envelope2*total29
             envelope2_halves = halves(xp, envelope2)
             total29_halves = halves(xp, total29)
-            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
-            return lost29 + total30
+            lost30 = envelope2*lost30 + product_error(total30, envelope2_halves, total29_halves)
+            return lost29*total29 + lost30 + total30
 
         def no(gamma, half, rest2, total, total2):
             back2 = total2 - total
@@ -1458,7 +1584,7 @@ def fall(xp, gamma, delta):
             lost26 = left16/stiff
             return lost26 + total24
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (gamma, half, rest2, total, total2))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, total, total2))
 
     def no(delta, gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -1466,20 +1592,43 @@ def fall(xp, gamma, delta):
         total3 = half + root
         reach = 0.4444444444444444*total3
 
-        def yes(delta, gamma):
+        def yes(delta, gamma, half):
+            given4 = 0.5*half
+            total29 = 1.0 - 0.5*given4
+            back18 = total29 - 1.0
+            lost29 = -back18 - 0.5*given4
+            curved4 = (given4*given4)*decay_series(xp, given4)
+            total30 = curved4 + total29
+            back18 = total30 - total29
+            lost30 = curved4 - back18
+            mean_low5 = lost29 + lost30
+            total29 = given4*total30
+            given4_halves = halves(xp, given4)
+            total30_halves = halves(xp, total30)
+            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
+            total30 = 1.0 - total29
+            back18 = total30 - 1.0
+            lost29 = -back18 - total29
+            fall_low5 = lost29 - lost30
+            total29 = (total30*total30)
+            total30_halves = halves(xp, total30)
+            lost29 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
+            total30 = (total29*total29)
+            total29_halves = halves(xp, total29)
+            lost29 = 2.0*lost29*total29 + product_error(total30, total29_halves, total29_halves)
             rest6 = fall_series(xp, gamma, delta)
             total29 = rest6 + 0.5
             back18 = total29 - rest6
             rest7 = total29 - back18
             one5 = rest6 - rest7
             two5 = 0.5 - back18
-            lost29 = one5 + two5
-            envelope2 = xp.exp(-delta)
+            lost30 = one5 + two5
+            envelope2 = total30
             total30 = envelope2*total29
             envelope2_halves = halves(xp, envelope2)
             total29_halves = halves(xp, total29)
-            lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total29_halves)
-            return lost29 + total30
+            lost30 = envelope2*lost30 + product_error(total30, envelope2_halves, total29_halves)
+            return lost29*total29 + lost30 + total30
 
         def no(gamma, half, rest2, root, size, total, total2, total3):
             back2 = total2 - total
@@ -1617,7 +1766,7 @@ def fall(xp, gamma, delta):
             creep_ = fall_low2*total16 + lost2 + total17
             return creep_
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma), no, (gamma, half, rest2, root, size, total, total2, total3))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, root, size, total, total2, total3))
 
     return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
 
@@ -1640,19 +1789,40 @@ def rise(xp, gamma, delta):
         reach = 0.25*gamma
 
         def yes(half, total2):
-            rest5 = rise_series(xp, half, total2)
-            total28 = rest5 + 0.5
-            back18 = total28 - rest5
-            rest6 = total28 - back18
+            half2 = half
+            given4 = 0.5*half2
+            total28 = 1.0 - 0.5*given4
+            back18 = total28 - 1.0
+            lost28 = -back18 - 0.5*given4
+            curved4 = (given4*given4)*decay_series(xp, given4)
+            total29 = curved4 + total28
+            back18 = total29 - total28
+            lost29 = curved4 - back18
+            mean_low5 = lost28 + lost29
+            total28 = given4*total29
+            given4_halves = halves(xp, given4)
+            total29_halves = halves(xp, total29)
+            lost29 = given4*mean_low5 + product_error(total28, given4_halves, total29_halves)
+            total29 = 1.0 - total28
+            back18 = total29 - 1.0
+            lost28 = -back18 - total28
+            fall_low5 = lost28 - lost29
+            total28 = (total29*total29)
+            total29_halves = halves(xp, total29)
+            lost28 = 2.0*fall_low5*total29 + product_error(total28, total29_halves, total29_halves)
+            rest5 = rise_series(xp, half2, total2)
+            total29 = rest5 + 0.5
+            back18 = total29 - rest5
+            rest6 = total29 - back18
             one4 = rest5 - rest6
             two4 = 0.5 - back18
-            lost28 = one4 + two4
-            envelope2 = xp.exp(-half)
-            total29 = envelope2*total28
+            lost29 = one4 + two4
+            envelope2 = total28
+            total28 = envelope2*total29
             envelope2_halves = halves(xp, envelope2)
-            total28_halves = halves(xp, total28)
-            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
-            return lost28 + total29
+            total29_halves = halves(xp, total29)
+            lost29 = envelope2*lost29 + product_error(total28, envelope2_halves, total29_halves)
+            return lost28*total29 + lost29 + total28
 
         def no(gamma, half, rest2, total, total2):
             back2 = total2 - total
@@ -1743,19 +1913,40 @@ def rise(xp, gamma, delta):
         reach = 0.4444444444444444*total3
 
         def yes(half, total2):
-            rest5 = rise_series(xp, half, total2)
-            total28 = rest5 + 0.5
-            back18 = total28 - rest5
-            rest6 = total28 - back18
+            half2 = half
+            given4 = 0.5*half2
+            total28 = 1.0 - 0.5*given4
+            back18 = total28 - 1.0
+            lost28 = -back18 - 0.5*given4
+            curved4 = (given4*given4)*decay_series(xp, given4)
+            total29 = curved4 + total28
+            back18 = total29 - total28
+            lost29 = curved4 - back18
+            mean_low5 = lost28 + lost29
+            total28 = given4*total29
+            given4_halves = halves(xp, given4)
+            total29_halves = halves(xp, total29)
+            lost29 = given4*mean_low5 + product_error(total28, given4_halves, total29_halves)
+            total29 = 1.0 - total28
+            back18 = total29 - 1.0
+            lost28 = -back18 - total28
+            fall_low5 = lost28 - lost29
+            total28 = (total29*total29)
+            total29_halves = halves(xp, total29)
+            lost28 = 2.0*fall_low5*total29 + product_error(total28, total29_halves, total29_halves)
+            rest5 = rise_series(xp, half2, total2)
+            total29 = rest5 + 0.5
+            back18 = total29 - rest5
+            rest6 = total29 - back18
             one4 = rest5 - rest6
             two4 = 0.5 - back18
-            lost28 = one4 + two4
-            envelope2 = xp.exp(-half)
-            total29 = envelope2*total28
+            lost29 = one4 + two4
+            envelope2 = total28
+            total28 = envelope2*total29
             envelope2_halves = halves(xp, envelope2)
-            total28_halves = halves(xp, total28)
-            lost28 = envelope2*lost28 + product_error(total29, envelope2_halves, total28_halves)
-            return lost28 + total29
+            total29_halves = halves(xp, total29)
+            lost29 = envelope2*lost29 + product_error(total28, envelope2_halves, total29_halves)
+            return lost28*total29 + lost29 + total28
 
         def no(gamma, half, rest2, root, size, total, total2, total3):
             back2 = total2 - total
@@ -2513,28 +2704,74 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                given4 = 0.5*half
+                total27 = 1.0 - 0.5*given4
+                back17 = total27 - 1.0
+                lost29 = -back17 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total30 = curved4 + total27
+                back17 = total30 - total27
+                lost30 = curved4 - back17
+                mean_low5 = lost29 + lost30
+                total27 = given4*total30
+                given4_halves = halves(xp, given4)
+                total30_halves = halves(xp, total30)
+                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
+                total30 = 1.0 - total27
+                back17 = total30 - 1.0
+                lost29 = -back17 - total27
+                fall_low5 = lost29 - lost30
+                total27 = (total30*total30)
+                total30_halves = halves(xp, total30)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                total30 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back17 = total27 - rest6
                 rest5 = total27 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost29 = one4 + two4
-                envelope2 = xp.exp(-delta)
-                total30 = envelope2*total27
-                envelope2_halves = halves(xp, envelope2)
+                lost30 = one4 + two4
+                total36 = total30*total27
+                total30_halves = halves(xp, total30)
                 total27_halves = halves(xp, total27)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
-                rest5 = rise_series(xp, half, total2)
-                total27 = rest5 + 0.5
-                back17 = total27 - rest5
-                rest6 = total27 - back17
+                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
+                half2 = half
+                given4 = 0.5*half2
+                total30 = 1.0 - 0.5*given4
+                back17 = total30 - 1.0
+                lost283 = -back17 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total292 = curved4 + total30
+                back17 = total292 - total30
+                lost292 = curved4 - back17
+                mean_low5 = lost283 + lost292
+                total30 = given4*total292
+                given4_halves = halves(xp, given4)
+                total292_halves = halves(xp, total292)
+                lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
+                total292 = 1.0 - total30
+                back17 = total292 - 1.0
+                lost283 = -back17 - total30
+                fall_low5 = lost283 - lost292
+                total30 = (total292*total292)
+                total292_halves = halves(xp, total292)
+                lost283 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                rest5 = rise_series(xp, half2, total2)
+                total292 = rest5 + 0.5
+                back17 = total292 - rest5
+                rest6 = total292 - back17
                 one4 = rest5 - rest6
                 two4 = 0.5 - back17
-                lost283 = one4 + two4
-                total292 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost283 = envelope*lost283 + product_error(total292, envelope_halves, total27_halves)
+                lost292 = one4 + two4
+                total342 = total30*total292
+                total30_halves = halves(xp, total30)
+                total292_halves = halves(xp, total292)
+                lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
 
                 def yes(lost2, square2):
                     given3 = square2
@@ -2573,17 +2810,17 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
                 odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
-                total27 = envelope*odd
+                total30 = envelope*odd
                 odd_halves = halves(xp, odd)
-                lost24 = envelope*odd_low2 + product_error(total27, envelope_halves, odd_halves)
-                total222 = lost24 + total27
-                back17 = total222 - total27
+                lost24 = envelope*odd_low2 + product_error(total30, envelope_halves, odd_halves)
+                total222 = lost24 + total30
+                back17 = total222 - total30
                 lost24 = lost24 - back17
                 apart_of = lost27 + total28
-                fall_of = lost29 + total30
+                fall_of = lost29*total27 + lost30 + total36
                 kick_of = total222
                 kick_low_of = lost24
-                rise_of = lost283 + total292
+                rise_of = lost283*total292 + lost292 + total342
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             def no(gamma, half, lost2, total2):
@@ -2879,28 +3116,74 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                given4 = 0.5*half
+                total27 = 1.0 - 0.5*given4
+                back3 = total27 - 1.0
+                lost29 = -back3 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total30 = curved4 + total27
+                back3 = total30 - total27
+                lost30 = curved4 - back3
+                mean_low5 = lost29 + lost30
+                total27 = given4*total30
+                given4_halves = halves(xp, given4)
+                total30_halves = halves(xp, total30)
+                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
+                total30 = 1.0 - total27
+                back3 = total30 - 1.0
+                lost29 = -back3 - total27
+                fall_low5 = lost29 - lost30
+                total27 = (total30*total30)
+                total30_halves = halves(xp, total30)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                total30 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back3 = total27 - rest6
                 rest5 = total27 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost29 = one4 + two4
-                envelope2 = xp.exp(-delta)
-                total30 = envelope2*total27
-                envelope2_halves = halves(xp, envelope2)
+                lost30 = one4 + two4
+                total36 = total30*total27
+                total30_halves = halves(xp, total30)
                 total27_halves = halves(xp, total27)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
-                rest5 = rise_series(xp, half, total2)
-                total27 = rest5 + 0.5
-                back3 = total27 - rest5
-                rest6 = total27 - back3
+                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
+                half2 = half
+                given4 = 0.5*half2
+                total30 = 1.0 - 0.5*given4
+                back3 = total30 - 1.0
+                lost283 = -back3 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total292 = curved4 + total30
+                back3 = total292 - total30
+                lost292 = curved4 - back3
+                mean_low5 = lost283 + lost292
+                total30 = given4*total292
+                given4_halves = halves(xp, given4)
+                total292_halves = halves(xp, total292)
+                lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
+                total292 = 1.0 - total30
+                back3 = total292 - 1.0
+                lost283 = -back3 - total30
+                fall_low5 = lost283 - lost292
+                total30 = (total292*total292)
+                total292_halves = halves(xp, total292)
+                lost283 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                rest5 = rise_series(xp, half2, total2)
+                total292 = rest5 + 0.5
+                back3 = total292 - rest5
+                rest6 = total292 - back3
                 one4 = rest5 - rest6
                 two4 = 0.5 - back3
-                lost283 = one4 + two4
-                total292 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost283 = envelope*lost283 + product_error(total292, envelope_halves, total27_halves)
+                lost292 = one4 + two4
+                total342 = total30*total292
+                total30_halves = halves(xp, total30)
+                total292_halves = halves(xp, total292)
+                lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -2968,19 +3251,19 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
                 mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-                total27 = fall_*mean2
+                total30 = fall_*mean2
                 fall__halves = halves(xp, fall_)
                 mean2_halves = halves(xp, mean2)
-                lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
+                lost163 = fall_*mean_low4 + product_error(total30, fall__halves, mean2_halves)
                 creep_low = fall_low2*mean2 + lost163
-                total232 = creep_low + total27
-                back3 = total232 - total27
+                total232 = creep_low + total30
+                back3 = total232 - total30
                 lost163 = creep_low - back3
                 apart_of = lost3 + total28
-                fall_of = lost29 + total30
+                fall_of = lost29*total27 + lost30 + total36
                 kick_of = total232
                 kick_low_of = lost163
-                rise_of = lost283 + total292
+                rise_of = lost283*total292 + lost292 + total342
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             def no(gamma, half, lost2, root, size, total2, total3):
@@ -3378,39 +3661,85 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                given4 = 0.5*half
+                total27 = 1.0 - 0.5*given4
+                back17 = total27 - 1.0
+                lost29 = -back17 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total30 = curved4 + total27
+                back17 = total30 - total27
+                lost30 = curved4 - back17
+                mean_low5 = lost29 + lost30
+                total27 = given4*total30
+                given4_halves = halves(xp, given4)
+                total30_halves = halves(xp, total30)
+                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
+                total30 = 1.0 - total27
+                back17 = total30 - 1.0
+                lost29 = -back17 - total27
+                fall_low5 = lost29 - lost30
+                total27 = (total30*total30)
+                total30_halves = halves(xp, total30)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                total30 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back17 = total27 - rest6
                 rest5 = total27 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost29 = one4 + two4
-                envelope2 = xp.exp(-delta)
-                total30 = envelope2*total27
-                envelope2_halves = halves(xp, envelope2)
+                lost30 = one4 + two4
+                total36 = total30*total27
+                total30_halves = halves(xp, total30)
                 total27_halves = halves(xp, total27)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
+                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
                 twice2 = 2.0*envelope
-                rest5 = rise_series(xp, half, total2)
-                total27 = rest5 + 0.5
-                back17 = total27 - rest5
-                rest6 = total27 - back17
+                half2 = half
+                given4 = 0.5*half2
+                total30 = 1.0 - 0.5*given4
+                back17 = total30 - 1.0
+                lost284 = -back17 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total292 = curved4 + total30
+                back17 = total292 - total30
+                lost293 = curved4 - back17
+                mean_low5 = lost284 + lost293
+                total30 = given4*total292
+                given4_halves = halves(xp, given4)
+                total292_halves = halves(xp, total292)
+                lost293 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
+                total292 = 1.0 - total30
+                back17 = total292 - 1.0
+                lost284 = -back17 - total30
+                fall_low5 = lost284 - lost293
+                total30 = (total292*total292)
+                total292_halves = halves(xp, total292)
+                lost284 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                rest5 = rise_series(xp, half2, total2)
+                total292 = rest5 + 0.5
+                back17 = total292 - rest5
+                rest6 = total292 - back17
                 one4 = rest5 - rest6
                 two4 = 0.5 - back17
-                lost284 = one4 + two4
-                total292 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost284 = envelope*lost284 + product_error(total292, envelope_halves, total27_halves)
+                lost293 = one4 + two4
+                total342 = total30*total292
+                total30_halves = halves(xp, total30)
+                total292_halves = halves(xp, total292)
+                lost293 = lost293*total30 + product_error(total342, total30_halves, total292_halves)
                 rest6 = together_series(xp, half, total2)
-                total27 = rest6 + 0.5
-                back17 = total27 - rest6
-                rest5 = total27 - back17
+                total30 = rest6 + 0.5
+                back17 = total30 - rest6
+                rest5 = total30 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost303 = one4 + two4
-                total312 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
+                lost304 = one4 + two4
+                total314 = envelope*total30
+                total30_halves = halves(xp, total30)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total30_halves)
 
                 def yes(square2):
                     given3 = square2
@@ -3430,12 +3759,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
 
-                total27 = even*twice2
+                total30 = even*twice2
 
-                def yes(envelope2, even, lost2, lost28, lost293, lost30, lost312, square2, total2, total263, total28, total292, total30, total312, twice2):
-                    total253 = envelope2 + 1.0
+                def yes(delta, even, lost2, lost28, lost314, lost322, lost34, lost342, lost36, square2, total2, total263, total28, total314, total332, total342, total35, total36, twice2):
+                    e = xp.exp(-delta)
+                    total253 = e + 1.0
                     back182 = total253 - 1.0
-                    lost253 = envelope2 - back182
+                    lost253 = e - back182
                     total273 = total253 + total263
                     back182 = total273 - total253
                     lost273 = total263 - back182
@@ -3473,13 +3803,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     even_halves = halves(xp, even)
                     lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
                     apart_of = lost28 + total28
-                    fall_of = lost30 + total30
+                    fall_of = lost34*total35 + lost36 + total36
                     nyquist_of = lost253 + lost263 + lost273 + total273
-                    rise_of = lost293 + total292
-                    together_of = 2.0*lost312 + 2.0*total312
+                    rise_of = lost322*total332 + lost342 + total342
+                    together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost28, lost293, lost30, lost312, total2, total28, total292, total30, total312):
+                def no(envelope, half, lost2, lost28, lost314, lost322, lost34, lost342, lost36, total2, total28, total314, total332, total342, total35, total36):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -3517,13 +3847,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost102 = one23 + two23
                     low2 = lost92 + lost102
                     apart_of = lost28 + total28
-                    fall_of = lost30 + total30
+                    fall_of = lost34*total35 + lost36 + total36
                     nyquist_of = 4.0*low2 + 4.0*total102
-                    rise_of = lost293 + total292
-                    together_of = 2.0*lost312 + 2.0*total312
+                    rise_of = lost322*total332 + lost342 + total342
+                    together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total27 > 0.0, yes, (envelope2, even, lost2, lost27, lost284, lost29, lost303, square2, total2, total27, total28, total292, total30, total312, twice2), no, (envelope, half, lost2, lost27, lost284, lost29, lost303, total2, total28, total292, total30, total312))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total30 > 0.0, yes, (delta, even, lost2, lost27, lost304, lost284, lost29, lost293, lost30, square2, total2, total30, total28, total314, total292, total342, total27, total36, twice2), no, (envelope, half, lost2, lost27, lost304, lost284, lost29, lost293, lost30, total2, total28, total314, total292, total342, total27, total36))
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -3549,10 +3879,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 rest5 = total27 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost303 = one4 + two4
-                total312 = envelope*total27
+                lost304 = one4 + two4
+                total314 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total27_halves)
 
                 def yes(lost2, square2):
                     given3 = square2
@@ -3649,11 +3979,11 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 left16 = left16 - lost252 + lost23
                 lost23 = left16/stiff
 
-                def yes(delta, even, even_low2, lost274, lost28, lost282, lost312, total263, total274, total28, total282, total312, twice2):
-                    envelope2 = xp.exp(-delta)
-                    total253 = envelope2 + 1.0
+                def yes(delta, even, even_low2, lost274, lost28, lost282, lost314, total263, total274, total28, total282, total314, twice2):
+                    e = xp.exp(-delta)
+                    total253 = e + 1.0
                     back182 = total253 - 1.0
-                    lost253 = envelope2 - back182
+                    lost253 = e - back182
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
                     lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
@@ -3664,10 +3994,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     fall_of = lost282 + total282
                     nyquist_of = lost253 + lost263 + lost273 + total273
                     rise_of = lost274 + total274
-                    together_of = 2.0*lost312 + 2.0*total312
+                    together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost274, lost28, lost282, lost312, total2, total274, total28, total282, total312):
+                def no(envelope, half, lost2, lost274, lost28, lost282, lost314, total2, total274, total28, total282, total314):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -3708,10 +4038,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     fall_of = lost282 + total282
                     nyquist_of = 4.0*low2 + 4.0*total102
                     rise_of = lost274 + total274
-                    together_of = 2.0*lost312 + 2.0*total312
+                    together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total252 > 0.0, yes, (delta, even, even_low2, lost23, lost27, lost262, lost303, total252, total27, total28, total262, total312, twice2), no, (envelope, half, lost2, lost23, lost27, lost262, lost303, total2, total27, total28, total262, total312))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total252 > 0.0, yes, (delta, even, even_low2, lost23, lost27, lost262, lost304, total252, total27, total28, total262, total314, twice2), no, (envelope, half, lost2, lost23, lost27, lost262, lost304, total2, total27, total28, total262, total314))
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -3869,10 +4199,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             lost93 = left/stiff
 
             def yes(delta, even, even_low2, lost132, lost26, lost274, lost282, total132, total26, total263, total274, total282, twice2):
-                envelope2 = xp.exp(-delta)
-                total253 = envelope2 + 1.0
+                e = xp.exp(-delta)
+                total253 = e + 1.0
                 back182 = total253 - 1.0
-                lost253 = envelope2 - back182
+                lost253 = e - back182
                 twice2_halves = halves(xp, twice2)
                 even_halves = halves(xp, even)
                 lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
@@ -3964,38 +4294,84 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                given4 = 0.5*half
+                total27 = 1.0 - 0.5*given4
+                back3 = total27 - 1.0
+                lost29 = -back3 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total30 = curved4 + total27
+                back3 = total30 - total27
+                lost30 = curved4 - back3
+                mean_low5 = lost29 + lost30
+                total27 = given4*total30
+                given4_halves = halves(xp, given4)
+                total30_halves = halves(xp, total30)
+                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
+                total30 = 1.0 - total27
+                back3 = total30 - 1.0
+                lost29 = -back3 - total27
+                fall_low5 = lost29 - lost30
+                total27 = (total30*total30)
+                total30_halves = halves(xp, total30)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                total30 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back3 = total27 - rest6
                 rest5 = total27 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost29 = one4 + two4
-                envelope2 = xp.exp(-delta)
-                total30 = envelope2*total27
-                envelope2_halves = halves(xp, envelope2)
+                lost30 = one4 + two4
+                total36 = total30*total27
+                total30_halves = halves(xp, total30)
                 total27_halves = halves(xp, total27)
-                lost29 = envelope2*lost29 + product_error(total30, envelope2_halves, total27_halves)
-                rest5 = rise_series(xp, half, total2)
-                total27 = rest5 + 0.5
-                back3 = total27 - rest5
-                rest6 = total27 - back3
+                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
+                half2 = half
+                given4 = 0.5*half2
+                total30 = 1.0 - 0.5*given4
+                back3 = total30 - 1.0
+                lost284 = -back3 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total292 = curved4 + total30
+                back3 = total292 - total30
+                lost293 = curved4 - back3
+                mean_low5 = lost284 + lost293
+                total30 = given4*total292
+                given4_halves = halves(xp, given4)
+                total292_halves = halves(xp, total292)
+                lost293 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
+                total292 = 1.0 - total30
+                back3 = total292 - 1.0
+                lost284 = -back3 - total30
+                fall_low5 = lost284 - lost293
+                total30 = (total292*total292)
+                total292_halves = halves(xp, total292)
+                lost284 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                rest5 = rise_series(xp, half2, total2)
+                total292 = rest5 + 0.5
+                back3 = total292 - rest5
+                rest6 = total292 - back3
                 one4 = rest5 - rest6
                 two4 = 0.5 - back3
-                lost284 = one4 + two4
-                total292 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost284 = envelope*lost284 + product_error(total292, envelope_halves, total27_halves)
+                lost293 = one4 + two4
+                total342 = total30*total292
+                total30_halves = halves(xp, total30)
+                total292_halves = halves(xp, total292)
+                lost293 = lost293*total30 + product_error(total342, total30_halves, total292_halves)
                 rest6 = together_series(xp, half, total2)
-                total27 = rest6 + 0.5
-                back3 = total27 - rest6
-                rest5 = total27 - back3
+                total30 = rest6 + 0.5
+                back3 = total30 - rest6
+                rest5 = total30 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost303 = one4 + two4
-                total312 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
+                lost304 = one4 + two4
+                total314 = envelope*total30
+                total30_halves = halves(xp, total30)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total30_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -4028,8 +4404,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
-                total27 = fall_ + 1.0
-                back3 = total27 - 1.0
+                total30 = fall_ + 1.0
+                back3 = total30 - 1.0
                 lost283 = fall_ - back3
 
                 def yes(root, root_low):
@@ -4071,15 +4447,15 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total302 = fast + 1.0
                 back3 = total302 - 1.0
                 lost292 = fast - back3
-                total31 = total27*total302
-                total27_halves = halves(xp, total27)
+                total312 = total30*total302
+                total30_halves = halves(xp, total30)
                 total302_halves = halves(xp, total302)
-                lost292 = total27*(lost292 + low3) + product_error(total31, total27_halves, total302_halves)
+                lost292 = total30*(lost292 + low3) + product_error(total312, total30_halves, total302_halves)
                 apart_of = lost3 + total28
-                fall_of = lost29 + total30
-                nyquist_of = lost292 + total302*(fall_low2 + lost283) + total31
-                rise_of = lost284 + total292
-                together_of = 2.0*lost303 + 2.0*total312
+                fall_of = lost29*total27 + lost30 + total36
+                nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
+                rise_of = lost284*total292 + lost293 + total342
+                together_of = 2.0*lost304 + 2.0*total314
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
             def no(gamma, half, lost2, root, size, total2, total3):
@@ -4120,10 +4496,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 rest5 = total27 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost303 = one4 + two4
-                total312 = envelope*total27
+                lost304 = one4 + two4
+                total314 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost303 = envelope*lost303 + product_error(total312, envelope_halves, total27_halves)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total27_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -4270,7 +4646,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_of = creep_
                 nyquist_of = lost162 + total172*(fall_low2 + lost283) + total162
                 rise_of = lost163 + total27
-                together_of = 2.0*lost303 + 2.0*total312
+                together_of = 2.0*lost304 + 2.0*total314
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
             apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
