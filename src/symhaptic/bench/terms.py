@@ -49,7 +49,9 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     if isinstance(expr, Searched):
         given = np.broadcast_arrays(*(np.asarray(v, dtype=float) for v, _ in parts))
         value = getattr(functions, code_name(type(expr).__name__))(np, *given)
-        return value, parts[1][1] if isinstance(expr, Rated) else np.abs(value)
+        if isinstance(expr, Rated):
+            return value, parts[1][1]
+        return value, np.maximum(np.abs(value), leans(expr, value, at, functions))
     if expr.is_Add:
         total = sum(v for v, _ in parts)
         terms = np.broadcast_arrays(np.abs(total), *(size for _, size in parts))
@@ -67,6 +69,16 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     plain: Any = {sp.exp: np.exp, sp.sin: np.sin, sp.cos: np.cos, sp.tan: np.tan}[expr.func]
     value = plain(parts[0][0])
     return value, np.abs(value) + spoiled(plain, value, expr, [parts[0][0]])
+
+
+def leans(expr: Searched, value: Any, at: dict[Any, Any], functions: Any) -> Any:
+    """What the largest term of a sum that passes through zero counts in what hangs on it."""
+    at[expr] = value, np.abs(value)
+    if (found := expr.leaning()) is None:
+        return 0.0
+    size = sized(found.total, at, functions)[1] * np.abs(sized(found.slope, at, functions)[0])
+    counts = [sized(c, at, functions)[0] > 0 for c in found.counts]
+    return np.where(np.logical_and.reduce(np.broadcast_arrays(*counts)), size, 0.0)
 
 
 def spoiled(function: Any, value: Any, expr: Expr, args: list[Any]) -> Any:

@@ -143,7 +143,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     if isinstance(expr, Searched):
         kind: Any = type(expr)
         exact = _searched(kind, tuple(v for v, _ in parts))
-        return exact, parts[1][1] if kind is Rated else abs(exact)
+        return exact, parts[1][1] if kind is Rated else max(abs(exact), _leans(expr, exact, at))
     if isinstance(expr, UnstableRoots | LateRoots):
         count = (outside if isinstance(expr, UnstableRoots) else late_outside)(
             *(v for v, _ in parts)
@@ -166,6 +166,14 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         return root, root
     exact = _PLAIN[expr.func](parts[0][0])
     return exact, abs(exact) + _spoiled(expr, exact, at)
+
+
+def _leans(expr: Searched, exact: mpf, at: Sizes) -> mpf:
+    """What the largest term of a sum that passes through zero counts in what hangs on it."""
+    at[expr] = exact, abs(exact)
+    if (found := expr.leaning()) is None or any(sized(c, at)[0] <= 0 for c in found.counts):
+        return mpf(0)
+    return sized(found.total, at)[1] * abs(sized(found.slope, at)[0])
 
 
 def rounded(arg: Expr) -> bool:

@@ -152,17 +152,19 @@ def _some(xp, at, values):
 def _together(xp, size, pieces):
     """All rows of the pieces, each number in its place."""
     places = [at for at, _ in pieces]
-    columns = zip(*(rows for _, rows in pieces), strict=True)
-    if isinstance(places[0], numpy.ndarray):
-        found = []
-        for column in columns:
-            found.append(numpy.empty(size, column[0].dtype))
+    quick = isinstance(places[0], numpy.ndarray)  # the standard cannot write at places
+    order = None if quick else xp.argsort(xp.concat(places))
+    found = []
+    for column in zip(*(rows for _, rows in pieces), strict=True):
+        if quick:
+            whole = numpy.empty(size, column[0].dtype)
             for at, row in zip(places, column, strict=True):
-                found[-1][at] = row
-        return found
-    order = xp.argsort(xp.concat(places))
-    wide = [[xp.broadcast_to(r, at.shape) for at, r in zip(places, c, strict=True)] for c in columns]
-    return [xp.take(xp.concat(rows), order) for rows in wide]
+                whole[at] = row
+        else:
+            rows = (xp.broadcast_to(r, at.shape) for at, r in zip(places, column, strict=True))
+            whole = xp.take(xp.concat(tuple(rows)), order)
+        found.append(whole)
+    return found
 
 
 def _rows(xp, like, results):

@@ -7,17 +7,29 @@ the exported search does.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import ClassVar
 
 import mpmath
 from mpmath import mpf
-from sympy import Function
+from sympy import Expr, Function
 
 _MANY = 40
 """Angles a half turn of the delay, to look for the largest value at."""
 
 _FAR = 8
 """Half turns of a long delay that are looked at; all of them for a short one."""
+
+
+@dataclass(frozen=True)
+class Leaning:
+    """A sum that passes through zero, and what hangs on it."""
+
+    total: Expr
+    slope: Expr
+    """The derivative by the sum."""
+    counts: tuple[Expr, ...]
+    """Positive where it matters."""
 
 
 class Searched(Function):  # type: ignore[misc]
@@ -28,6 +40,10 @@ class Searched(Function):  # type: ignore[misc]
 
     exact: ClassVar[Callable[..., mpf]]
     """Its value in the digits that mpmath is set to; raises ArithmeticError if none is found."""
+
+    def leaning(self) -> Leaning | None:
+        """The sum that it hangs on where that passes through zero, if there is one."""
+        return None
 
 
 def fraction(delay: mpf) -> tuple[mpf, mpf]:

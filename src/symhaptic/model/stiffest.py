@@ -7,7 +7,7 @@ With :math:`t=\tan(\theta/2)`, A/z and M/z as in the form of the boundary, and
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 
 import sympy as sp
@@ -94,6 +94,14 @@ def early() -> tuple[Expr, ...]:
         s * (apart**2 * q - 2 * apart * s * (q + loss) + s**2 * (r + 2 * q + 4 * loss)),
     )
     return end(), *(_polynomial(c, last) for c in (third, second, first, whole))
+
+
+def leaning(angle: Expr, numbers: Mapping[Expr, Expr]) -> Expr:
+    """How far the zero of the quartic moves with its first coefficient, as an angle."""
+    coefficients = [k.xreplace(dict(numbers)) for k in early()]
+    slopes = [(4 - i) * k for i, k in enumerate(coefficients[:-1])]
+    t = tan(angle / 2)
+    return -(t**8) / (_polynomial(slopes, t**2) * t * (1 + t**2))
 
 
 def _polynomial(coefficients: Iterable[Expr], at: Expr) -> Expr:

@@ -9,8 +9,9 @@ import mpmath
 import sympy as sp
 from mpmath import mpf
 
+from symhaptic.model import stiffest
 from symhaptic.model.counted import late_outside
-from symhaptic.model.searched import Searched
+from symhaptic.model.searched import Leaning, Searched
 
 STIFFEST_SPRING = sp.Rational(98, 10)
 """Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
@@ -38,6 +39,13 @@ class StiffestAngle(Searched):
         "end at pi for delays below one period; NaN where that does not border the stable region, "
         "for gamma > 9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
     )
+
+    def leaning(self) -> Leaning:
+        """Below one period: the slope next to pi, negative where the angle has left pi."""
+        _, _, delay, _, part, _, last, *numbers = self.args
+        known = dict(zip(stiffest.EARLY, (*numbers, last if part else sp.S.Zero), strict=True))
+        slope = stiffest.end().xreplace(known)
+        return Leaning(slope, stiffest.leaning(self, known), (1 - delay, -slope))
 
     @staticmethod
     def exact(*numbers: mpf) -> mpf:
