@@ -5,15 +5,19 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import flint
+import mpmath
 import numpy as np
 import pytest
+from flint import arb
 
 from symhaptic.bench import error
 from symhaptic.bench.exact import EXACT
-from symhaptic.bench.points import columns
+from symhaptic.bench.points import columns, leaving_pi
 from symhaptic.export import device, library, request
-from symhaptic.export.accuracy import ABOVE, GOALS, MEASURED
+from symhaptic.export.accuracy import GOALS, MEASURED, REMARKS
 from symhaptic.export.precision import SINGLE
+from symhaptic.export.vectors import sized
 
 needs_gcc = pytest.mark.skipif(
     shutil.which("gcc") is None, reason="no gcc here: exported C is not measured"
@@ -70,21 +74,30 @@ def test_every_function_of_numbers_is_measured(precision):
 @every
 def test_what_is_recorded_is_within_its_goal(precision, name):
     """Two last places for the device, four for passivity, eight for boundaries and extremes."""
-    assert MEASURED[precision][name].error <= GOALS[name] or name in ABOVE
+    record = MEASURED[precision][name]
+    missed = (name, record.result) == ("stability_boundary", "beta")  # of a stiff spring
+    assert record.error <= GOALS[name] or (missed and name in REMARKS)
 
 
-def test_a_goal_is_missed_only_where_it_is_said():
-    """What is above its goal: the angle of a flat maximum, and what only a search found."""
-    missed = {
-        (name, record.result)
-        for names in MEASURED.values()
-        for name, record in names.items()
-        if record.error > GOALS[name]
-    }
-    assert missed == {
-        ("discretize", "n1"), ("max_stable_stiffness", "theta"), ("stability_boundary", "beta")
-    }  # fmt: skip
-    assert set(ABOVE) == {name for name, _ in missed}
+def test_an_angle_next_to_pi_hangs_on_the_slope_there():
+    """Beside exact angles: a plant that is moved moves the angle as much as the slope says."""
+    (form,) = request.chosen(["max_stable_stiffness"])
+    gamma, delta = 2.0, leaving_pi(2.0) * (1 - 1e-6)
+    for d in (0.0, 0.25 * 2**-20):
+        angle = form.expressions[-1].args[d > 0][0]
+        slopes, angles = [], []
+        for moved in (gamma, gamma - 1e-9):
+            with mpmath.workdps(50), flint.ctx.workprec(300):
+                angles.append(EXACT[form.name](moved, delta, d)[2])
+                at = dict(zip(form.arguments, map(mpmath.mpf, (moved, delta, d)), strict=True))
+                known = {s: (v, v) for s, v in at.items()}
+                value = sized(angle, known)[0]
+                slopes.append(sized(angle.leaning().total, known)[0])
+                assert float(arb(str(value)) - angles[-1]) == pytest.approx(0, abs=1e-25)
+                lean = sized(angle.leaning().slope, known)[0]
+        moved = float(angles[1] - angles[0])
+        assert moved == pytest.approx(float(lean * (slopes[1] - slopes[0])), rel=1e-2)
+        assert abs(moved) > 1e-8
 
 
 @needs_gcc

@@ -26,6 +26,10 @@ HARD = {
 DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]
 
 
+_TELLS = 10_000
+"""From the damping at which the stiffest wall leaves pi to the nearest one tried, in last places."""
+
+
 def hard(precision: Precision = DOUBLE) -> list[tuple[float, float]]:
     """All pairs of hard cases, critical damping and its neighbours, pi^2 and beyond."""
     kind = precision.kind
@@ -98,7 +102,9 @@ def columns(
     if (form.plain or form).name == "max_stable_stiffness":  # there its angle is hard to find
         edge = np.flatnonzero(rng.random(count) < 0.2)
         both[edge, 0] = rng.uniform(0, 9.7, edge.size)
-        beside = 1 + rng.choice([-1.0, 1.0], edge.size) * 10 ** rng.uniform(-10, -1, edge.size)
+        # nearer ones are at pi or not by less than a float of the plant tells
+        near = rng.uniform(math.log10(_TELLS * precision.ulp(1.0)), -1, edge.size)
+        beside = 1 + rng.choice([-1.0, 1.0], edge.size) * 10**near
         both[edge, 1] = [leaving_pi(gamma) for gamma in both[edge, 0]] * beside
         delay[edge] = rng.choice([0.0, 1.0], edge.size) * 10 ** rng.uniform(-8, 0, edge.size)
         far = np.sqrt(both[:, 0]) * (delay + 1) > np.pi

@@ -115,8 +115,9 @@ def sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     as large as its factors.  A quotient grows by what its denominator lost: next to the pole that
     the boundary has where M(-1) = 0, a last place of any argument changes it as much.  An argument
     that is a product, such as delta (1 - epsilon), reaches its function rounded, and half a last
-    place of it counts, too: a mere wave or exponential of it is not known better.  ``at`` has
-    those of the arguments, and keeps all that are found.
+    place of it counts, too: a mere wave or exponential of it is not known better.  An angle that
+    hangs on a sum that passes through zero counts with what that sum's largest term moves it by.
+    ``at`` has those of the arguments, and keeps all that are found.
     """
     if expr not in at:
         at[expr] = _sized(expr, at)

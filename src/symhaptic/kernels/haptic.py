@@ -16,7 +16,7 @@ from array_api_compat import (
     is_torch_array,
 )
 
-BLOCK = 24576
+BLOCK = 25_000
 """Elements of NumPy arrays worked on at a time: few calls, and each branch fits the caches."""
 
 
