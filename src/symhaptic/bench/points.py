@@ -27,7 +27,7 @@ DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]
 
 
 _TELLS = 10_000
-"""From the damping at which the stiffest wall leaves pi to the nearest one tried, in last places."""
+"""Last places from the damping at which the stiffest wall leaves pi to the nearest one tried."""
 
 
 def hard(precision: Precision = DOUBLE) -> list[tuple[float, float]]:
