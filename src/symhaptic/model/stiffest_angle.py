@@ -8,6 +8,7 @@ from itertools import pairwise
 import mpmath
 import sympy as sp
 from mpmath import mpf
+from sympy import cacheit
 
 from symhaptic.model import stiffest
 from symhaptic.model.counted import late_outside
@@ -40,6 +41,7 @@ class StiffestAngle(Searched):
         "for gamma > 9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
     )
 
+    @cacheit  # type: ignore[untyped-decorator]
     def leaning(self) -> Leaning:
         """Below one period: the slope next to pi, negative where the angle has left pi."""
         _, _, delay, _, part, _, last, *numbers = self.args
