@@ -134,6 +134,15 @@ def test_nothing_is_no_error_only_next_to_the_end_of_a_curve():
         assert [off for off, _ in found.values()] == [expected, expected]
 
 
+def test_nothing_is_no_error_where_the_first_maximum_does_not_border_the_stable_region():
+    """A stiff spring and a softer one; the roots of the loop with a wall a little inside decide."""
+    (form,) = request.chosen(["max_stable_stiffness"])
+    for gamma, expected in ((9.787324270255052, 0.0), (5.0, np.inf)):
+        arrays = [np.array([x]) for x in (gamma, 0.10330520125756526, 0.42213529560162316)]
+        found = error.compare(form, arrays, np.full((3, 1), np.nan))
+        assert [off for off, _ in found.values()] == [expected] * 3
+
+
 @pytest.mark.parametrize("precision", MEASURED, ids=lambda p: p.name)
 def test_points_around_others_are_in_the_domain(precision):
     """Of all distances, at both ends of each argument; whole delays stay whole."""

@@ -147,7 +147,7 @@ def test_the_readme_says_what_is_needed():
         assert "Domain: gamma >= 0, delta >= 0." in text
         assert "| gamma | 1 | nonnegative | physical stiffness, k T^2/m |" in text
         assert "units in the last place" in text
-        assert "That is theta next to pi," in text
+        assert "theta leaves pi like the square root" in text
         assert sorted(files) == files["FILES"].split()
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import flint
 import numpy as np
-from flint import arb, arb_series
+from flint import acb_poly, arb, arb_poly, arb_series
 
 _MANY = 40
 """Angles a half turn of the delay."""
@@ -217,7 +217,20 @@ def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[A
     else:
         return _at_pi(parts) if d < 1 and before is not None else (arb("nan"),) * 3
     theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), before, angle)
-    return alpha(theta), parts(theta)[1] / theta.sin(), theta
+    wall = alpha(theta), parts(theta)[1] / theta.sin()
+    stiff = math.sqrt(gamma) * (d + 1) > math.pi
+    if stiff and not _all_inside(wall[0] - (wall[0] + gamma) / 10**6, wall[1], whole, numbers):
+        return (arb("nan"),) * 3
+    return *wall, theta
+
+
+def _all_inside(alpha: Any, beta: Any, whole: int, numbers: tuple[Any, ...]) -> bool:
+    """Whether the loop with this wall is stable, by all roots of its polynomial in z."""
+    m2, m1, m0, a, e = numbers
+    wall, moved = arb_poly([-beta, alpha + beta]), arb_poly([m0, m1, m2])
+    whole_loop = wall * moved + arb_poly([*[0] * (whole + 2), e, -a, 1])
+    exact = acb_poly([c.mid() for c in whole_loop.coeffs()])
+    return all(abs(root) < 1 for root in exact.roots())
 
 
 def _at_pi(parts: Callable[[Any], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
