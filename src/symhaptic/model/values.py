@@ -56,10 +56,10 @@ def value(expr: Expr, at: dict[Symbol, mpf], digits: int = 40) -> mpf:
     >>> mpmath.nstr(value(Rise(gamma, delta), {gamma: mpf(0), delta: mpf(1e-300)}), 20)
     '0.5'
     """
-    return settled(_compiled(expr, tuple(at)), tuple(at.values()), digits, str(expr))
+    return settled(_compiled(expr, tuple(at)), tuple(at.values()), digits, expr)
 
 
-def settled(function: Callable[..., mpf], at: tuple[mpf, ...], digits: int, name: str) -> mpf:
+def settled(function: Callable[..., mpf], at: tuple[mpf, ...], digits: int, name: object) -> mpf:
     """The value of a function of numbers, with more and more digits until so many stay."""
     before = None
     least = _digits(at, digits)
