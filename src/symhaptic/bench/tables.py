@@ -156,7 +156,8 @@ def _digits(rows: list[Row]) -> Table:
     head = ("function", "way", "time", "worst", "NaN", "worst", "NaN")
     says = (
         "Worst error in parts of the largest term, for balls their radius, on ordinary and on hard "
-        "parameters. Numbers of 50 digits are mpmath's, balls python-flint's."
+        "parameters. Numbers of 50 digits are mpmath's, balls python-flint's. A stable form whose "
+        "value is zero has no 50 digits that could agree, and counts as NaN: beta without delay."
     )
     return Table("Functions in other precisions", head, tuple(found), 2, says)
 
