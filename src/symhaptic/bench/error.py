@@ -170,7 +170,7 @@ def _ends(form: Form, point: list[float], precision: Precision) -> bool:
 
     There no float tells on which side of its end it is.
     """
-    if form.name != "passivity_boundary":
+    if (form.plain or form).name != "passivity_boundary":
         return False
     theta, *others = point
     return not exactly(form, [theta + precision.ulp(theta), *others])[0].is_finite()

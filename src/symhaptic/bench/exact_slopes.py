@@ -13,7 +13,7 @@ from typing import Any
 import flint
 from flint import arb, arb_series
 
-from symhaptic.bench import searched
+from symhaptic.bench import exact, searched
 
 Series = Any
 
@@ -92,6 +92,17 @@ def margin(theta: Series, alpha: Series, beta: Series, delta: Series, d: Series)
     return (delta - alpha * kernel + beta * (n * theta).cos(),)
 
 
+def worst(alpha: Series, beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
+    """The margin at its worst angle, which may be held still (envelope theorem)."""
+    stiffness, damping, delay = (float(x[0]) for x in (alpha, beta, d))
+    if stiffness < 0:
+        return (arb_series([arb("nan")] * 2, 2),)
+    whole = math.floor(delay)
+    part = d - whole if delay % 1 or d[1] != 0 else 0
+    _, angle = searched.neediest(stiffness, damping, delay)
+    return (delta - searched.need(alpha, beta, whole, part, angle),)
+
+
 def envelope(theta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
     """Where the margin and its slope vanish: two linear equations for whole delays."""
     if float(d[0]) % 1:
@@ -122,6 +133,16 @@ def stiffest(delta: Series, d: Series) -> tuple[Series, ...]:
     return 2 * delta * (angle / 2).tan(), delta * beta, angle
 
 
+def stiffest_stable(gamma: Series, delta: Series, d: Series) -> tuple[Series, ...]:
+    """The largest stiffness on the boundary, whose angle may be held still (envelope theorem)."""
+    theta = exact.stiffest_stable(*(float(x[0]) for x in (gamma, delta, d)))[2]
+    if not theta.is_finite():
+        return (arb_series([theta] * 2, 2),)
+    if not theta < arb.pi():  # flat there, so that this changes the 36th digit
+        theta = arb.pi() - arb(2) ** -60
+    return boundary(arb_series([theta], 2), gamma, delta, d)[:1]
+
+
 def line(beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
     """(25) of the paper."""
     return ((beta + delta) / (d + arb(1) / 2),)
@@ -136,6 +157,8 @@ SERIES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
+    "passivity_margin": worst,
+    "max_stable_stiffness": stiffest_stable,
 }
 
 

@@ -90,20 +90,31 @@ def worst(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
     """delta minus the largest need on (0, pi), with its limits at the ends."""
     if alpha < 0:
         return (arb("-inf"),)
+    return (arb(delta) - neediest(alpha, beta, d)[0],)
+
+
+def neediest(alpha: float, beta: float, d: float) -> tuple[Any, Any]:
+    """The largest need on (0, pi) and its angle, which is 0 where the need has its limit there."""
     whole, part = math.floor(d), d - math.floor(d)
     grid = angles(math.pi / (whole + 1))
     values = needed(alpha, beta, whole, part, _Floats)(grid)
     best = int(np.argmax(peaks(values)))
-    al, be, ep = arb(alpha), arb(beta), arb(part)
-    n = al * (arb(d) + arb(1) / 2) - be
-    found = [(n + (n * n + ep * (1 - ep) * al * al).sqrt()) / 2 if part else n]
-    exact = needed(al, be, whole, ep if part else 0, _Balls)
-    found.append(exact(arb(float(grid[best]))))
+    tried = [arb(0), arb(float(grid[best]))]
     if best + 1 < len(grid):
         before = grid[best - 1] if best else grid[0] / 10**6
+        exact = needed(arb(alpha), arb(beta), whole, arb(part) if part else 0, _Balls)
         angle = stationary(exact, *map(float, (before, grid[best], grid[best + 1])))
-        found += [exact(angle)] if angle.is_finite() else []
-    return (arb(delta) - max(found, key=lambda x: float(x.mid())),)
+        tried += [angle] if angle.is_finite() else []
+    found = [(need(arb(alpha), arb(beta), whole, arb(part), t), t) for t in tried]
+    return max(found, key=lambda pair: pair[0].mid())
+
+
+def need(alpha: Any, beta: Any, whole: int, part: Any, theta: Any) -> Any:
+    """What (5) asks of the damping at an angle, or in its limit at 0; balls or power series."""
+    if theta != 0:
+        return needed(alpha, beta, whole, part, _Balls)(theta)
+    n = alpha * (part + whole + _Balls.half) - beta
+    return (n + (n * n + part * (1 - part) * alpha * alpha).sqrt()) / 2 if part != 0 else n
 
 
 # -- the passivity boundary at a fraction of a period ------------------------------------------

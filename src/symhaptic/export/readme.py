@@ -14,7 +14,7 @@ from sympy import Expr
 
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED, REMARKS
 from symhaptic.export.library import Library
-from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.precision import Precision
 from symhaptic.export.target import Target
 from symhaptic.export.vectors import allowed
 from symhaptic.model.searched import LatePart, SomePart, WholePart
@@ -93,10 +93,12 @@ def _derivatives(form: Form, results: tuple[tuple[str, Expr], ...]) -> list[str]
 
 
 def _measured(form: Form, precision: Precision) -> float | None:
-    if form.plain is not None:
-        return DERIVATIVES.get(form.name) if precision is DOUBLE else None
-    worst = MEASURED[precision].get(form.name)
-    return None if worst is None else worst.error
+    """The worst of all results."""
+    plain = form.plain or form
+    records = [MEASURED] if form.plain is None else [MEASURED, DERIVATIVES]
+    errors = [found[precision][plain.name].error for found in records
+              if plain.name in found[precision]]  # fmt: skip
+    return max(errors) if len(errors) == len(records) else None
 
 
 @cache
