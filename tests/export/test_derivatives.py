@@ -12,10 +12,7 @@ from export.test_request import symhaptic
 from export.test_targets import run_all
 
 from symhaptic import lambdify
-from symhaptic.bench import error
-from symhaptic.bench.points import columns
 from symhaptic.export import library, request
-from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused
@@ -109,42 +106,14 @@ def test_beside_the_plain_function_in_one_library(tmp_path):
     run_all(TARGETS["c"], "haptic", tmp_path / "out")
 
 
-@pytest.fixture(scope="module")
-def compiled(tmp_path_factory):
-    """A function with its derivatives in C, compiled once."""
-
-    @cache
-    def made(name, precision):
-        form = asked(name)
-        return form, error.compiled(form, tmp_path_factory.mktemp(name), precision)
-
-    return made
-
-
-RECORDS = [(precision, name) for precision, names in DERIVATIVES.items() for name in names]
-every = pytest.mark.parametrize(("precision", "name"), RECORDS, ids=lambda x: getattr(x, "name", x))
-
-
-@every
-@needs_gcc
-def test_no_derivative_is_farther_off_than_recorded(precision, name, compiled):
-    """All hard cases and some others; the record is that of 10^4 points."""
-    form, run = compiled(name, precision)
-    arrays = columns(form, np.random.default_rng(2), 240 if precision is DOUBLE else 60, precision)
-    for result, (off, point) in error.compare(form, arrays, run(arrays), precision).items():
-        record = DERIVATIVES if "_by_" in result else MEASURED
-        assert round(off, 2) <= record[precision][name].error, (result, point)
-
-
-@every
-@needs_gcc
-def test_the_recorded_error_is_found_where_it_was(precision, name, compiled):
-    """At its own arguments: a smaller one means that the record has to shrink."""
-    form, run = compiled(name, precision)
-    record = DERIVATIVES[precision][name]
-    arrays = [np.array([x], dtype=precision.kind) for x in record.at]
-    found = error.compare(form, arrays, run(arrays), precision)[record.result][0]
-    assert found == pytest.approx(record.error, abs=0.006)
+@pytest.mark.parametrize(("precision", "said"), [(DOUBLE, True), (SINGLE, False)])
+def test_a_remark_stands_beside_the_figure_that_it_explains(precision, said):
+    """Also where the plain results are the worst ones; not beside that of another precision."""
+    target = TARGETS["c"].at(precision)
+    plain, *_ = request.chosen(["stability_boundary"])
+    for form in (plain, asked("stability_boundary", by=("gamma",))):
+        text = request.built(target, [form])[1]["README.md"]
+        assert ("Found by a search around the worst points" in text) is said
 
 
 HOSTILE = {

@@ -76,12 +76,14 @@ def boundary(theta: Series, gamma: Series, delta: Series, d: Series) -> tuple[Se
     whole = math.floor(float(d[0]))
     m2, m1, m0, a, e = late(gamma, delta, d - whole)
     cosine, sine, turn = theta.cos(), theta.sin(), (whole + 1) * theta
-    top, top_j = cosine * (1 + e) - a, sine * (1 - e)
-    low, low_j = (m2 + m0) * cosine + m1, (m2 - m0) * sine
-    size = low * low + low_j * low_j
-    ratio, ratio_j = (top * low + top_j * low_j) / size, (top_j * low - top * low_j) / size
-    beta = -(turn.cos() * ratio_j + turn.sin() * ratio) / sine
-    real = turn.sin() * ratio_j - turn.cos() * ratio
+    top, low = cosine * (1 + e) - a, (m2 + m0) * cosine + m1
+    left, right = 1 - e, m2 - m0  # the imaginary parts over sin(theta)
+    size = low * low + (right * sine) * (right * sine)
+    ratio = (top * low + left * right * sine * sine) / size
+    ahead = (left * low - top * right) / size
+    wave = turn.sin() / sine if whole else 1  # so that nothing is divided by zero at pi
+    beta = -(turn.cos() * ahead + wave * ratio)
+    real = turn.sin() * sine * ahead - turn.cos() * ratio
     return real - beta * (1 - cosine), beta
 
 
@@ -138,8 +140,6 @@ def stiffest_stable(gamma: Series, delta: Series, d: Series) -> tuple[Series, ..
     theta = exact.stiffest_stable(*(float(x[0]) for x in (gamma, delta, d)))[2]
     if not theta.is_finite():
         return (arb_series([theta] * 2, 2),)
-    if not theta < arb.pi():  # flat there, so that this changes the 36th digit
-        theta = arb.pi() - arb(2) ** -60
     return boundary(arb_series([theta], 2), gamma, delta, d)[:1]
 
 

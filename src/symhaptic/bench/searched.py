@@ -99,14 +99,14 @@ def neediest(alpha: float, beta: float, d: float) -> tuple[Any, Any]:
     grid = angles(math.pi / (whole + 1))
     values = needed(alpha, beta, whole, part, _Floats)(grid)
     best = int(np.argmax(peaks(values)))
+    wall = arb(alpha), arb(beta), whole, arb(part)
     tried = [arb(0), arb(float(grid[best]))]
     if best + 1 < len(grid):
         before = grid[best - 1] if best else grid[0] / 10**6
-        exact = needed(arb(alpha), arb(beta), whole, arb(part) if part else 0, _Balls)
-        angle = stationary(exact, *map(float, (before, grid[best], grid[best + 1])))
+        ends = map(float, (before, grid[best], grid[best + 1]))
+        angle = stationary(needed(*wall, _Balls), *ends)
         tried += [angle] if angle.is_finite() else []
-    found = [(need(arb(alpha), arb(beta), whole, arb(part), t), t) for t in tried]
-    return max(found, key=lambda pair: pair[0].mid())
+    return max(((need(*wall, t), t) for t in tried), key=lambda pair: pair[0].mid())
 
 
 def need(alpha: Any, beta: Any, whole: int, part: Any, theta: Any) -> Any:

@@ -12,7 +12,7 @@ from itertools import islice
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.export.accuracy import DERIVATIVES, MEASURED, REMARKS
+from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.library import Library
 from symhaptic.export.precision import Precision
 from symhaptic.export.target import Target
@@ -92,13 +92,20 @@ def _derivatives(form: Form, results: tuple[tuple[str, Expr], ...]) -> list[str]
     return lines
 
 
-def _measured(form: Form, precision: Precision) -> float | None:
-    """The worst of all results."""
+def _measured(form: Form, precision: Precision) -> list[str]:
+    """The worst of all results, and what is to say of it."""
     plain = form.plain or form
     records = [MEASURED] if form.plain is None else [MEASURED, DERIVATIVES]
-    errors = [found[precision][plain.name].error for found in records
-              if plain.name in found[precision]]  # fmt: skip
-    return max(errors) if len(errors) == len(records) else None
+    found = [r[precision][plain.name] for r in records if plain.name in r[precision]]
+    if len(found) < len(records):
+        return []
+    error = max(worst.error for worst in found)
+    return [
+        "",
+        f"Largest error measured: {error:g} units in the last place of the largest",
+        "term, in C, for the loop with all its parts (gcc, glibc, x86-64).",
+        *(line for worst in found for line in textwrap.wrap(worst.remark, 80)),
+    ]
 
 
 @cache
@@ -140,11 +147,7 @@ def _function(form: Form, precision: Precision) -> list[str]:
     lines += _formulas(plain)
     if form.plain is not None:
         lines += _derivatives(form, form.results[len(plain.results) :])
-    error = _measured(form, precision)
-    if error is not None:
-        lines += ["", f"Largest error measured: {error:g} units in the last place of the largest"]
-        lines += ["term, in C, for the loop with all its parts (gcc, glibc, x86-64)."]
-        lines += textwrap.wrap(REMARKS.get(form.name, ""), 80)
+    lines += _measured(form, precision)
     most = allowed(form)
     lines += ["", f"The self-test allows {most} units in the last place of the largest term.", ""]
     return lines

@@ -6,18 +6,16 @@ from typing import Any
 
 import numpy as np
 
+from symhaptic.model.angle_slopes import ChordSlope, Ripple, SpreadSlope
 from symhaptic.model.slopes import (
     ApartDrop,
     Bend,
-    ChordSlope,
     Coast,
     Ebb,
     Echo,
     FallDrop,
     Kick,
-    Ripple,
     RiseDrop,
-    SpreadSlope,
 )
 
 _DEVICE = (Kick, Coast, Ebb, Echo, RiseDrop, FallDrop, ApartDrop)

@@ -17,6 +17,7 @@ import sympy as sp
 from sympy import Expr, Symbol, sin
 
 from symhaptic.model import worst
+from symhaptic.model.angle_slopes import Ripple
 from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
 from symhaptic.model.entire import (
     Chord,
@@ -38,7 +39,7 @@ from symhaptic.model.searched import (
     SomePart,
     WholePart,
 )
-from symhaptic.model.slopes import STABLE, Ripple
+from symhaptic.model.slopes import STABLE
 from symhaptic.model.stable import Form, NoForm
 from symhaptic.model.stiffest_angle import StiffestAngle
 from symhaptic.notation import alpha, beta, d, epsilon, l, psi
