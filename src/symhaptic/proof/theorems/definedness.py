@@ -1,0 +1,99 @@
+"""Where does an expression have a value, and where is it real?
+
+Definedness is an obligation like any other: what is sufficient for it is said in relations, which
+become hypotheses of a theorem until they are shown.  Roots and powers are principal values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.proof.ball import differs_from_zero
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.notation.proposition import Proposition, Relation, is_complex
+
+_DIVISORS = {sp.tan: sp.cos, sp.cot: sp.sin, sp.tanh: sp.cosh}
+_REAL = (sp.exp, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.atan)
+_ALWAYS_REAL = (sp.Abs, sp.re, sp.im)
+
+
+def conditions(*exprs: Expr) -> frozenset[Proposition]:
+    """Relations that together are sufficient for all the expressions to have a value.
+
+    >>> x = sp.Symbol("x")
+    >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
+    True
+    """
+    found: set[Proposition] = set()
+    for expr in exprs:
+        for part in sp.preorder_traversal(expr):
+            for divisor in _divisors(part):
+                if not differs(divisor):
+                    found.add(Relation(divisor, "!=", sp.S.Zero))
+    return frozenset(found)
+
+
+def _divisors(part: Expr) -> Iterable[Expr]:
+    if part.is_Pow and not (part.exp.is_Rational and part.exp >= 0):
+        yield part.base
+    elif part.func in _DIVISORS:
+        yield _DIVISORS[part.func](part.args[0])
+    elif isinstance(part, sp.log):
+        yield part.args[0]
+    elif isinstance(part, sp.atan) and not real(part.args[0]):
+        yield 1 + part.args[0] ** 2
+
+
+def differs(number: Expr) -> bool:
+    """Whether a ball shows that an expression without symbols is not zero; an exponential never is."""
+    if isinstance(number, sp.exp):
+        return True
+    if number.free_symbols:
+        return False
+    try:
+        return bool(differs_from_zero(number))
+    except Unsupported:
+        return False
+
+
+def real(expr: Expr) -> bool:
+    """Whether an expression is real wherever it is defined, by its form alone.
+
+    >>> x, z = sp.symbols("x z")
+    >>> real(sp.sin(x)/x), real(sp.sqrt(x)), real(z**2)
+    (True, False, False)
+    """
+    if expr.is_Rational or expr in (sp.pi, sp.E):
+        return True
+    if expr.is_Symbol:
+        return not is_complex(expr)
+    if isinstance(expr, _ALWAYS_REAL):
+        return True
+    if not _mirrors(expr):
+        return False
+    if not expr.has(sp.I):
+        return True
+    try:
+        return is_zero(expr - expr.xreplace({sp.I: -sp.I}))
+    except (Unsupported, Undefined):
+        return False
+
+
+def _mirrors(expr: Expr) -> bool:
+    """Whether the conjugate of an expression is found by exchanging j and -j."""
+    if expr.is_Rational or expr in (sp.pi, sp.E, sp.I):
+        return True
+    if expr.is_Symbol:
+        return not is_complex(expr)
+    if expr.is_Pow:
+        base, power = expr.args
+        if power.is_Integer:
+            return _mirrors(base)
+        return bool(base.is_Rational and base > 0) and _mirrors(power)
+    if expr.is_Add or expr.is_Mul or isinstance(expr, _REAL):
+        return all(_mirrors(a) for a in expr.args)
+    return isinstance(expr, _ALWAYS_REAL)

@@ -1,0 +1,71 @@
+"""What the named predicates mean: the physics that a proposition about a wall stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, Symbol
+
+from symhaptic.notation.proposition import Iff, Not, Predicate, Relation, term
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule, whole
+
+
+@rule
+def whole_delay(wall: Sequence[Any], variable: Symbol) -> Judgement:
+    """Behind whole delays d the wall's force is (K + B (z-1)/(Tz)) z^-d x, held.
+
+    A device burns b p^2/T at least while it moves by p within a period, at constant speed, and the
+    held force works F p: Colgate and Schenkel, J. Robot. Syst. 14(1), 1997.
+    """
+    K, B, b, T, d = (term(t) for t in wall)
+    if any(variable in t.free_symbols for t in (K, B, b, T, d)):
+        raise NotShown(f"{variable} is bound")
+    response = (K + B * (variable - 1) / (T * variable)) * variable**-d
+    sampled = Predicate("passive", (variable,), (response, b / T))
+    period = Relation(sp.S.Zero, "<", T)
+    return {whole(d), period}, Iff((Predicate("passive_wall", (), (K, B, b, T, d)), sampled))
+
+
+@rule
+def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
+    """A motion at constant speeds, (time in periods, displacement) piece by piece, gains energy.
+
+    All in rational numbers: over each piece the damper burns b p^2/(duration T), and the wall takes
+    F p with the force that is held then, K x + B (x - x')/T of the sample d periods before.
+    """
+    K, B, b, T, d = (term(t) for t in wall)
+    pieces = [(sp.Rational(duration), sp.Rational(way)) for duration, way in motion]
+    if not all(v.is_Rational for v in (K, B, b, T, d)) or T <= 0 or d < 0 or b < 0:
+        raise NotShown("a wall in rational numbers is wanted, with T > 0, b >= 0 and d >= 0")
+    if any(duration <= 0 for duration, _ in pieces):
+        raise NotShown("a piece takes no time")
+    ends, places = [sp.S.Zero], [sp.S.Zero]
+    for duration, way in pieces:
+        ends.append(ends[-1] + duration)
+        places.append(places[-1] + way)
+
+    def position(time: Expr) -> Expr:
+        if time <= 0:
+            return sp.S.Zero
+        i = next((i for i, end in enumerate(ends) if end >= time), None)
+        if i is None:
+            return places[-1]
+        share = (time - ends[i - 1]) / (ends[i] - ends[i - 1])
+        return places[i - 1] + share * (places[i] - places[i - 1])
+
+    energy = sp.S.Zero
+    for i, (duration, way) in enumerate(pieces):
+        begin, end = ends[i], ends[i + 1]
+        energy += b * way**2 / (duration * T)
+        k = sp.floor(begin - d)
+        while k + d < end:
+            here, before = position(k), position(k - 1)
+            force = K * here + B * (here - before) / T
+            first, last = max(begin, k + d), min(end, k + 1 + d)
+            energy += force * (position(last) - position(first))
+            k += 1
+    if not energy < 0:
+        raise NotShown(f"the motion leaves the energy {energy}")
+    return (), Not((Predicate("passive_wall", (), (K, B, b, T, d)),))

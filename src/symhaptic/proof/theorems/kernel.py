@@ -1,0 +1,447 @@
+"""Theorems, and the rules of logic that make them.
+
+A theorem says that its conclusion is true for all values of the free symbols (real ones, or complex
+where the notation says so) for which its hypotheses are true.  Nobody but a rule makes one: each
+rule takes theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and
+what it was given, so that :func:`replayed` can derive it once more, elsewhere, from nothing.
+
+Rules are functions of this module, of ``leaves`` and of ``classical``; after these are imported no
+other can be added.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import wraps
+from typing import Any, ParamSpec, TypeAlias
+
+from sympy import Expr, Symbol
+
+from symhaptic.proof.theorems.definedness import conditions, differs, real
+from symhaptic.notation.proposition import (
+    FALSE,
+    And,
+    Exists,
+    ForAll,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Predicate,
+    Proposition,
+    Relation,
+    Terms,
+    conjuncts,
+    is_complex,
+    negated,
+    proposition,
+    term,
+)
+
+
+class NotShown(ValueError):
+    """A rule that does not apply; the message says what is missing."""
+
+
+Judgement: TypeAlias = tuple[Iterable[Proposition], Proposition]
+"""Hypotheses and conclusion."""
+
+_TOKEN = object()
+
+
+class Theorem:
+    """``hypotheses`` imply ``conclusion``; made by rules only."""
+
+    __slots__ = ("_given", "_rule", "conclusion", "hypotheses")
+
+    hypotheses: frozenset[Proposition]
+    conclusion: Proposition
+    _rule: str
+    _given: tuple[tuple[Any, ...], tuple[tuple[str, Any], ...]]
+
+    def __init__(self, token: object, judgement: Judgement, rule: str, given: Any) -> None:
+        if token is not _TOKEN:
+            raise NotShown("a theorem is made by a rule, not by hand")
+        hypotheses, conclusion = judgement
+        object.__setattr__(self, "hypotheses", frozenset(hypotheses))
+        object.__setattr__(self, "conclusion", conclusion)
+        object.__setattr__(self, "_rule", rule)
+        object.__setattr__(self, "_given", given)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError("a theorem does not change")
+
+    def __reduce__(self) -> Any:
+        return _derived, (self._rule, *self._given)
+
+    @property
+    def rule(self) -> str:
+        """The rule that made it."""
+        return self._rule
+
+    @property
+    def premises(self) -> tuple[Theorem, ...]:
+        """The theorems that the rule was given."""
+        return tuple(_theorems([*self._given[0], *(v for _, v in self._given[1])]))
+
+    def __repr__(self) -> str:
+        return f"<theorem by {self._rule}: {len(self.hypotheses)} hypotheses, {self.conclusion}>"
+
+
+_RULES: dict[str, Callable[..., Judgement]] = {}
+_HOMES = tuple(f"symhaptic.proof.theorems.{name}" for name in ("kernel", "leaves", "classical", "definitions"))
+
+_P = ParamSpec("_P")
+
+
+def rule(build: Callable[_P, Judgement]) -> Callable[_P, Theorem]:
+    """A way to a theorem; refused outside the modules that are to be believed."""
+    name = build.__name__
+    if build.__module__ not in _HOMES or name in _RULES:
+        raise NotShown(f"{build.__module__}.{name} is no rule; rules stand in {', '.join(_HOMES)}")
+    _RULES[name] = build
+
+    @wraps(build)
+    def apply(*args: _P.args, **named: _P.kwargs) -> Theorem:
+        return _derived(name, args, tuple(named.items()))
+
+    return apply
+
+
+def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
+    for theorem in _theorems([*args, *(v for _, v in named)]):
+        if type(theorem) is not Theorem:
+            raise NotShown("what looks like a theorem is none")
+    return Theorem(_TOKEN, _RULES[name](*args, **dict(named)), name, (args, named))
+
+
+def _theorems(parts: Iterable[Any]) -> Iterator[Theorem]:
+    for part in parts:
+        if isinstance(part, Theorem):
+            yield part
+        elif isinstance(part, (tuple, list)):
+            yield from _theorems(part)
+        elif isinstance(part, Mapping):
+            yield from _theorems(part.values())
+
+
+def replayed(theorem: Theorem) -> Theorem:
+    """The theorem derived once more, all its leaves decided again."""
+    done: dict[int, Theorem] = {}
+
+    def again(part: Any) -> Any:
+        if isinstance(part, Theorem):
+            if id(part) not in done:
+                args, named = part._given
+                done[id(part)] = _derived(
+                    part._rule, again(args), tuple((n, again(v)) for n, v in named)
+                )
+            return done[id(part)]
+        if isinstance(part, (tuple, list)):
+            return type(part)(again(p) for p in part)
+        if isinstance(part, Mapping):
+            return {k: again(v) for k, v in part.items()}
+        return part
+
+    found: Theorem = again(theorem)
+    if (found.hypotheses, found.conclusion) != (theorem.hypotheses, theorem.conclusion):
+        raise NotShown("a theorem says something else when it is derived again")
+    return found
+
+
+def leaves_of(theorem: Theorem) -> dict[str, int]:
+    """The rules that a theorem rests on, with how often each is used."""
+    seen: set[int] = set()
+    counts: dict[str, int] = {}
+
+    def visit(part: Theorem) -> None:
+        if id(part) not in seen:
+            seen.add(id(part))
+            counts[part.rule] = counts.get(part.rule, 0) + 1
+            for premise in part.premises:
+                visit(premise)
+
+    visit(theorem)
+    return counts
+
+
+# -- hypotheses ------------------------------------------------------------------------
+
+
+@rule
+def assume(claim: Any) -> Judgement:
+    """p |- p."""
+    claim = proposition(claim)
+    return [claim], claim
+
+
+@rule
+def weakened(theorem: Theorem, *more: Any) -> Judgement:
+    """G |- q gives G, p |- q."""
+    return theorem.hypotheses | {proposition(p) for p in more}, theorem.conclusion
+
+
+@rule
+def discharged(theorem: Theorem, *given: Any) -> Judgement:
+    """G |- q gives G without p |- p => q; of several hypotheses, their conjunction implies q."""
+    found = tuple(proposition(p) for p in given)
+    if not found:
+        raise NotShown("nothing to discharge")
+    left = theorem.hypotheses - {c for p in found for c in conjuncts(p)} - set(found)
+    given_ = found[0] if len(found) == 1 else And(found)
+    return left, Implies((given_, theorem.conclusion))
+
+
+@rule
+def cut(theorem: Theorem, *lemmas: Theorem) -> Judgement:
+    """Hypotheses that lemmas conclude give way to the hypotheses of the lemmas."""
+    shown = {c for lemma in lemmas for c in conjuncts(lemma.conclusion)}
+    shown |= {lemma.conclusion for lemma in lemmas}
+    if not shown & theorem.hypotheses:
+        raise NotShown("no lemma concludes a hypothesis")
+    left = theorem.hypotheses - shown
+    return left.union(*(lemma.hypotheses for lemma in lemmas)), theorem.conclusion
+
+
+@rule
+def applied(implication: Theorem, given: Theorem) -> Judgement:
+    """p => q and p give q; so does p <=> q, in either direction."""
+    claim = implication.conclusion
+    hypotheses = implication.hypotheses | given.hypotheses
+    if isinstance(claim, Implies) and _covers(given.conclusion, claim.of[0]):
+        return hypotheses, claim.of[1]
+    if isinstance(claim, Iff):
+        for one, other in (claim.of, claim.of[::-1]):
+            if _covers(given.conclusion, one):
+                return hypotheses, other
+    raise NotShown(f"{given.conclusion} is not what is implied from")
+
+
+def _covers(known: Proposition, wanted: Proposition) -> bool:
+    have = {known, *conjuncts(known)}
+    return wanted in have or all(c in have for c in conjuncts(wanted))
+
+
+# -- connectives -----------------------------------------------------------------------
+
+
+@rule
+def conjoined(*theorems: Theorem) -> Judgement:
+    """p and q give p /\\ q."""
+    return (
+        frozenset().union(*(t.hypotheses for t in theorems)),
+        And(tuple(t.conclusion for t in theorems)),
+    )
+
+
+@rule
+def part(theorem: Theorem, wanted: Any) -> Judgement:
+    """p /\\ q gives p."""
+    wanted = proposition(wanted)
+    if not _covers(theorem.conclusion, wanted):
+        raise NotShown(f"{wanted} is no part of {theorem.conclusion}")
+    return theorem.hypotheses, wanted
+
+
+@rule
+def widened(theorem: Theorem, wanted: Proposition) -> Judgement:
+    """p gives p \\/ q."""
+    if not isinstance(wanted, Or) or theorem.conclusion not in wanted.of:
+        raise NotShown("the conclusion is none of the cases")
+    return theorem.hypotheses, wanted
+
+
+@rule
+def by_cases(cover: Theorem, *cases: Theorem) -> Judgement:
+    """p \\/ q, and r from either, give r; each case may use its own disjunct as a hypothesis."""
+    if not isinstance(cover.conclusion, Or) or len(cover.conclusion.of) != len(cases):
+        raise NotShown("there is not one theorem for each case")
+    hypotheses = set(cover.hypotheses)
+    for disjunct, case in zip(cover.conclusion.of, cases, strict=True):
+        if case.conclusion != cases[0].conclusion:
+            raise NotShown("the cases conclude different things")
+        hypotheses |= case.hypotheses - {disjunct, *conjuncts(disjunct)}
+    return hypotheses, cases[0].conclusion
+
+
+@rule
+def ordered(left: Any, right: Any) -> Judgement:
+    """a < b or b <= a, where both are real and defined."""
+    left, right = term(left), term(right)
+    if not (real(left) and real(right)):
+        raise NotShown(f"{left} or {right} is not real by its form")
+    return conditions(left, right), Or((Relation(left, "<", right), Relation(right, "<=", left)))
+
+
+@rule
+def decided(left: Any, right: Any) -> Judgement:
+    """a = b or a != b, where both are defined."""
+    left, right = term(left), term(right)
+    return conditions(left, right), Or((Relation(left, "=", right), Relation(left, "!=", right)))
+
+
+@rule
+def absurd(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
+    """p and not p give the negation of a hypothesis; without one, falsehood.
+
+    Of a relation the opposite one denies it, too: a < b and b <= a.
+    """
+    claim, other = theorem.conclusion, denial.conclusion
+    denied = other == Not((claim,)) or (isinstance(claim, Relation) and other in _against(claim))
+    if not denied:
+        raise NotShown(f"{other} does not contradict {claim}")
+    hypotheses = theorem.hypotheses | denial.hypotheses
+    found = tuple(proposition(p) for p in given)
+    if not found:
+        return hypotheses, FALSE
+    left = hypotheses - {c for p in found for c in conjuncts(p)} - set(found)
+    return left, Not((found[0] if len(found) == 1 else And(found),))
+
+
+def _against(claim: Relation) -> set[Proposition]:
+    """Relations that cannot hold beside one."""
+    left, right = claim.left, claim.right
+    found: set[Proposition] = {negated(claim)}
+    if claim.sign in ("=", "!="):
+        found.add(Relation(right, negated(claim).sign, left))
+    if claim.sign == "=":
+        found |= {Relation(left, "<", right), Relation(right, "<", left)}
+    if claim.sign == "<":
+        found |= {Relation(right, "<", left), Relation(left, "=", right), Relation(right, "=", left)}
+    return found
+
+
+@rule
+def denied(theorem: Theorem, wanted: Any) -> Judgement:
+    """From b <= a the negation of a < b, and so on for each relation that cannot hold beside."""
+    wanted = proposition(wanted)
+    if not isinstance(wanted, Relation) or theorem.conclusion not in _against(wanted):
+        raise NotShown(f"{theorem.conclusion} does not contradict {wanted}")
+    return theorem.hypotheses, Not((wanted,))
+
+
+@rule
+def anything(falsehood: Theorem, wanted: Any) -> Judgement:
+    """Falsehood gives anything."""
+    if falsehood.conclusion != FALSE:
+        raise NotShown("the premise is not false")
+    return falsehood.hypotheses, proposition(wanted)
+
+
+@rule
+def equivalent(one: Theorem, other: Theorem) -> Judgement:
+    """p => q and q => p give p <=> q."""
+    there, back = one.conclusion, other.conclusion
+    if not (isinstance(there, Implies) and isinstance(back, Implies) and there.of == back.of[::-1]):
+        raise NotShown("the two implications are not each other's converse")
+    return one.hypotheses | other.hypotheses, Iff(there.of)
+
+
+# -- quantifiers -----------------------------------------------------------------------
+
+
+@rule
+def general(theorem: Theorem, *symbols: Symbol) -> Judgement:
+    """What holds for a symbol that no hypothesis knows holds for all of its values."""
+    for symbol in symbols:
+        if any(symbol in p.free for p in theorem.hypotheses):
+            raise NotShown(f"a hypothesis is about {symbol}")
+    return theorem.hypotheses, ForAll(symbols, theorem.conclusion)
+
+
+@rule
+def instance(theorem: Theorem, values: Terms) -> Judgement:
+    """For all x: p(x) gives p(a), a real term; its definedness becomes a hypothesis."""
+    claim = theorem.conclusion
+    if not isinstance(claim, ForAll) or set(values) != set(claim.over):
+        raise NotShown(f"{claim} is not for all {', '.join(map(str, values))}")
+    return theorem.hypotheses | _allowed(values, claim.body), claim.body.at(values)
+
+
+@rule
+def placed(theorem: Theorem, values: Terms) -> Judgement:
+    """Real terms in place of free symbols, in hypotheses and conclusion alike.
+
+    Where SymPy cancels a divisor of a hypothesis on the way, that it is not zero becomes a
+    hypothesis of its own: a hypothesis must not become weaker.
+    """
+    extra = _allowed(values, theorem.conclusion)
+    for claim in theorem.hypotheses:
+        extra |= _allowed(values, claim)
+    return {p.at(values) for p in theorem.hypotheses} | extra, theorem.conclusion.at(values)
+
+
+def _allowed(values: Terms, claim: Proposition) -> set[Proposition]:
+    """What has to hold so that a claim at these terms is the claim at their values."""
+    for symbol, value in values.items():
+        if not is_complex(symbol) and not real(term(value)):
+            raise NotShown(f"{value} is not real by its form, {symbol} is")
+    return set(conditions(*map(term, values.values()))) | _lost(values, claim)
+
+
+def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
+    """Conditions of a claim's terms that are no conditions any more of what they become."""
+    bound: set[Symbol] = set()
+    found: set[Proposition] = set()
+    stack = [(claim, frozenset[Symbol]())]
+    while stack:
+        current, inside = stack.pop()
+        bound = set(inside) | set(current.bound)
+        here = {s: term(v) for s, v in values.items() if s not in bound}
+        for old in current.terms:
+            new = old.xreplace(here)
+            for condition in conditions(old):
+                moved = condition.at(here)
+                if moved not in conditions(new) and not differs(_divisor(moved)):
+                    if moved.free & bound:
+                        raise NotShown(f"a divisor of {old} is lost under its quantifier")
+                    found.add(moved)
+        stack += [(p, frozenset(bound)) for p in current.parts]
+    return found
+
+
+def _divisor(condition: Proposition) -> Expr:
+    assert isinstance(condition, Relation)
+    return condition.left
+
+
+@rule
+def witnessed(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement:
+    """p(a), for real terms a, gives that there is an x with p(x)."""
+    if not isinstance(wanted, Exists) or set(values) != set(wanted.over):
+        raise NotShown("no value for each of the symbols")
+    if _lost(values, wanted.body) or wanted.body.at(values) != theorem.conclusion:
+        raise NotShown(f"{theorem.conclusion} is not {wanted} at these values")
+    return theorem.hypotheses | _allowed(values, wanted.body), wanted
+
+
+@rule
+def chosen(existence: Theorem, theorem: Theorem) -> Judgement:
+    """There is an x with p(x), and p(x) |- q where q does not know x, give q."""
+    claim = existence.conclusion
+    if not isinstance(claim, Exists):
+        raise NotShown(f"{claim} says nothing of existence")
+    left = theorem.hypotheses - {claim.body, *conjuncts(claim.body)}
+    known = theorem.conclusion.free.union(*(p.free for p in left))
+    if known & set(claim.over):
+        raise NotShown("more is said of what exists than its property")
+    return left | existence.hypotheses, theorem.conclusion
+
+
+@rule
+def unfolded(theorem: Theorem) -> Judgement:
+    """p => q gives q under the hypothesis p, and p /\\ q => r under both."""
+    if not isinstance(theorem.conclusion, Implies):
+        raise NotShown("the conclusion is no implication")
+    given, then = theorem.conclusion.of
+    return theorem.hypotheses | set(conjuncts(given)), then
+
+
+def entails(theorem: Theorem, wanted: Proposition) -> bool:
+    """Whether a theorem without open hypotheses says exactly this."""
+    return not theorem.hypotheses and theorem.conclusion == wanted
+
+
+def whole(value: Any) -> Predicate:
+    """``value`` is a whole number, zero included."""
+    return Predicate("whole", (), (term(value),))
