@@ -5,11 +5,27 @@ coupled to a device whose only loss is its damping $b$. We ask for which $(K,B)$
 the device can extract energy.
 """
 
-from sympy import Abs, Rational, S, cos, pi, sin
+from sympy import Ne, Rational, S, cos, pi, sin
 
+from symhaptic.book.lemmas.passivity import INSIDE, passive_by_angle
 from symhaptic.model import passivity, wall
 from symhaptic.notation import B, K, T, b, d, m, omega, theta
-from symhaptic.proof.sign import assume, combined, cosine
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.definitions import gains
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.leaves import bounded, combined, square
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    counterexample,
+    example,
+    follows,
+    for_all,
+    over,
+    positive,
+    sine_of_half,
+)
 
 
 def derive(page):
@@ -46,87 +62,85 @@ def derive(page):
         because="the Dirichlet kernel of order $d$ against a single cosine; the mass has dropped "
         "out",
     )
+    page.lemma(
+        "A wall is passive behind a whole delay if and only if it does not pull and the damper "
+        "burns enough at each angle",
+        passive_by_angle(),
+        because="the energy of a motion is the integral of the margin over the spectrum of its "
+        "displacements, and what the spring stores at the end",
+        boxed=True,
+    )
+    page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
     page.say(
         "A delay that is no whole number of periods does not act as $z^{-d}$ on the samples. With "
         "half a period of delay, let the device move by $\\tfrac32$ in the first half of each "
-        "period, "
-        "where the force is still the one before, and by 1 in the second; after 30 periods it goes "
-        "back in the same way."
+        "period, where the force is still the one before, and by 1 in the second; after 30 periods "
+        "it goes back in the same way. For $K=T=1$, $B=0$ and $b=\\tfrac{101}{100}$ the hand gains "
+        "$\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac{\\theta}{2}$ there and holds. And a "
+        "spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2."
     )
-    late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
-    page.step(
-        "Energy left to damper and wall",
-        late,
-        390 * b / T + 345 * B / T - 1605 * K / 4,
-        name="E",
-        because="for $K=T=1$, $B=0$ and $b=\\tfrac{101}{100}$ it is $-\\tfrac{147}{20}$, although "
-        "(5) reads $b>\\cos\\frac{\\theta}{2}$ there and holds",
-    )
+    _settle(page, b > brackets.subs(theta, omega * T))
+
+
+def _settle(page, printed):
+    """(5) is sufficient for whole delays and walls that do not pull."""
+    claim = CLAIMED["eq5"]((printed,))
+    symbols, (*loop, frequencies), _ = taken_apart(claim)
+    angle = theta / T
+    inside = over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0)
+    meets = at(assume(frequencies), {omega: angle}, *inside)
+    apart = positive(Ne(T, 0), T > 0), *_divisors(theta)
+    margin = closed(positive(passivity.margin() >= 0, [meets]), *apart)
+    always = for_all([theta], INSIDE, margin)
+    passive = follows(passive_by_angle(), assume(K >= 0), always)
+    given = [*loop, frequencies, whole(d), K >= 0]
+    theorem = for_all(symbols, given, weakened(passive, *loop))
+
+    half, quarter = S.Half, Rational(1, 4)
+    late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: half}
+    pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
+    soft = {K: S.Zero, B: half, b: S.One, T: S.One, d: S.Zero}
+
+    def holds(point, *products):
+        relation = frequencies.body.of[1].at(point)
+        found = closed(combined(relation, *products), *_divisors(omega))
+        return for_all([omega], [omega > 0, omega < pi], found)
+
+    slow = [half, square(1 - cos(omega / 2))], [half, bounded(cos, omega / 2)]
+    full = [quarter, square(1 + cos(omega))], [quarter, bounded(cos, omega)]
+    steps = [(half, Rational(3, 2)), (half, S.One)]
+    motion = 30 * steps + 30 * [(time, -way) for time, way in steps]
     page.settle(
         "eq5",
-        b > brackets.subs(theta, omega * T),
-        provided=r"d\in\mathbb{N}_0,\ K\ge0",
-        unless={
-            d: S.Half,
-            K: S.One,
-            T: S.One,
-            B: S.Zero,
-            b: Rational(101, 100),
-            omega: S.One,
-        },
-        truth=late >= 0,
+        theorem,
+        printed,
+        example=example(soft, given, holds(soft, *full, [half])),
+        unless=[
+            counterexample(
+                claim,
+                late,
+                *(holds(late, *slow, [Rational(1, 100)]), gains(list(late.values()), motion)),
+                holds=[K >= 0],
+                but=whole(d),
+            ),
+            counterexample(
+                claim,
+                pulled,
+                *(holds(pulled, [Rational(3, 2)]), gains(list(pulled.values()), 4 * [(1, 1)])),
+                holds=[whole(d)],
+                but=K >= 0,
+            ),
+        ],
         shows=r"half a period late, (5) holds at every frequency, yet a motion extracts $147/20$",
         note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
         "of the held force it allows walls that are not passive, and forbids some that are",
     )
-    page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
 
-    page.say("Without delay the kernel is a constant, and one cosine is left.")
-    undelayed = page.step(
-        "No delay",
-        passivity.dirichlet_form().subs(d, 0),
-        K * T / 2 - B * cos(theta),
-        name=r"\left.\text{need}\right|_{d=0}",
-        because="the kernel of order 0 is $\\tfrac12$",
-    )
-    page.step(
-        "Distance to the border, $B\\ge0$",
-        K * T / 2 + B - undelayed,
-        2 * B * cos(theta / 2) ** 2,
-        name=r"\tfrac{KT}{2}+B-\text{need}",
-        because="tends to 0 for $\\theta\\to\\pi$ and is positive before",
-    )
-    page.step(
-        "Distance to the border, $B\\le0$",
-        K * T / 2 - B - undelayed,
-        -2 * B * sin(theta / 2) ** 2,
-        name=r"\tfrac{KT}{2}-B-\text{need}",
-        because="tends to 0 for $\\theta\\to0$ and is positive after",
-    )
-    page.say(
-        "So $KT/2+|B|$ is the least upper bound over the open interval, and for $B\\ne0$ it is "
-        "not attained: a wall with $b$ exactly there still satisfies (5) at every frequency. The "
-        "strict sign of (6) excludes it; with $\\ge$ in place of $>$ both would agree. And a "
-        "negative $K$ satisfies either one without being passive."
-    )
-    border = {K: S.One, T: S.One, B: S.One, b: S(3) / 2}
-    half = cosine(assume(theta / 2), assume(pi / 2 - theta / 2))
-    holds = combined((b - undelayed).subs(border), [2, half, half])
-    agreement = r"B=0\ \text{or}\ b\ne KT/2+|B|"
-    page.settle(
-        "s3a-undelayed",
-        b > undelayed.subs(theta, omega * T),
-        provided=agreement,
-        unless=border | {omega: S.One},
-        truth=b > K * T / 2 + Abs(B),
-        shows=r"(5) holds at every frequency, (6) says $\tfrac32>\tfrac32$",
-        note="the form for $d=0$ is right for all values; its summary (6) needs the condition",
-    )
-    page.settle(
-        "eq6",
-        b > K * T / 2 + Abs(B),
-        provided=rf"K\ge0,\ {agreement}",
-        unless=border,
-        truth=holds,
-        shows=r"(5) reads $1+\cos\theta>0$ and holds, (6) says $\tfrac32>\tfrac32$",
+
+def _divisors(angle):
+    """What the condition is divided by is not zero at an angle between 0 and pi."""
+    half = sine_of_half(angle)
+    return (
+        positive(Ne(sin(angle / 2), 0), [half]),
+        positive(Ne(2 - 2 * cos(angle), 0), [4, half, half]),
     )

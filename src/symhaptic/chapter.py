@@ -17,7 +17,10 @@ from flint import arb
 from sympy import Expr
 
 from symhaptic.latex import latex
+from symhaptic.notation.proposition import Proposition, implied
+from symhaptic.notation.written import written
 from symhaptic.paper import STATEMENTS, Statement
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
 from symhaptic.proof.certificate import Zero
@@ -27,6 +30,9 @@ from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.settle import Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
+from symhaptic.proof.theorems import analysis, energy, roots
+from symhaptic.proof.theorems.judge import Case, Judged
+from symhaptic.proof.theorems.kernel import Theorem, conjoined, leaves_of
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
 from symhaptic.record import Block, Evidence, FalseStep, Record
@@ -94,6 +100,17 @@ class Page(Record):
         lines = [(name, "=", expr)]
         self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)
         return expr
+
+    def lemma(
+        self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
+    ) -> Theorem:
+        """A theorem of the kernel: its hypotheses, and what they imply."""
+        claim = implied(sorted(theorem.hypotheses, key=written), theorem.conclusion)
+        sources = analysis.SOURCES | energy.SOURCES | roots.SOURCES
+        rules = ", ".join(sorted(leaves_of(theorem).keys() & sources.keys()))
+        method = f"a theorem of the kernel{f' by {rules}' if rules else ''}".replace("_", " ")
+        self._equation(title, [("", "", written(claim))], "proved", method, because, boxed)
+        return theorem
 
     def minimal(
         self, title: str, numbers: Sequence[tuple[str, Algebraic]], because: str = ""
@@ -264,23 +281,33 @@ class Page(Record):
 
     # -- statements ---------------------------------------------------------------------
 
-    def state(self, id: str, says: str, *printed: str) -> Statement:
-        """A statement of one's own, to be settled like those of the paper; formulas in LaTeX."""
+    def state(
+        self, id: str, says: str, *printed: str, claim: Proposition | None = None
+    ) -> Statement:
+        """A statement of one's own, to be settled like those of the paper; formulas in LaTeX.
+
+        ``claim`` is what it says, as a proposition.
+        """
         for line in printed:
             read(line)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
+        if claim is not None:
+            self.claimed[id] = lambda printed: claim
         self.own[id] = Statement(id, self.name, says, printed)
         return self.own[id]
 
     def settle(
         self,
         id: str,
-        *grounds: Form | Evidence | Fact | Witness,
+        *grounds: Form | Evidence | Fact | Witness | Theorem,
         definition: bool = False,
         given: Mapping[Expr, Expr] | None = None,
         provided: str | None = None,
-        unless: Point | None = None,
+        unless: Point | Sequence[Case] | None = None,
+        example: Case | None = None,
+        instead: Proposition | None = None,
+        enclosed: bool = False,
         truth: Truth = None,
         specialise: Callable[[Expr], Expr] | None = None,
         corrected: Sequence[str] | None = None,
@@ -297,15 +324,45 @@ class Page(Record):
         it where the statement fails, that is where the printed form (after ``specialise``) and
         the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
         ``value`` is the number that the text quotes, exact or in a ball, or several of them.
+
+        A theorem among the grounds has to say what the statement claims, see
+        :mod:`symhaptic.proof.theorems.judge`: with further hypotheses it is qualified, if there is
+        an ``example`` at which they hold and, in ``unless``, a case for each in which it alone is
+        violated and the claim fails.  Of what is false, the theorem is of the ``corrected`` print,
+        or of what holds ``instead``.
         """
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
-        proving = (Evidence, Fact, Witness)
+        theorems = [g for g in grounds if isinstance(g, Theorem)]
+        proving = (Evidence, Fact, Witness, Theorem)
         forms = [p for g in grounds if not isinstance(g, proving) for p in parts(g)]
         proofs = [
-            g.reason if isinstance(g, Fact) else g.method for g in grounds if isinstance(g, proving)
+            g.reason if isinstance(g, Fact) else g.method
+            for g in grounds
+            if isinstance(g, (Evidence, Fact, Witness))
         ]
+        if theorems:
+            judged = Judged(
+                theorem=theorems[0] if len(theorems) == 1 else conjoined(*theorems),
+                example=example,
+                unless=tuple(unless or ()),
+                corrected=None if corrected is None else tuple(corrected),
+                instead=instead,
+                misprint=misprint,
+                enclosed=enclosed,
+                shows=shows,
+                note=note,
+            )
+            values = () if value is None else value if isinstance(value, Sequence) else (value,)
+            settlement = Settlement(
+                tuple(forms),
+                judged=judged,
+                claim=self.claimed.get(id) or CLAIMED.get(id),
+                values=tuple(values),
+                quoted=statement.quoted,
+            )
+            return self._record(statement, settlement)
         checks = tuple(check for g in grounds for check in _checks(g))
         for ground in grounds:
             if isinstance(ground, Fact):
@@ -317,7 +374,7 @@ class Page(Record):
             given=dict(given or {}),
             definition=definition,
             provided=provided,
-            unless=unless,
+            unless=unless,  # type: ignore[arg-type]
             truth=truth,
             specialise=specialise,
             corrected=None if corrected is None else tuple(corrected),

@@ -43,6 +43,8 @@ class Entry:
             "location": self.statement.location,
             "statement": self.statement.text,
             "verdict": str(v.kind),
+            "proposition": v.proposition,
+            "rests": list(v.rests),
             "method": v.method,
             "condition": v.condition,
             "corrected": None if corrected is None else corrected.replace(r"\br ", ""),

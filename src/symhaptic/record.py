@@ -11,6 +11,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.paper import Statement
+from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.checks import Check, Limit, Same
 from symhaptic.proof.decide import Form, compare, parts
@@ -74,6 +75,8 @@ class Record:
     blocks: list[Block] = field(default_factory=list)
     settled: dict[str, Settled] = field(default_factory=dict)
     own: dict[str, Statement] = field(default_factory=dict)
+    claimed: dict[str, Claim] = field(default_factory=dict)
+    """What statements of one's own claim."""
     certificates: list[Certificate] = field(default_factory=list)
     """Of the balls that the chapter rests on; they are checked again when it has been run."""
     checks: list[tuple[str, Check]] = field(default_factory=list)

@@ -51,7 +51,12 @@ def term(of: Any) -> Expr:
             if part != (part if isinstance(part, sp.Dummy) else Symbol(part.name)):
                 raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
             continue
-        if part.is_Add or part.is_Mul or part.is_Pow or isinstance(part, (*FUNCTIONS, AppliedUndef)):
+        if (
+            part.is_Add
+            or part.is_Mul
+            or part.is_Pow
+            or isinstance(part, (*FUNCTIONS, AppliedUndef))
+        ):
             continue
         raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
     return expr
@@ -149,9 +154,11 @@ class Relation(Proposition):
 
     @property
     def terms(self) -> tuple[Expr, ...]:
+        """Its two sides."""
         return self.left, self.right
 
     def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Relation:
+        """The same sign between other terms."""
         return Relation(terms[0], self.sign, terms[1])
 
 
@@ -179,13 +186,16 @@ class Predicate(Proposition):
 
     @property
     def bound(self) -> tuple[Symbol, ...]:
+        """Symbols bound in its terms."""
         return self.over
 
     @property
     def terms(self) -> tuple[Expr, ...]:
+        """What it is said of."""
         return self.of
 
     def made(self, bound: Any, terms: Any, parts: Any) -> Predicate:
+        """The same predicate of other terms."""
         return Predicate(self.name, bound, terms)
 
 

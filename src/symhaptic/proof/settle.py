@@ -11,6 +11,7 @@ from flint import arb
 from sympy import Expr
 from sympy.core.relational import Relational
 
+from symhaptic.paper.propositions import Claim
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
 from symhaptic.proof.ball import Value, value_at
@@ -20,8 +21,9 @@ from symhaptic.proof.constants import decimals, holds, measured, rounding
 from symhaptic.proof.decide import Form, compare, differ, equal, named, parts
 from symhaptic.proof.points import Point
 from symhaptic.proof.sign import Fact
+from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of
-from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
+from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
 ACCEPTED = PASSES | {Kind.QUALIFIED}
 """Verdicts of what is right, with a condition or without."""
@@ -44,10 +46,6 @@ Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | Witness | None
 fact that contradicts it (false), or a witness (false)."""
 
 
-class Unfounded(ValueError):
-    """Grounds that do not support what is claimed of a statement."""
-
-
 @dataclass(frozen=True)
 class Settlement:
     """The grounds on which a statement is judged; see :meth:`symhaptic.chapter.Page.settle`."""
@@ -67,9 +65,15 @@ class Settlement:
     external: str | None = None
     shows: str | None = None
     note: str | None = None
+    judged: Judged | None = None
+    """The theorems that show it, of what is claimed."""
+    claim: Claim | None = None
 
     def decide(self, printed: Printed) -> Verdict:
         """The verdict on a printed form."""
+        if self.judged is not None:
+            verdict = self._judged(printed)
+            return self._constants(verdict) if self.values else verdict
         if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         if not self.values:
@@ -84,12 +88,28 @@ class Settlement:
         As :meth:`decide`, without asking at which point a wrong form fails where that decides it.
         """
         right = not WRONG & kinds
-        if right and printed and self.derived and not self._derives(printed):
+        if (
+            self.judged is None
+            and right
+            and printed
+            and self.derived
+            and not self._derives(printed)
+        ):
             return False
         try:
             return self.decide(printed).kind in kinds
         except Unfounded:
             return False
+
+    def _judged(self, printed: Printed) -> Verdict:
+        """The verdict that the theorems give; a printed form has to be the derived one, too."""
+        if self.judged is None or self.claim is None:
+            raise Unfounded("nothing formal is claimed by the statement")
+        right = None
+        if self.judged.corrected is not None:
+            lines = tuple(p for line in self.judged.corrected for p in read(line))
+            right = self.claim(lines)
+        return self.judged.decide(self.claim(printed), right)
 
     def _without_constants(self, printed: Printed) -> Verdict:
         if not printed or not self.derived:

@@ -21,11 +21,16 @@ class Kind(StrEnum):
     MISPRINT = "misprint"
     REFUTED = "refuted"
     EXTERNAL = "external"
+    ARGUED = "argued"
     UNDECIDED = "undecided"
 
 
 PASSES = frozenset({Kind.DEFINITION, Kind.PROVED, Kind.ENCLOSED})
 """Verdicts of what is right as it stands."""
+
+
+class Unfounded(ValueError):
+    """Grounds that do not support what is claimed of a statement."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +52,10 @@ class Verdict:
     value: str | None = None
     radius: str | None = None
     note: str | None = None
+    proposition: str | None = None
+    """LaTeX of what the statement claims."""
+    rests: tuple[str, ...] = ()
+    """The deciders and rules that the theorem rests on."""
     certificate: Certificate | None = field(default=None, repr=False, compare=False)
     """Of an inequality on a box; :func:`symhaptic.recheck` checks it again."""
 

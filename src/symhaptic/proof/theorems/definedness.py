@@ -11,10 +11,10 @@ from collections.abc import Iterable
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.notation.proposition import Proposition, Relation, is_complex
 from symhaptic.proof.ball import differs_from_zero
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.notation.proposition import Proposition, Relation, is_complex
 
 _DIVISORS = {sp.tan: sp.cos, sp.cot: sp.sin, sp.tanh: sp.cosh}
 _REAL = (sp.exp, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.atan)
@@ -49,7 +49,7 @@ def _divisors(part: Expr) -> Iterable[Expr]:
 
 
 def differs(number: Expr) -> bool:
-    """Whether a ball shows that an expression without symbols is not zero; an exponential never is."""
+    """Whether a ball shows that a number is not zero; an exponential never is."""
     if isinstance(number, sp.exp):
         return True
     if number.free_symbols:

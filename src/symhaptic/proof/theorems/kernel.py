@@ -5,8 +5,8 @@ where the notation says so) for which its hypotheses are true.  Nobody but a rul
 rule takes theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and
 what it was given, so that :func:`replayed` can derive it once more, elsewhere, from nothing.
 
-Rules are functions of this module, of ``leaves`` and of ``classical``; after these are imported no
-other can be added.
+Rules are functions of this module, of ``leaves``, ``analysis``, ``energy``, ``roots`` and
+``definitions``; no other module can add one.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from typing import Any, ParamSpec, TypeAlias
 
 from sympy import Expr, Symbol
 
-from symhaptic.proof.theorems.definedness import conditions, differs, real
 from symhaptic.notation.proposition import (
     FALSE,
     And,
@@ -37,6 +36,7 @@ from symhaptic.notation.proposition import (
     proposition,
     term,
 )
+from symhaptic.proof.theorems.definedness import conditions, differs, real
 
 
 class NotShown(ValueError):
@@ -89,7 +89,10 @@ class Theorem:
 
 
 _RULES: dict[str, Callable[..., Judgement]] = {}
-_HOMES = tuple(f"symhaptic.proof.theorems.{name}" for name in ("kernel", "leaves", "classical", "definitions"))
+MODULES = ("kernel", "leaves", "analysis", "energy", "roots", "definitions")
+"""The modules of rules, all that has to be believed beside the deciders."""
+
+_HOMES = tuple(f"symhaptic.proof.theorems.{name}" for name in MODULES)
 
 _P = ParamSpec("_P")
 
@@ -307,7 +310,11 @@ def _against(claim: Relation) -> set[Proposition]:
     if claim.sign == "=":
         found |= {Relation(left, "<", right), Relation(right, "<", left)}
     if claim.sign == "<":
-        found |= {Relation(right, "<", left), Relation(left, "=", right), Relation(right, "=", left)}
+        found |= {
+            Relation(right, "<", left),
+            Relation(left, "=", right),
+            Relation(right, "=", left),
+        }
     return found
 
 
@@ -435,11 +442,6 @@ def unfolded(theorem: Theorem) -> Judgement:
         raise NotShown("the conclusion is no implication")
     given, then = theorem.conclusion.of
     return theorem.hypotheses | set(conjuncts(given)), then
-
-
-def entails(theorem: Theorem, wanted: Proposition) -> bool:
-    """Whether a theorem without open hypotheses says exactly this."""
-    return not theorem.hypotheses and theorem.conclusion == wanted
 
 
 def whole(value: Any) -> Predicate:

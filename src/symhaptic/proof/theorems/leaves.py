@@ -7,19 +7,11 @@ is a hypothesis.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.proof.ball import largest_root, sign
-from symhaptic.proof.certificate import Positive
-from symhaptic.proof.normal import Field, is_zero
-from symhaptic.proof.recheck import recheck
-from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.series import limit, lowest_term
-from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 from symhaptic.notation.proposition import (
     Not,
     Predicate,
@@ -28,6 +20,14 @@ from symhaptic.notation.proposition import (
     proposition,
     term,
 )
+from symhaptic.proof.ball import largest_root, sign
+from symhaptic.proof.certificate import Positive
+from symhaptic.proof.normal import Field, is_zero
+from symhaptic.proof.recheck import recheck
+from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.series import limit, lowest_term
+from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 _ZERO = sp.S.Zero
 
@@ -70,8 +70,7 @@ def square(of: Any) -> Judgement:
     return conditions(of), Relation(_ZERO, "<=", of**2)
 
 
-Factor = Theorem | Expr | int
-Product = Sequence[Factor]
+Product: TypeAlias = "Sequence[Theorem | Expr | int]"
 """Theorems and positive rationals; with an equation any terms may stand beside it."""
 
 
@@ -151,7 +150,8 @@ def divided(claim: Any, numerator: Theorem, denominator: Theorem) -> Judgement:
 
     >>> from symhaptic.proof.theorems.kernel import assume
     >>> x = sp.Symbol("x")
-    >>> len(divided(1/x > 0, number(proposition(sp.Gt(1, 0, evaluate=False))), assume(x > 0)).hypotheses)
+    >>> positive = number(sp.Gt(1, 0, evaluate=False))
+    >>> len(divided(1/x > 0, positive, assume(x > 0)).hypotheses)
     1
     """
     claim = proposition(claim)
@@ -168,10 +168,35 @@ def divided(claim: Any, numerator: Theorem, denominator: Theorem) -> Judgement:
     quotient = (top.right - top.left) / (bottom.right - bottom.left)
     if not _same(claim.right - claim.left, quotient):
         raise NotShown(f"{claim.right - claim.left} is not {quotient}")
-    shown = {Relation(bottom.right - bottom.left, "!=", _ZERO)}
+    shown: set[Proposition] = {Relation(bottom.right - bottom.left, "!=", _ZERO)}
     shown |= conditions(top.left, top.right, bottom.left, bottom.right)
     left = conditions(claim.left, claim.right) - shown
     return numerator.hypotheses | denominator.hypotheses | left, claim
+
+
+@rule
+def strictly(weak: Theorem, apart: Theorem) -> Judgement:
+    """a <= b and a != b give a < b."""
+    claim, other = weak.conclusion, apart.conclusion
+    if not (isinstance(claim, Relation) and isinstance(other, Relation) and claim.sign == "<="):
+        raise NotShown("a <= b and a != b are wanted")
+    if other not in (
+        Relation(claim.left, "!=", claim.right),
+        Relation(claim.right, "!=", claim.left),
+    ):
+        raise NotShown(f"{other} is not about the two sides of {claim}")
+    return weak.hypotheses | apart.hypotheses, Relation(claim.left, "<", claim.right)
+
+
+@rule
+def both_ways(one: Theorem, other: Theorem) -> Judgement:
+    """a <= b and b <= a give a = b."""
+    claim, back = one.conclusion, other.conclusion
+    if not (isinstance(claim, Relation) and claim.sign == "<="):
+        raise NotShown("a <= b and b <= a are wanted")
+    if back != Relation(claim.right, "<=", claim.left):
+        raise NotShown(f"{back} is not the converse of {claim}")
+    return one.hypotheses | other.hypotheses, Relation(claim.left, "=", claim.right)
 
 
 @rule
@@ -191,7 +216,7 @@ def factor(of: Any, product: Theorem, other: Any) -> Judgement:
 def _about(function: type, x: Expr) -> tuple[list[Proposition], Relation]:
     """What is known of an elementary function at a real x, and on which hypotheses."""
     low, high = Relation(_ZERO, "<", x), Relation(x, "<", sp.pi)
-    inside = [Relation(-sp.pi / 2, "<", x), Relation(x, "<", sp.pi / 2)]
+    inside: list[Proposition] = [Relation(-sp.pi / 2, "<", x), Relation(x, "<", sp.pi / 2)]
     if function is sp.sin:
         return [low, high], Relation(_ZERO, "<", sp.sin(x))
     if function is sp.cos:
@@ -219,7 +244,7 @@ def sign_of(function: Any, of: Any) -> Judgement:
 
 @rule
 def rising(function: Any, smaller: Any, larger: Any) -> Judgement:
-    """x < y gives f(x) < f(y): exp, sinh and atan everywhere, sin on [-pi/2, pi/2], -cos on [0, pi]."""
+    """x < y gives f(x) < f(y): exp, sinh, atan, sin on [-pi/2, pi/2] and -cos on [0, pi]."""
     x, y = term(smaller), term(larger)
     if not (real(x) and real(y)):
         raise NotShown(f"{x} or {y} is not real by its form")
@@ -303,7 +328,7 @@ def broken(value: Any) -> Judgement:
 
 @rule
 def on_box(certificate: Positive) -> Judgement:
-    """0 < f on a box, by a certificate that is checked again; the finite balls show that f is defined."""
+    """0 < f on a box, by a certificate checked again; its finite balls show that f is defined."""
     if not isinstance(certificate, Positive) or certificate.given is not None:
         raise NotShown("a certificate of a box without further symbols is wanted")
     expr = term(certificate.expr)

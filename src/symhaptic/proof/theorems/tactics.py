@@ -8,18 +8,38 @@ from typing import Any
 import sympy as sp
 from sympy import Symbol
 
-from symhaptic.notation.proposition import ForAll, Proposition, Terms, implied, proposition
+from symhaptic.notation.proposition import (
+    ForAll,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    Terms,
+    implied,
+    negated,
+    proposition,
+)
+from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     applied,
     assume,
     conjoined,
     cut,
+    denied,
     discharged,
+    equivalent,
     general,
     instance,
 )
-from symhaptic.proof.theorems.leaves import combined, divided, number
+from symhaptic.proof.theorems.leaves import (
+    broken,
+    combined,
+    divided,
+    is_whole,
+    number,
+    sign_of,
+)
 
 
 def closed(theorem: Theorem, *lemmas: Theorem) -> Theorem:
@@ -76,3 +96,63 @@ def over(claim: Any, numerator: Any, denominator: Any) -> Theorem:
 def one() -> Theorem:
     """0 < 1."""
     return number(proposition(sp.Lt(0, 1, evaluate=False)))
+
+
+def fact(claim: Proposition) -> Theorem:
+    """A proposition without symbols: a relation between numbers, or what is whole or is not."""
+    if isinstance(claim, Not) and isinstance(claim.of[0], Relation):
+        return denied(number(negated(claim.of[0])), claim.of[0])
+    if isinstance(claim, Not) and isinstance(claim.of[0], Predicate):
+        return broken(claim.of[0].of[0])
+    if isinstance(claim, Predicate):
+        return is_whole(claim.of[0])
+    return number(claim)
+
+
+def example(values: Terms, given: Sequence[Any], *theorems: Theorem) -> Case:
+    """A point at which all of these hold; what is no relation of numbers is among the theorems."""
+    known = {t.conclusion: t for t in theorems}
+    there = [proposition(g).at(values) for g in given]
+    parts = [known[p] if p in known else fact(p) for p in there]
+    extra = [t for t in theorems if t.conclusion not in there]
+    return Case(values, conjoined(*parts, *extra))
+
+
+def counterexample(
+    claim: Proposition,
+    values: Terms,
+    *theorems: Theorem,
+    holds: Sequence[Any] = (),
+    but: Any = None,
+) -> Case:
+    """A point at which a claim fails and so does one condition, while the others hold."""
+    _, given, _ = taken_apart(claim)
+    extra = [] if but is None else [_denial(proposition(but).at(values))]
+    return example(values, [*given, *map(proposition, holds), *extra], *theorems)
+
+
+def _denial(claim: Proposition) -> Proposition:
+    return negated(claim) if isinstance(claim, Relation) else Not((claim,))
+
+
+def either_way(there: Theorem, back: Theorem, left: Any, right: Any) -> Theorem:
+    """p <=> q from q under the hypothesis p, and p under the hypothesis q."""
+    return equivalent(discharged(there, left), discharged(back, right))
+
+
+def chained(one: Theorem, other: Theorem) -> Theorem:
+    """p <=> r from p <=> q and q <=> r."""
+    p, r = one.conclusion.of[0], other.conclusion.of[1]  # type: ignore[attr-defined]
+    there = applied(other, applied(one, assume(p)))
+    back = applied(one, applied(other, assume(r)))
+    return either_way(there, back, p, r)
+
+
+def sine_of_half(angle: Any) -> Theorem:
+    """0 < sin(theta/2) for 0 < theta < pi."""
+    half = sp.S.Half
+    low = positive(angle / 2 > 0, [half, angle > 0])
+    high = positive(
+        angle / 2 < sp.pi, [half, angle < sp.pi], [number(sp.Lt(0, sp.pi / 2, evaluate=False))]
+    )
+    return closed(sign_of(sp.sin, angle / 2), low, high)

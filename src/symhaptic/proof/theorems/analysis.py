@@ -1,7 +1,7 @@
-"""Theorems of the literature that are applied and not proved: the list of what has to be believed.
+"""Theorems of analysis: what a slope, a limit or a step says of a whole interval.
 
-Each is an entry with its statement, its source and its hypotheses; a hypothesis is discharged by a
-theorem that the rule is given.
+They are applied and not proved: with those of ``energy`` and ``roots`` they are the list of what
+has to be believed beside logic and the deciders.
 """
 
 from __future__ import annotations
@@ -11,29 +11,17 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
+from symhaptic.notation.proposition import Implies, Predicate, Proposition, Relation, both, term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Iff,
-    Implies,
-    Predicate,
-    Proposition,
-    Relation,
-    term,
-)
 
 SOURCES = {
     "increases": "mean value theorem; Rudin, Principles of Mathematical Analysis, 3rd ed., 5.10",
     "above_its_start": "monotone functions have one-sided limits; Rudin, 4.29",
     "from_there_on": "definition of an increasing function; Rudin, 4.28",
-    "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
-    "Grenander and Szego, Toeplitz Forms and Their Applications, 5.2",
+    "in_the_limit": "limits keep weak inequalities; Rudin, 3.19 and 4.2",
     "induction": "mathematical induction",
-    "roots_stay": "zeros of a polynomial are continuous in its coefficients; Marden, Geometry of "
-    "Polynomials, Theorem 1.4",
 }
 """Each rule of this module with its source."""
 
@@ -71,7 +59,7 @@ def _increasing(theorem: Theorem) -> tuple[Symbol, Expr, Expr, Expr]:
     claim = theorem.conclusion
     if not (isinstance(claim, Predicate) and claim.name == "increasing"):
         raise NotShown(f"{claim} does not say that something increases")
-    return (claim.over[0], *claim.of)  # type: ignore[return-value]
+    return (claim.over[0], *claim.of)
 
 
 @rule
@@ -102,37 +90,30 @@ def from_there_on(theorem: Theorem, smaller: Any, larger: Any) -> Judgement:
 
 
 @rule
-def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Judgement:
-    """No motion gains energy if and only if H(1) >= 0 and 0 <= c + Re H/(z - 1) on the circle.
+def in_the_limit(
+    theorem: Theorem, variable: Symbol, lower: Any, upper: Any, end: Theorem
+) -> Judgement:
+    """A relation on (lower, upper) holds weakly of the limits at either end of the interval.
 
-    H is a polynomial in 1/z with real coefficients; that its exponents are whole is a hypothesis.
-    Of z^-e/(z - 1) the real part is (cos (e+1) theta - cos e theta)/(2 - 2 cos theta).
-    With x = p/(z - 1) the energy is the integral of |p|^2 (c + Re H/(z - 1)) over the circle, and
-    H(1)/2 times the square of the whole way.
+    ``end`` is the limit of the difference of its two sides.
     """
-    response, damping = term(response), term(damping)
-    if {variable, angle} & damping.free_symbols or angle in response.free_symbols:
-        raise NotShown("the angle and the variable are bound")
-    if not real(damping):
-        raise NotShown(f"{damping} is not real by its form")
-    hypotheses: set[Proposition] = set(conditions(damping))
-    static, margin = _ZERO, damping
-    for summand in sp.Add.make_args(sp.expand(response)):
-        coefficient, powers = summand.as_independent(variable, as_Add=False)
-        factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
-        exponent = sp.Add(*(e for _, e in factors))
-        if any(base != variable or variable in e.free_symbols for base, e in factors):
-            raise NotShown(f"{summand} is no multiple of a power of {variable}")
-        if not real(coefficient):
-            raise NotShown(f"{coefficient} is not real by its form")
-        hypotheses |= {whole(-exponent), *conditions(coefficient)}
-        static += coefficient
-        turn = sp.cos((1 - exponent) * angle) - sp.cos(exponent * angle)
-        margin += coefficient * turn / (2 - 2 * sp.cos(angle))
-    inside = And((Relation(_ZERO, "<", angle), Relation(angle, "<", sp.pi)))
-    always = ForAll((angle,), Implies((inside, Relation(_ZERO, "<=", margin))))
-    energy = Predicate("passive", (variable,), (response, damping))
-    return hypotheses, Iff((energy, And((Relation(_ZERO, "<=", static), always))))
+    lower, upper = term(lower), term(upper)
+    claim, limit = theorem.conclusion, end.conclusion
+    if not (isinstance(claim, Relation) and claim.sign in ("<", "<=")):
+        raise NotShown(f"{claim} is no order relation")
+    ends = [
+        Predicate("limit", (variable,), (claim.right - claim.left, e, limit.of[2]))
+        for e in (lower, upper)
+        if isinstance(limit, Predicate) and limit.name == "limit"
+    ]
+    if limit not in ends:
+        raise NotShown(f"{limit} is no limit of {claim.right - claim.left} at an end")
+    assert isinstance(limit, Predicate)
+    between = {Relation(lower, "<", variable), Relation(variable, "<", upper)}
+    hypotheses = (theorem.hypotheses - between) | end.hypotheses
+    if any(variable in p.free for p in hypotheses):
+        raise NotShown(f"a hypothesis is about {variable} on more than the interval")
+    return hypotheses | {Relation(lower, "<", upper)}, Relation(_ZERO, "<=", limit.of[2])
 
 
 @rule

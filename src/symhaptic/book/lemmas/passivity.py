@@ -1,0 +1,92 @@
+"""When is a wall behind a whole delay passive?  The condition at each angle, as an equivalence."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.model.passivity import margin
+from symhaptic.notation import B, K, T, b, d, theta, z
+from symhaptic.notation.proposition import (
+    And,
+    ForAll,
+    Implies,
+    Predicate,
+    Proposition,
+    both,
+    proposition,
+)
+from symhaptic.proof.theorems.definitions import whole_delay
+from symhaptic.proof.theorems.energy import toeplitz
+from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part, whole
+from symhaptic.proof.theorems.leaves import is_whole
+from symhaptic.proof.theorems.tactics import (
+    at,
+    chained,
+    closed,
+    either_way,
+    for_all,
+    one,
+    over,
+    positive,
+    sine_of_half,
+)
+
+WALL = (K, B, b, T, d)
+PASSIVE = Predicate("passive_wall", (), WALL)
+INSIDE = (theta > 0, theta < sp.pi)
+
+
+def at_every_angle(claim: object) -> Proposition:
+    """A claim for all angles 0 < theta < pi."""
+    return ForAll((theta,), Implies((both(INSIDE), proposition(claim))))
+
+
+def every_margin(delay: Expr = d) -> Proposition:
+    """0 <= b - K T sin((d+1/2) theta)/(2 sin(theta/2)) + B cos((d+1) theta), 0 < theta < pi."""
+    return at_every_angle(margin().subs(d, delay) >= 0)
+
+
+@cache
+def passive_by_angle(delay: Expr = d) -> Theorem:
+    """passive <=> K >= 0 and the margin at every angle, under the hypotheses T > 0 and d whole."""
+    energy = whole_delay((*WALL[:-1], delay), z)
+    wanted = every_margin(delay)
+    sampled = energy.conclusion.of[1]  # type: ignore[attr-defined]
+    form = toeplitz(*(sampled.of[0], z), sampled.of[1], theta)
+    static, always = form.conclusion.of[1].of  # type: ignore[attr-defined]
+    raw = always.body.of[1]
+    # both margins have the divisor 2 - 2 cos(theta) = 4 sin(theta/2)^2
+    half = sine_of_half(theta)
+    apart = [
+        positive(sp.Ne(sp.sin(theta / 2), 0), [half]),
+        positive(sp.Ne(2 - 2 * sp.cos(theta), 0), [4, half, half]),
+        positive(sp.Ne(T, 0), T > 0),
+    ]
+    period = over(1 / T > 0, one(), T > 0)
+    inside = [assume(p) for p in INSIDE]
+    there = positive(wanted.body.of[1], [at(assume(always), {theta: theta}, *inside), T > 0])  # type: ignore[attr-defined]
+    back = positive(raw, [at(assume(wanted), {theta: theta}, *inside), period])
+    there, back = closed(there, *apart), closed(back, *apart)
+    condition = And((static, wanted))
+    known = And((static, always))
+    same = either_way(
+        conjoined(part(assume(known), static), _under(there, always, known)),
+        conjoined(part(assume(condition), static), _under(back, wanted, condition)),
+        known,
+        condition,
+    )
+    found = chained(energy, chained(form, same))
+    steps = (
+        [is_whole(delay), is_whole(delay + 1)]
+        if delay.is_Integer
+        else [is_whole(delay + 1, assume(whole(delay)))]
+    )
+    return closed(found, *steps, apart[2])
+
+
+def _under(theorem: Theorem, claim: Proposition, whole_claim: Proposition) -> Theorem:
+    """A claim for every angle that follows from one part of a conjunction."""
+    return closed(for_all([theta], INSIDE, theorem), part(assume(whole_claim), claim))

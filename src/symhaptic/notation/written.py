@@ -1,0 +1,126 @@
+r"""Propositions as LaTeX: chains of relations, bounds beside the symbol that they bound."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sympy import Expr
+
+from symhaptic.latex import latex
+from symhaptic.notation.proposition import (
+    MEANINGS,
+    And,
+    Exists,
+    ForAll,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Predicate,
+    Proposition,
+    Relation,
+    conjuncts,
+)
+
+_SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le"}
+_TURNED = {"=": "=", "!=": r"\ne", "<": ">", "<=": r"\ge"}
+
+
+def written(claim: Proposition) -> str:
+    r"""LaTeX of a proposition.
+
+    >>> from symhaptic.notation import K, T
+    >>> from symhaptic.notation.proposition import proposition
+    >>> written(And((proposition(K > 0), proposition(K < T))))
+    '0<K<T'
+    """
+    if isinstance(claim, Relation):
+        left, right = latex(claim.left, inline=True), latex(claim.right, inline=True)
+        if not claim.left.free_symbols and claim.right.free_symbols:
+            return f"{right}{_TURNED[claim.sign]}{left}"
+        return f"{left}{_SIGNS[claim.sign]}{right}"
+    if isinstance(claim, Predicate):
+        terms = [latex(t, inline=True) for t in claim.of]
+        over = latex(claim.over[0]) if claim.over else ""
+        return MEANINGS[claim.name][2].format(*terms, s=over)
+    if isinstance(claim, (ForAll, Exists)):
+        return _quantified(claim)
+    if isinstance(claim, And):
+        return listed(conjuncts(claim)) or r"\text{true}"
+    parts = [_bracketed(p) for p in claim.parts]
+    if isinstance(claim, Or):
+        return r"\ \text{or}\ ".join(parts) or r"\text{false}"
+    if isinstance(claim, Not):
+        return _denied(claim.of[0])
+    if isinstance(claim, Implies):
+        return rf"{parts[0]}\ \Rightarrow\ {parts[1]}"
+    if isinstance(claim, Iff):
+        return rf"{parts[0]}\ \Leftrightarrow\ {parts[1]}"
+    raise TypeError(f"{claim!r} is no proposition")
+
+
+def _denied(claim: Proposition) -> str:
+    if isinstance(claim, Predicate) and claim.name == "whole":
+        return rf"{latex(claim.of[0], inline=True)}\notin\mathbb{{N}}_0"
+    return rf"\text{{not}}\ {_bracketed(claim)}"
+
+
+def _bracketed(claim: Proposition) -> str:
+    text = written(claim)
+    alone = isinstance(claim, (Relation, Predicate, Not)) or (
+        isinstance(claim, And) and all(isinstance(p, (Relation, Predicate)) for p in claim.parts)
+    )
+    return text if alone else rf"\bigl({text}\bigr)"
+
+
+def listed(claims: Sequence[Proposition]) -> str:
+    """Propositions beside each other, two bounds of one term as a chain."""
+    left = list(claims)
+    out: list[str] = []
+    while left:
+        claim = left.pop(0)
+        chain = _upper(claim, left)
+        if chain is not None:
+            assert isinstance(claim, Relation)
+            left.remove(chain)
+            lower = latex(claim.left, inline=True)
+            middle = latex(claim.right, inline=True)
+            upper = latex(chain.right, inline=True)
+            out.append(f"{lower}{_SIGNS[claim.sign]}{middle}{_SIGNS[chain.sign]}{upper}")
+        else:
+            out.append(_bracketed(claim))
+    return r",\ ".join(out)
+
+
+def _upper(claim: Proposition, others: Sequence[Proposition]) -> Relation | None:
+    """The bound from above of what a relation bounds from below."""
+    if not (isinstance(claim, Relation) and claim.sign in ("<", "<=") and claim.right.free_symbols):
+        return None
+    for other in others:
+        if isinstance(other, Relation) and other.sign in ("<", "<=") and other.left == claim.right:
+            return other
+    return None
+
+
+def _quantified(claim: ForAll | Exists) -> str:
+    sign = r"\forall" if isinstance(claim, ForAll) else r"\exists"
+    body = claim.body
+    given: tuple[Proposition, ...] = ()
+    if isinstance(claim, ForAll) and isinstance(body, Implies):
+        given, body = conjuncts(body.of[0]), body.of[1]
+    if isinstance(claim, Exists) and isinstance(body, And):
+        given, body = conjuncts(body)[:-1], conjuncts(body)[-1]
+    own = [g for g in given if g.free & set(claim.over) and not isinstance(g, (ForAll, Exists))]
+    rest = [g for g in given if g not in own]
+    if len(claim.over) == 1 and own:
+        head = listed(own)
+    else:
+        head = ",".join(latex(s) for s in claim.over)
+        head += rf"\ \text{{with}}\ {listed(own)}" if own else ""
+    lead = rf"{listed(rest)}\ \Rightarrow\ " if rest else ""
+    return rf"{sign}\,{head}:\ {lead}{_bracketed(body) if rest else written(body)}"
+
+
+def point(values: dict[Expr, Expr]) -> dict[str, str]:
+    """A point with plain names and exact numbers as text."""
+    return {str(s): str(v) for s, v in values.items()}

@@ -1,0 +1,67 @@
+"""Theorems on energy: a sum over all motions as a condition at each angle.
+
+They are applied and not proved: with those of ``analysis`` and ``roots`` they are the list of what
+has to be believed beside logic and the deciders.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from sympy import Symbol
+
+from symhaptic.notation.proposition import (
+    And,
+    ForAll,
+    Iff,
+    Implies,
+    Predicate,
+    Proposition,
+    Relation,
+    term,
+)
+from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule, whole
+
+SOURCES = {
+    "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
+    "Grenander and Szego, Toeplitz Forms and Their Applications, 5.2",
+}
+"""Each rule of this module with its source."""
+
+_ZERO = sp.S.Zero
+
+
+@rule
+def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Judgement:
+    """No motion gains energy if and only if H(1) >= 0 and 0 <= c + Re H/(z - 1) on the circle.
+
+    H is a polynomial in 1/z with real coefficients; that its exponents are whole is a hypothesis.
+    Of z^-e/(z - 1) the real part is (cos (e+1) theta - cos e theta)/(2 - 2 cos theta).
+    With x = p/(z - 1) the energy is the integral of |p|^2 (c + Re H/(z - 1)) over the circle, and
+    H(1)/2 times the square of the whole way.
+    """
+    response, damping = term(response), term(damping)
+    if {variable, angle} & damping.free_symbols or angle in response.free_symbols:
+        raise NotShown("the angle and the variable are bound")
+    if not real(damping):
+        raise NotShown(f"{damping} is not real by its form")
+    hypotheses: set[Proposition] = set(conditions(damping))
+    static, margin = _ZERO, damping
+    for summand in sp.Add.make_args(sp.expand(response)):
+        coefficient, powers = summand.as_independent(variable, as_Add=False)
+        factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
+        exponent = sp.Add(*(e for _, e in factors))
+        if any(base != variable or variable in e.free_symbols for base, e in factors):
+            raise NotShown(f"{summand} is no multiple of a power of {variable}")
+        if not real(coefficient):
+            raise NotShown(f"{coefficient} is not real by its form")
+        hypotheses |= {whole(-exponent), *conditions(coefficient)}
+        static += coefficient
+        turn = sp.cos((1 - exponent) * angle) - sp.cos(exponent * angle)
+        margin += coefficient * turn / (2 - 2 * sp.cos(angle))
+    inside = And((Relation(_ZERO, "<", angle), Relation(angle, "<", sp.pi)))
+    always = ForAll((angle,), Implies((inside, Relation(_ZERO, "<=", margin))))
+    energy = Predicate("passive", (variable,), (response, damping))
+    return hypotheses, Iff((energy, And((Relation(_ZERO, "<=", static), always))))

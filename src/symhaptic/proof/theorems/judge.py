@@ -1,0 +1,189 @@
+"""From a theorem to a verdict: what it says is held against what the statement claims.
+
+A claim is a proposition, for all values of some symbols under hypotheses.  It is *proved* by a
+theorem that says just that, *qualified* by one with further hypotheses and, for each of these, a
+point at which that one alone fails and with it the claim, and *wrong* where the claim is denied;
+then what holds instead is a theorem, too.  Nothing open, nothing vacuous.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from sympy import Symbol
+
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    ForAll,
+    Implies,
+    Not,
+    Proposition,
+    Relation,
+    Terms,
+    conjuncts,
+    negated,
+)
+from symhaptic.notation.written import listed, point, written
+from symhaptic.proof.theorems.kernel import (
+    NotShown,
+    Theorem,
+    absurd,
+    applied,
+    assume,
+    instance,
+    leaves_of,
+    part,
+    witnessed,
+)
+from symhaptic.proof.verdict import Kind, Unfounded, Verdict
+
+
+@dataclass(frozen=True)
+class Case:
+    """A point, and the theorem of what is true there."""
+
+    values: Terms
+    theorem: Theorem
+
+    def exists(self, symbols: Sequence[Symbol], given: Sequence[Proposition]) -> bool:
+        """Whether the theorem shows that all of these hold at the point."""
+        claim = And(tuple(given))
+        try:
+            there = part(self.theorem, claim.at(self.values))
+            values = {s: v for s, v in self.values.items() if s in symbols}
+            return not witnessed(there, Exists(tuple(values), claim), values).hypotheses
+        except NotShown:
+            return False
+
+    def refutes(self, claim: Proposition) -> bool:
+        """Whether the theorem shows that the claim is false, by this instance of it."""
+        try:
+            denial = assume(claim)
+            if isinstance(denial.conclusion, ForAll):
+                denial = instance(denial, {s: self.values[s] for s in denial.conclusion.over})
+            if isinstance(denial.conclusion, Implies):
+                given, _ = denial.conclusion.of
+                denial = applied(denial, part(self.theorem, given))
+            for known in conjuncts(self.theorem.conclusion):
+                if _opposed(known, denial.conclusion):
+                    return not absurd(denial, part(self.theorem, known), claim).hypotheses
+        except (NotShown, KeyError):
+            pass
+        return False
+
+    def denies(self, condition: Proposition) -> bool:
+        """Whether the theorem says that a condition is violated at the point."""
+        there = condition.at(self.values)
+        return any(_opposed(known, there) for known in conjuncts(self.theorem.conclusion))
+
+
+def _opposed(one: Proposition, other: Proposition) -> bool:
+    """Whether one proposition is the negation of the other, or the opposite relation."""
+    return one == Not((other,)) or (isinstance(other, Relation) and one == negated(other))
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The theorems on which a statement is settled."""
+
+    theorem: Theorem
+    example: Case | None = None
+    """A point at which all hypotheses hold: the theorem is not vacuous."""
+    unless: tuple[Case, ...] = ()
+    corrected: tuple[str, ...] | None = None
+    """LaTeX of the right form; the theorem is then that of the corrected claim."""
+    instead: Proposition | None = None
+    """What holds instead of a false statement in words; the theorem is then of this."""
+    misprint: bool = True
+    enclosed: bool = False
+    shows: str | None = None
+    note: str | None = None
+
+    def decide(self, claim: Proposition, right: Proposition | None = None) -> Verdict:
+        """The verdict on a claim; ``right`` is the claim with the corrected print."""
+        if self.theorem.hypotheses:
+            raise Unfounded(f"open: {listed(sorted(self.theorem.hypotheses, key=written))}")
+        right = self.instead if right is None else right
+        if right is not None:
+            return self._wrong(claim, right)
+        extra = _extra(claim, self.theorem.conclusion)
+        self._check_example(self.theorem.conclusion)
+        if not extra:
+            if self.unless:
+                raise Unfounded("a counterexample stands against what is said to be proved")
+            return self._verdict(Kind.ENCLOSED if self.enclosed else Kind.PROVED, claim)
+        for condition in extra:
+            others = [c for c in extra if c is not condition]
+            if not any(_violates(case, claim, others, condition) for case in self.unless):
+                raise Unfounded(f"no counterexample violates just {written(condition)}")
+        found = self._verdict(Kind.QUALIFIED, claim)
+        return replace(
+            found, condition=listed(extra), counterexample=point(dict(self.unless[0].values))
+        )
+
+    def _wrong(self, claim: Proposition, right: Proposition) -> Verdict:
+        if not self.unless or not all(case.refutes(claim) for case in self.unless):
+            raise Unfounded("a false statement needs a counterexample")
+        extra = _extra(right, self.theorem.conclusion)
+        self._check_example(self.theorem.conclusion)
+        return replace(
+            self._verdict(Kind.MISPRINT if self.misprint else Kind.REFUTED, claim),
+            condition=listed(extra) if extra else None,
+            counterexample=point(dict(self.unless[0].values)),
+            corrected_latex=r",\quad ".join(self.corrected or ()) or written(right),
+        )
+
+    def _check_example(self, conclusion: Proposition) -> None:
+        symbols, given, _ = taken_apart(conclusion)
+        if not given:
+            return
+        if self.example is None or not self.example.exists(symbols, given):
+            raise Unfounded("no point is given at which all hypotheses hold")
+
+    def _verdict(self, kind: Kind, claim: Proposition) -> Verdict:
+        rests = leaves_of(self.theorem)
+        for case in self.unless:
+            for name, count in leaves_of(case.theorem).items():
+                rests[name] = rests.get(name, 0) + count
+        return Verdict(
+            kind,
+            "a theorem of the kernel",
+            shows=self.shows,
+            note=self.note,
+            proposition=written(claim),
+            rests=tuple(sorted(rests)),
+        )
+
+
+def taken_apart(
+    claim: Proposition,
+) -> tuple[tuple[Symbol, ...], tuple[Proposition, ...], Proposition]:
+    """Symbols, hypotheses and conclusion of a claim."""
+    symbols: tuple[Symbol, ...] = ()
+    if isinstance(claim, ForAll):
+        symbols, claim = claim.over, claim.body
+    if isinstance(claim, Implies):
+        return symbols, conjuncts(claim.of[0]), claim.of[1]
+    return symbols, (), claim
+
+
+def _extra(claim: Proposition, shown: Proposition) -> tuple[Proposition, ...]:
+    """The hypotheses that what was shown has beside those of the claim."""
+    if claim == shown:
+        return ()
+    symbols, given, then = taken_apart(claim)
+    others, more, same = taken_apart(shown)
+    if symbols != others or then != same or not set(given) <= set(more):
+        raise Unfounded(f"the theorem says {written(shown)}, the statement {written(claim)}")
+    return tuple(p for p in more if p not in given)
+
+
+def _violates(
+    case: Case, claim: Proposition, others: Sequence[Proposition], condition: Proposition
+) -> bool:
+    """Whether a claim fails at a point where one condition is violated and the others hold."""
+    symbols, given, _ = taken_apart(claim)
+    shown = case.exists(symbols, [*given, *others])
+    return shown and case.denies(condition) and case.refutes(claim)
