@@ -8,8 +8,12 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
+from symhaptic.model.loop import characteristic
+from symhaptic.notation import alpha, beta, d, delta, gamma, z
 from symhaptic.notation.proposition import Iff, Not, Predicate, Relation, term
+from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule, whole
+from symhaptic.scene import Parts
 
 
 @rule
@@ -19,13 +23,41 @@ def whole_delay(wall: Sequence[Any], variable: Symbol) -> Judgement:
     A device burns b p^2/T at least while it moves by p within a period, at constant speed, and the
     held force works F p: Colgate and Schenkel, J. Robot. Syst. 14(1), 1997.
     """
-    K, B, b, T, d = (term(t) for t in wall)
-    if any(variable in t.free_symbols for t in (K, B, b, T, d)):
+    K, B, b, T, late = (term(t) for t in wall)
+    if any(variable in t.free_symbols for t in (K, B, b, T, late)):
         raise NotShown(f"{variable} is bound")
-    response = (K + B * (variable - 1) / (T * variable)) * variable**-d
+    response = (K + B * (variable - 1) / (T * variable)) * variable**-late
     sampled = Predicate("passive", (variable,), (response, b / T))
     period = Relation(sp.S.Zero, "<", T)
-    return {whole(d), period}, Iff((Predicate("passive_wall", (), (K, B, b, T, d)), sampled))
+    return {whole(late), period}, Iff((Predicate("passive_wall", (), (K, B, b, T, late)), sampled))
+
+
+@rule
+def loop(
+    values: Sequence[Any], variable: Symbol, stiffness: bool = True, damping: bool = True
+) -> Judgement:
+    """Behind whole delays a loop is stable where its characteristic polynomial is.
+
+    ``values`` are alpha, beta, gamma, delta and d.  A device without spring or damper is another
+    one: its gamma or delta is 0, and its polynomial is made of its own motion.  That the poles of
+    the device differ is a hypothesis, as far as its polynomial divides by their difference.
+    """
+    found = [term(v) for v in values]
+    if any(variable in t.free_symbols for t in found):
+        raise NotShown(f"{variable} is bound")
+    if (not stiffness and found[2] != 0) or (not damping and found[3] != 0):
+        raise NotShown("a part that is not modelled is zero")
+    polynomial = characteristic(Parts(stiffness=stiffness, damping=damping))
+    names = dict(zip((alpha, beta, gamma, delta, d, z), (*found, variable), strict=True))
+    placed = polynomial.xreplace({s: v for s, v in names.items() if s != v})
+    # of z there are powers only
+    divisors = {c for c in conditions(placed) if variable not in c.free}
+    return divisors | {whole(found[4])}, Iff(
+        (
+            Predicate("stable_loop", (), tuple(found)),
+            Predicate("stable", (variable,), (placed,)),
+        )
+    )
 
 
 @rule
@@ -35,9 +67,9 @@ def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     All in rational numbers: over each piece the damper burns b p^2/(duration T), and the wall takes
     F p with the force that is held then, K x + B (x - x')/T of the sample d periods before.
     """
-    K, B, b, T, d = (term(t) for t in wall)
+    K, B, b, T, late = (term(t) for t in wall)
     pieces = [(sp.Rational(duration), sp.Rational(way)) for duration, way in motion]
-    if not all(v.is_Rational for v in (K, B, b, T, d)) or T <= 0 or d < 0 or b < 0:
+    if not all(v.is_Rational for v in (K, B, b, T, late)) or T <= 0 or late < 0 or b < 0:
         raise NotShown("a wall in rational numbers is wanted, with T > 0, b >= 0 and d >= 0")
     if any(duration <= 0 for duration, _ in pieces):
         raise NotShown("a piece takes no time")
@@ -59,13 +91,13 @@ def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     for i, (duration, way) in enumerate(pieces):
         begin, end = ends[i], ends[i + 1]
         energy += b * way**2 / (duration * T)
-        k = sp.floor(begin - d)
-        while k + d < end:
+        k = sp.floor(begin - late)
+        while k + late < end:
             here, before = position(k), position(k - 1)
             force = K * here + B * (here - before) / T
-            first, last = max(begin, k + d), min(end, k + 1 + d)
+            first, last = max(begin, k + late), min(end, k + 1 + late)
             energy += force * (position(last) - position(first))
             k += 1
     if not energy < 0:
         raise NotShown(f"the motion leaves the energy {energy}")
-    return (), Not((Predicate("passive_wall", (), (K, B, b, T, d)),))
+    return (), Not((Predicate("passive_wall", (), (K, B, b, T, late)),))

@@ -1,13 +1,6 @@
-"""What each statement claims, as a proposition of what is printed.
-
-A claim is stated once, of the printed form that it is given: another print makes another claim.
-Where the paper names no domain, all values are meant for which its symbols make sense (Sec. II):
-T, m > 0, b, k, d >= 0, and K and B real.
-"""
+"""The claims of Sec. III: passivity."""
 
 from __future__ import annotations
-
-from collections.abc import Callable
 
 import sympy as sp
 
@@ -21,27 +14,12 @@ from symhaptic.notation.proposition import (
     implied,
     proposition,
 )
+from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
-
-Claim = Callable[[Printed], Proposition]
-
-CLAIMED: dict[str, Claim] = {}
-"""The claim of each statement, by its id."""
 
 WALL = (K, B, b, T, d)
 LOOP = (T > 0, b >= 0, d >= 0)
 PASSIVE = Predicate("passive_wall", (), WALL)
-
-
-def claims(*ids: str) -> Callable[[Claim], Claim]:
-    """The claim of these statements."""
-
-    def register(claim: Claim) -> Claim:
-        for id in ids:
-            CLAIMED[id] = claim
-        return claim
-
-    return register
 
 
 def at_every_frequency(*conditions: sp.Expr) -> Proposition:

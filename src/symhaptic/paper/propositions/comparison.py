@@ -1,0 +1,1 @@
+"""The claims of Sec. V: passivity beside stability."""

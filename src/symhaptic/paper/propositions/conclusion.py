@@ -1,0 +1,1 @@
+"""The claims of Sec. VI and the slips of the text."""

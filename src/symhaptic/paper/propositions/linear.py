@@ -1,0 +1,1 @@
+"""The claims of Sec. IV-E: the linear condition."""

@@ -1,0 +1,27 @@
+"""Where the claims of statements are kept, by id."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+from symhaptic.notation.proposition import Proposition
+from symhaptic.paper.reading import Printed
+
+Claim: TypeAlias = Callable[[Printed], Proposition]
+
+CLAIMED: dict[str, Claim] = {}
+"""The claim of each statement, by its id."""
+
+
+def claims(*ids: str) -> Callable[[Claim], Claim]:
+    """The claim of these statements; each is stated once."""
+
+    def register(claim: Claim) -> Claim:
+        for id in ids:
+            if id in CLAIMED:
+                raise ValueError(f"{id} is claimed twice")
+            CLAIMED[id] = claim
+        return claim
+
+    return register

@@ -1,0 +1,1 @@
+"""The claims of Sec. IV-D: stability."""
