@@ -16,6 +16,7 @@ from functools import wraps
 from typing import Any, ParamSpec, TypeAlias
 
 from sympy import Expr, Symbol
+from sympy.core.relational import Relational
 
 from symhaptic.notation.proposition import (
     FALSE,
@@ -112,10 +113,20 @@ def rule(build: Callable[_P, Judgement]) -> Callable[_P, Theorem]:
 
 
 def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
+    args, named = _written(args), _written(named)
     for theorem in _theorems([*args, *(v for _, v in named)]):
         if type(theorem) is not Theorem:
             raise NotShown("what looks like a theorem is none")
     return Theorem(_TOKEN, _RULES[name](*args, **dict(named)), name, (args, named))
+
+
+def _written(part: Any) -> Any:
+    """Arguments with propositions for SymPy's relations, which decide themselves when copied."""
+    if isinstance(part, Relational):
+        return proposition(part)
+    if isinstance(part, (tuple, list)):
+        return tuple(_written(p) for p in part)
+    return part
 
 
 def _theorems(parts: Iterable[Any]) -> Iterator[Theorem]:

@@ -1,0 +1,273 @@
+"""The kernel says no: by hand, under other hypotheses, about something else, and vacuously."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import pytest
+import sympy as sp
+from sympy import Ne, Rational, S, cos, exp, pi, sin, symbols
+
+from symhaptic.notation.proposition import (
+    FALSE,
+    And,
+    Exists,
+    ForAll,
+    Implies,
+    Not,
+    NoTerm,
+    Or,
+    Predicate,
+    Relation,
+    proposition,
+    term,
+)
+from symhaptic.proof.theorems import kernel
+from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.kernel import (
+    NotShown,
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    by_cases,
+    chosen,
+    conjoined,
+    cut,
+    denied,
+    discharged,
+    equivalent,
+    general,
+    instance,
+    leaves_of,
+    ordered,
+    part,
+    placed,
+    replayed,
+    unfolded,
+    whole,
+    widened,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import combined, identity, number, square
+
+x, y, z = symbols("x y z")
+ONE = number(sp.Lt(0, 1, evaluate=False))
+
+
+# -- nobody but a rule makes a theorem ------------------------------------------------------
+
+
+def test_a_theorem_is_not_made_by_hand() -> None:
+    with pytest.raises(NotShown):
+        Theorem(None, ((), FALSE), "assume", ((), ()))
+    with pytest.raises(NotShown):
+        Theorem(object(), ((), FALSE), "assume", ((), ()))
+    with pytest.raises(AttributeError):
+        ONE.conclusion = FALSE
+
+
+def test_a_theorem_that_was_forged_is_not_derived_again() -> None:
+    forged = object.__new__(Theorem)
+    for name, value in (("hypotheses", frozenset()), ("conclusion", FALSE)):
+        object.__setattr__(forged, name, value)
+    object.__setattr__(forged, "_rule", "number")
+    object.__setattr__(forged, "_given", ((ONE.conclusion,), ()))
+    with pytest.raises(NotShown):
+        replayed(forged)
+    with pytest.raises(NotShown):
+        replayed(anything(forged, x > 0))
+
+
+def test_what_is_pickled_or_copied_is_derived_again() -> None:
+    for again in (pickle.loads(pickle.dumps(ONE)), copy.deepcopy(ONE), copy.copy(ONE)):
+        assert (again.hypotheses, again.conclusion) == (ONE.hypotheses, ONE.conclusion)
+
+
+def test_a_rule_stands_in_the_kernel_only() -> None:
+    def cheat() -> kernel.Judgement:
+        return (), FALSE
+
+    with pytest.raises(NotShown):
+        kernel.rule(cheat)
+
+
+# -- terms ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "x",
+        0.5,
+        True,
+        sp.Float(1),
+        sp.oo,
+        sp.zoo,
+        sp.nan,
+        sp.Symbol("x", positive=True),
+        sp.Symbol("A", commutative=False),
+        sp.Integral(x, x),
+        sp.Sum(x, (x, 0, 1)),
+        sp.Piecewise((1, x > 0), (0, True)),
+        sp.sign(x),
+        sp.floor(x),
+        x > 0,
+        sp.Matrix([x]),
+    ],
+)
+def test_what_is_no_term_is_refused(wrong: object) -> None:
+    with pytest.raises(NoTerm):
+        term(wrong)
+
+
+def test_propositions_are_equal_up_to_bound_names_only() -> None:
+    one = ForAll((x,), proposition(x > y))
+    assert one == ForAll((sp.Symbol("w"),), proposition(sp.Symbol("w") > y))
+    assert one != ForAll((y,), proposition(x > y))
+    assert one != ForAll((x,), proposition(x > x + y))
+    assert one != Exists((x,), proposition(x > y))
+    # z is complex in the notation, w is real
+    assert ForAll((z,), proposition(Ne(z, 1))) != ForAll(
+        (sp.Symbol("w"),), proposition(Ne(sp.Symbol("w"), 1))
+    )
+
+
+def test_bound_symbols_give_way() -> None:
+    claim = ForAll((x,), proposition(Ne(x, y)))
+    moved = claim.at({y: x})
+    assert moved != ForAll((x,), proposition(sp.Ne(x, x, evaluate=False)))
+    assert x in moved.free
+
+
+# -- definedness ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("expr", "divisor"),
+    [
+        (1 / x, x),
+        (x ** Rational(-1, 2), x),
+        (x**y, x),
+        (sp.log(x), x),
+        (sp.tan(x), cos(x)),
+        (sp.cot(x), sin(x)),
+        (exp(1 / x), x),
+        (sin(1 / (x - 1)), x - 1),
+    ],
+)
+def test_a_divisor_is_a_condition(expr: sp.Expr, divisor: sp.Expr) -> None:
+    assert Relation(divisor, "!=", S.Zero) in conditions(expr)
+
+
+@pytest.mark.parametrize("expr", [sp.sqrt(x), sp.log(x), z, exp(sp.I * x), x**y, (-1) ** x])
+def test_what_need_not_be_real_is_not_real_by_its_form(expr: sp.Expr) -> None:
+    assert not real(expr)
+
+
+def test_an_identity_says_where_it_holds() -> None:
+    assert identity((x**2 - 1) / (x - 1), x + 1).hypotheses == {Relation(x - 1, "!=", S.Zero)}
+
+
+def test_a_hypothesis_does_not_become_weaker_when_sympy_cancels() -> None:
+    """y/x = 1 says that x is not zero; with x for y it would become 1 = 1."""
+    nonzero = placed(assume(sp.Eq(y / x, 1)), {y: x})
+    assert Relation(x, "!=", S.Zero) in nonzero.hypotheses
+    assert Relation(S.Zero, "!=", S.Zero) in placed(nonzero, {x: S.Zero}).hypotheses
+
+
+def test_a_divisor_lost_under_a_quantifier_is_refused() -> None:
+    w = sp.Symbol("w")
+    claim = ForAll((w,), proposition(sp.Eq(y * w / w**2, 1)))
+    with pytest.raises(NotShown):
+        placed(assume(claim), {y: S.Zero})
+
+
+def test_no_complex_term_for_a_real_symbol() -> None:
+    positive = general(square(x), x)
+    for value in (sp.I, z, sp.sqrt(y), exp(sp.I * y)):
+        with pytest.raises(NotShown):
+            instance(positive, {x: value})
+        with pytest.raises(NotShown):
+            placed(square(x), {x: value})
+
+
+# -- logic ----------------------------------------------------------------------------------
+
+
+def test_rules_of_logic_refuse_what_does_not_follow() -> None:
+    p, q = assume(x > 0), assume(y > 0)
+    refused = [
+        lambda: applied(discharged(p, x > 0), q),
+        lambda: applied(p, q),
+        lambda: part(conjoined(p, q), x > 1),
+        lambda: widened(p, Or((proposition(y > 0), proposition(y < 0)))),
+        lambda: widened(p, And((proposition(x > 0),))),
+        lambda: by_cases(ordered(x, S.Zero), p),
+        lambda: by_cases(ordered(x, S.Zero), p, q),
+        lambda: by_cases(p, p),
+        lambda: absurd(p, q),
+        lambda: absurd(p, assume(x > -1)),
+        lambda: denied(p, x > -1),
+        lambda: denied(assume(x >= 0), x > 0),
+        lambda: anything(p, x < 0),
+        lambda: equivalent(discharged(p, x > 0), discharged(q, x > 0)),
+        lambda: general(p, x),
+        lambda: instance(p, {x: S.One}),
+        lambda: cut(p, q),
+        lambda: unfolded(p),
+        lambda: chosen(p, q),
+    ]
+    for wrong in refused:
+        with pytest.raises(NotShown):
+            wrong()
+
+
+def test_a_case_may_use_its_own_disjunct_only() -> None:
+    cover = ordered(x, S.Zero)
+    claim = proposition(x**2 >= 0)
+    one, other = square(x), kernel.weakened(square(x), x < 1)
+    found = by_cases(cover, one, other)
+    assert proposition(x < 1) in found.hypotheses
+    assert found.conclusion == claim
+
+
+def test_a_denied_relation_need_not_be_the_opposite_one() -> None:
+    """not a < b holds where a has no value; b <= a does not follow."""
+    with pytest.raises(NotShown):
+        absurd(assume(Not((proposition(1 / x < y),))), assume(Not((proposition(y <= 1 / x),))))
+
+
+def test_existence_is_shown_by_real_values_and_says_no_more() -> None:
+    claim = Exists((x,), proposition(x**2 < 0))
+    with pytest.raises(NotShown):
+        witnessed(number(sp.Lt(-1, 0, evaluate=False)), claim, {x: sp.I})
+    with pytest.raises(NotShown):
+        witnessed(ONE, claim, {x: S.One})
+    existence = assume(Exists((x,), proposition(x > y)))
+    with pytest.raises(NotShown):
+        chosen(existence, assume(x > y))
+
+
+def test_order_of_quantifiers() -> None:
+    """That each y has a larger x is not that one x is larger than every y."""
+    each = ForAll((y,), Exists((x,), proposition(x > y)))
+    there = instance(assume(each), {y: y})
+    larger = assume(x > y)
+    with pytest.raises(NotShown):
+        general(larger, y)
+    with pytest.raises(NotShown):
+        chosen(there, discharged(larger, x > y) and larger)
+
+
+def test_a_theorem_knows_what_it_rests_on() -> None:
+    found = combined(x * y > 0, [assume(x > 0), assume(y > 0)])
+    assert leaves_of(found) == {"combined": 1, "assume": 2}
+
+
+def test_whole_numbers() -> None:
+    assert whole(x) == Predicate("whole", (), (x,))
+    assert Implies((proposition(x > 0), proposition(y > 0))).free == {x, y}
+    assert conditions(sp.tan(pi / 8)) == frozenset()

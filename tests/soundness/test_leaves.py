@@ -1,0 +1,299 @@
+"""Leaves and classical rules: each hypothesis that is dropped or weakened is refused."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from sympy import Ne, Rational, S, cos, exp, pi, sin, symbols
+
+from symhaptic.notation.proposition import (
+    ForAll,
+    NoTerm,
+    Predicate,
+    Relation,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.proof.box import positive as on_pieces
+from symhaptic.proof.certificate import Known, Positive
+from symhaptic.proof.theorems.analysis import (
+    above_its_start,
+    from_there_on,
+    in_the_limit,
+    increases,
+    induction,
+)
+from symhaptic.proof.theorems.definitions import gains, loop, whole_delay
+from symhaptic.proof.theorems.energy import toeplitz
+from symhaptic.proof.theorems.kernel import NotShown, assume, discharged, weakened, whole
+from symhaptic.proof.theorems.leaves import (
+    both_ways,
+    bounded,
+    broken,
+    combined,
+    divided,
+    factor,
+    identity,
+    is_whole,
+    magnitude,
+    not_negative,
+    number,
+    on_box,
+    rising,
+    root_outside,
+    roots_inside,
+    sign_of,
+    square,
+    strictly,
+    tends,
+)
+from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
+from symhaptic.proof.theorems.tactics import positive
+
+x, y, n, z, theta, c = symbols("x y n z theta q")
+
+
+def lt(a: object, b: object) -> Relation:
+    return Relation(sp.sympify(a), "<", sp.sympify(b))
+
+
+ONE = number(lt(0, 1))
+
+
+def refused(*attempts: object) -> None:
+    for attempt in attempts:
+        with pytest.raises((NotShown, NoTerm)):
+            attempt()  # type: ignore[operator]
+
+
+def test_identities() -> None:
+    refused(
+        lambda: identity(sp.sqrt(x**2), x),
+        lambda: identity(sin(2 * x), 2 * sin(x)),
+        lambda: identity(sp.log(x * y), sp.log(x) + sp.log(y)),
+        lambda: identity((x**2) ** Rational(1, 2), sp.Abs(x)),
+        lambda: identity(exp(sp.I * x) ** y, exp(sp.I * x * y)),
+    )
+
+
+def test_numbers() -> None:
+    refused(
+        lambda: number(lt(1, 0)),
+        lambda: number(lt(0, 0)),
+        lambda: number(lt(0, x)),
+        lambda: number(lt(0, sp.I)),
+        lambda: number(Relation(sp.pi, "=", Rational(355, 113))),
+        lambda: number(Relation(sp.sqrt(2) ** 2, "!=", S(2))),
+        lambda: number(lt(sp.I, 1 + sp.I)),
+    )
+
+
+def test_arithmetic_of_signs() -> None:
+    p, q, weak, apart = assume(x > 0), assume(y > 0), assume(x >= 0), assume(Ne(x, 0))
+    equal = assume(sp.Eq(x, y))
+    refused(
+        lambda: combined(x > 0, [weak]),
+        lambda: combined(x > 0, [apart]),
+        lambda: combined(x > 0, [p], [-1, q]),
+        lambda: combined(x - y > 0, [p], [S(-1), q]),
+        lambda: combined(x * y > 0, [p, y]),
+        lambda: combined(x > 0, [p, S.Zero]),
+        lambda: combined(x > 0, [equal, 1]),
+        lambda: combined(sp.Eq(x, 0), [weak]),
+        lambda: combined(Ne(x + y, 0), [apart], [assume(Ne(y, 0))]),
+        lambda: combined(Ne(x, 0), [weak]),
+        lambda: combined(Ne(x, 0), [weak], [equal, 1]),
+        lambda: combined(Relation(z, "<", x + z), [p]),
+        lambda: combined(Relation(sp.I, "<", x + sp.I), [p]),
+    )
+
+
+def test_a_divisor_of_the_goal_is_open() -> None:
+    claim = Relation(1 / y, "<", 1 / y + x)
+    assert Relation(y, "!=", S.Zero) in combined(claim, [assume(x > 0)]).hypotheses
+
+
+def test_quotients() -> None:
+    p, q = assume(x > 0), assume(y > 0)
+    refused(
+        lambda: divided(x / y > 0, p, assume(y >= 0)),
+        lambda: divided(x / y > 0, assume(x >= 0), q),
+        lambda: divided(x / y > 0, p, assume(Ne(y, 0))),
+        lambda: divided(y / x > 0, p, q),
+        lambda: divided(-x / y > 0, p, q),
+    )
+    refused(
+        lambda: factor(x, assume(x * y >= 0), y),
+        lambda: factor(x, assume(sp.Eq(x * y, 0)), y),
+        lambda: factor(x, assume(Ne(x + y, 0)), y),
+    )
+    refused(
+        lambda: strictly(assume(x <= y), assume(Ne(x, 0))),
+        lambda: strictly(assume(x < y), assume(x <= y)),
+        lambda: both_ways(assume(x <= y), assume(x <= y)),
+        lambda: both_ways(assume(x < y), assume(y <= x)),
+    )
+
+
+def test_elementary_functions() -> None:
+    assert lt(0, x) in sign_of(sin, x).hypotheses
+    assert lt(x, pi) in sign_of(sin, x).hypotheses
+    assert {lt(-pi / 2, x), lt(x, pi / 2)} <= sign_of(cos, x).hypotheses
+    assert Relation(S.Zero, "<=", x) in sign_of(sp.sqrt, x).hypotheses
+    assert {lt(x, y), Relation(y, "<=", pi / 2)} <= rising(sin, x, y).hypotheses
+    assert {Relation(S.Zero, "<=", x), Relation(y, "<=", pi)} <= rising(cos, x, y).hypotheses
+    assert Relation(S.Zero, "<=", x) in magnitude(x).hypotheses
+    assert Relation(x, "<=", S.Zero) in magnitude(x, negative=True).hypotheses
+    refused(
+        lambda: sign_of(exp, sp.I * x),
+        lambda: sign_of(sp.log, x),
+        lambda: sign_of(sp.tan, x),
+        lambda: sign_of(exp, z),
+        lambda: rising(sp.tan, x, y),
+        lambda: rising(sp.cosh, x, y),
+        lambda: bounded(sp.tan, x),
+        lambda: bounded(cos, sp.I * x),
+        lambda: magnitude(z),
+        lambda: square(z),
+        lambda: square(sp.I),
+    )
+
+
+def test_whole_numbers() -> None:
+    refused(
+        lambda: is_whole(n),
+        lambda: is_whole(Rational(1, 2)),
+        lambda: is_whole(S(-1)),
+        lambda: is_whole(n - 1, assume(whole(n))),
+        lambda: is_whole(n / 2, assume(whole(n))),
+        lambda: is_whole(n + x, assume(whole(n))),
+        lambda: is_whole(n, assume(n >= 0)),
+        lambda: is_whole(1 / n, assume(whole(n))),
+        lambda: not_negative(assume(n > -1)),
+        lambda: broken(S(2)),
+        lambda: broken(n),
+        lambda: broken(sp.pi),
+    )
+
+
+def test_boxes() -> None:
+    [certificate] = on_pieces(x**2 - x + Rational(1, 2), {x: (0, 1)}).certificates
+    assert on_box(certificate).hypotheses == {
+        Relation(S.Zero, "<=", x),
+        Relation(x, "<=", S.One),
+    }
+    refused(
+        lambda: on_box(Positive(x - 1, {x: (S.Zero, S(2))}, ".", 96)),
+        lambda: on_box(Positive(x, {x: (S.Zero, S.One)}, ".", 96, Known({x: sp.S(5)}))),
+        lambda: on_box("x > 0"),
+    )
+
+
+def test_limits() -> None:
+    found = tends(sin(c * x) / (c * x), x, S.Zero, S.One)
+    assert any(c in p.free for p in found.hypotheses), "the divisor c x vanishes for c = 0"
+    refused(
+        lambda: tends(1 / x, x, S.Zero, S.Zero),
+        lambda: tends(sin(x) / x, x, S.Zero, S.Zero),
+        lambda: tends(sp.Abs(x) / x, x, S.Zero, S.One),
+        lambda: tends(sp.sqrt(x), x, S.Zero, S.Zero),
+        lambda: tends(sin(x) / x, x, S.Zero, x),
+    )
+
+
+def test_roots() -> None:
+    refused(
+        lambda: roots_inside(z**2 - 2, z, {}),
+        lambda: roots_inside(z**2 - 1, z, {}),
+        lambda: roots_inside(z**2 - y, z, {}),
+        lambda: root_outside(z**2 - 1, z),
+        lambda: root_outside(z**2 - Rational(1, 2), z),
+    )
+    refused(
+        lambda: zero_beyond(z**2 - y, z, assume(1 - y > 0)),
+        lambda: zero_beyond(y * z**2 - 2, z, assume(y - 2 <= 0)),
+        lambda: zero_beyond(-(z**2) + Rational(1, 2), z, number(lt(Rational(-1, 2), 0))),
+        lambda: zero_on_circle(z - 1, z, S.Zero, assume(sp.Eq(x, 0))),
+        lambda: zero_on_circle(z - 2, z, sp.I, assume(sp.Eq(x, 0))),
+    )
+
+
+def test_increasing() -> None:
+    slope = positive(2 * x > 0, [2, x > 0])
+    rises = increases(x**2, x, S.Zero, S.One, slope)
+    assert not rises.hypotheses
+    refused(
+        # a slope that is known at one end of the interval only, or of something else
+        lambda: increases(x**2, x, -S.One, S.One, slope),
+        lambda: increases(x**3, x, S.Zero, S.One, slope),
+        lambda: increases(x**2, x, S.Zero, S.One, positive(2 * x >= 0, [2, x >= 0])),
+        lambda: increases(x**2, x, S.Zero, S.One, weakened(slope, x < y)),
+        # the tangent rises on both sides of its pole
+        lambda: increases(
+            sp.tan(x), x, S.Zero, pi, positive(1 + sp.tan(x) ** 2 > 0, [ONE], [square(sp.tan(x))])
+        ),
+        lambda: increases(-1 / x, x, -S.One, S.One, assume(1 / x**2 > 0)),
+        lambda: increases(sp.sqrt(x), x, S.Zero, S.One, assume(1 / (2 * sp.sqrt(x)) > 0)),
+        lambda: increases(sp.Abs(x), x, S.Zero, S.One, assume(sp.sign(x) > 0)),
+        lambda: above_its_start(rises, tends(x**2, x, S.One, S.One)),
+        lambda: above_its_start(rises, tends(x**3, x, S.Zero, S.Zero)),
+        lambda: above_its_start(slope, tends(x**2, x, S.Zero, S.Zero)),
+        lambda: from_there_on(slope, x, y),
+        lambda: from_there_on(rises, x, sp.I),
+    )
+    order = from_there_on(rises, y, x).hypotheses
+    assert {lt(0, y), lt(y, x), lt(x, 1)} <= order
+
+
+def test_weak_in_the_limit() -> None:
+    inside = positive(x * (1 - x) > 0, [x > 0, 1 - x > 0])
+    end = tends(x * (1 - x), x, S.Zero, S.Zero)
+    found = in_the_limit(kernel_cut(inside), x, S.Zero, S.One, end)
+    assert found.conclusion == Relation(S.Zero, "<=", S.Zero)
+    refused(
+        lambda: in_the_limit(inside, x, S.Zero, S(2), end),
+        lambda: in_the_limit(inside, x, S.Zero, S.One, tends(x, x, S.Zero, S.Zero)),
+        lambda: in_the_limit(assume(Ne(x, 0)), x, S.Zero, S.One, end),
+        lambda: in_the_limit(weakened(inside, x < y), x, S.Zero, S.One, end),
+    )
+
+
+def kernel_cut(theorem: object) -> object:
+    """x < 1 as the interval says it."""
+    from symhaptic.proof.theorems.tactics import closed
+
+    return closed(theorem, positive(1 - x > 0, x < 1))  # type: ignore[arg-type]
+
+
+def test_induction() -> None:
+    claim = proposition(n * (n + 1) >= 0)
+    start = number(Relation(S.Zero, "<=", S.Zero))
+    following = claim.at({n: n + 1})
+    step = discharged(assume(following), both([whole(n), claim]))
+    refused(lambda: induction(claim, n, start, step))  # the step assumes what it shows
+    refused(lambda: induction(claim, n, step, start))
+
+
+def test_energy() -> None:
+    d, K = symbols("d K")
+    found = toeplitz(K * z**-d, z, c, theta)
+    assert whole(d) in found.hypotheses
+    assert whole(d) in whole_delay((K, 0, 1, 1, d), z).hypotheses
+    assert lt(0, y) in whole_delay((K, 0, 1, y, d), z).hypotheses
+    refused(
+        lambda: toeplitz(K * exp(z), z, c, theta),
+        lambda: toeplitz(K / (z - y), z, c, theta),
+        lambda: toeplitz(sp.I * K / z, z, c, theta),
+        lambda: toeplitz(K * z**-theta, z, c, theta),
+        lambda: toeplitz(K / z, z, z, theta),
+        lambda: gains((1, 0, 1, 1, 0), [(1, 1)]),
+        lambda: gains((-1, 0, -1, 1, 0), [(1, 1)]),
+        lambda: gains((-1, 0, 1, 1, 0), [(0, 1)]),
+        lambda: gains((K, 0, 1, 1, 0), [(1, 1)]),
+        lambda: loop((1, 1, x, y, 0), z, stiffness=False),
+        lambda: loop((z, 1, x, y, 0), z),
+    )
+    assert not any(isinstance(p, ForAll) for p in found.hypotheses)
+    assert isinstance(whole(d), Predicate)
+    assert implied([], x > 0) == proposition(x > 0)
