@@ -232,6 +232,18 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "the loop of wall (alpha, beta), spring gamma, damper delta and a delay of d periods, all "
         "in units of mass and period, comes to rest from every state",
     ),
+    "stable_substituted": (
+        *(0, 5),
+        r"\operatorname{{stable}}_{{(18)}}({0},{1},{2},{3},{4})",
+        "as the paper has it: every zero of the characteristic polynomial lies inside the unit "
+        "circle, for a delay of d = p/q periods that of the polynomial in w that z = w^q makes",
+    ),
+    "device": (
+        *(0, 6),
+        r"\frac{{{2}z+{3}}}{{z^2-{4}z+{5}}}\ \text{{samples the device}}\ ({0},{1})",
+        "x_(k+2) - a x_(k+1) + e x_k = n1 F_(k+1) + n0 F_k holds for the samples of every motion "
+        "x'' + delta x' + gamma x = F whose force is held, in units of mass and period",
+    ),
 }
 """Each predicate: how many symbols it binds, how many terms it has, its LaTeX and its meaning."""
 

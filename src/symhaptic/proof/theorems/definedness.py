@@ -73,7 +73,7 @@ def real(expr: Expr) -> bool:
         return not is_complex(expr)
     if isinstance(expr, _ALWAYS_REAL):
         return True
-    if not _mirrors(expr):
+    if not mirrors(expr):
         return False
     if not expr.has(sp.I):
         return True
@@ -83,7 +83,7 @@ def real(expr: Expr) -> bool:
         return False
 
 
-def _mirrors(expr: Expr) -> bool:
+def mirrors(expr: Expr) -> bool:
     """Whether the conjugate of an expression is found by exchanging j and -j."""
     if expr.is_Rational or expr in (sp.pi, sp.E, sp.I):
         return True
@@ -92,8 +92,8 @@ def _mirrors(expr: Expr) -> bool:
     if expr.is_Pow:
         base, power = expr.args
         if power.is_Integer:
-            return _mirrors(base)
-        return bool(base.is_Rational and base > 0) and _mirrors(power)
+            return mirrors(base)
+        return bool(base.is_Rational and base > 0) and mirrors(power)
     if expr.is_Add or expr.is_Mul or isinstance(expr, _REAL):
-        return all(_mirrors(a) for a in expr.args)
+        return all(mirrors(a) for a in expr.args)
     return isinstance(expr, _ALWAYS_REAL)

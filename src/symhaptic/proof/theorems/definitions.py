@@ -10,9 +10,18 @@ from sympy import Expr, Symbol
 
 from symhaptic.model.loop import characteristic
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import Iff, Not, Predicate, Relation, term
-from symhaptic.proof.theorems.definedness import conditions
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule, whole
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    Iff,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    term,
+)
+from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 from symhaptic.scene import Parts
 
 
@@ -42,21 +51,52 @@ def loop(
     one: its gamma or delta is 0, and its polynomial is made of its own motion.  That the poles of
     the device differ is a hypothesis, as far as its polynomial divides by their difference.
     """
+    divisors, zeros = loop_polynomial(values, variable, 1, stiffness, damping)
+    found = tuple(term(v) for v in values)
+    return divisors | {whole(found[4])}, Iff((Predicate("stable_loop", (), found), zeros))
+
+
+def loop_polynomial(
+    values: Sequence[Any], variable: Symbol, share: int, stiffness: bool, damping: bool
+) -> tuple[set[Proposition], Predicate]:
+    """A loop's polynomial in w, with z = w^share, has its zeros inside; and its divisors."""
     found = [term(v) for v in values]
     if any(variable in t.free_symbols for t in found):
         raise NotShown(f"{variable} is bound")
-    if (not stiffness and found[2] != 0) or (not damping and found[3] != 0):
+    if (not stiffness and found[2] != 0) or (not damping and found[3] != 0) or share < 1:
         raise NotShown("a part that is not modelled is zero")
     polynomial = characteristic(Parts(stiffness=stiffness, damping=damping))
-    names = dict(zip((alpha, beta, gamma, delta, d, z), (*found, variable), strict=True))
+    names = dict(zip((alpha, beta, gamma, delta, d), found, strict=True))
     placed = polynomial.xreplace({s: v for s, v in names.items() if s != v})
-    # of z there are powers only
-    divisors = {c for c in conditions(placed) if variable not in c.free}
-    return divisors | {whole(found[4])}, Iff(
-        (
-            Predicate("stable_loop", (), tuple(found)),
-            Predicate("stable", (variable,), (placed,)),
-        )
+    powers = _raised(placed, variable, share)
+    # of the variable there are powers only
+    divisors = {c for c in conditions(powers) if variable not in c.free}
+    return divisors, Predicate("stable", (variable,), (powers,))
+
+
+def _raised(expr: Expr, variable: Symbol, share: int) -> Expr:
+    """With variable^share for z."""
+    if expr == z or (expr.is_Pow and expr.args[0] == z):
+        return variable ** (share * expr.as_base_exp()[1])
+    return expr.func(*(_raised(a, variable, share) for a in expr.args)) if expr.args else expr
+
+
+@rule
+def loop_substituted(
+    values: Sequence[Any],
+    variable: Symbol,
+    share: int,
+    stiffness: bool = True,
+    damping: bool = True,
+) -> Judgement:
+    """The paper's reading of a delay of d = p/q periods: the polynomial in w, with z = w^q.
+
+    ``share`` is q; that q d is whole is a hypothesis.
+    """
+    judged = loop_polynomial(values, variable, int(share), stiffness, damping)
+    late = term(values[4])
+    return judged[0] | {whole(share * late)}, Iff(
+        (Predicate("stable_substituted", (), tuple(map(term, values))), judged[1])
     )
 
 
@@ -101,3 +141,76 @@ def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     if not energy < 0:
         raise NotShown(f"the motion leaves the energy {energy}")
     return (), Not((Predicate("passive_wall", (), (K, B, b, T, late)),))
+
+
+@rule
+def loop_of_device(numbers: Sequence[Any], values: Sequence[Any], variable: Symbol) -> Judgement:
+    """With the numbers of its device a loop is stable where z^(d+1) A + N W is.
+
+    W = (alpha + beta) z - beta, A = z^2 - a z + e and N = n1 z + n0.  The paper's
+    reading of the delay and the exact one agree where it is whole.
+    """
+    found = [term(v) for v in values]
+    n1, n0, a_, e_ = (term(v) for v in numbers)
+    if any(variable in t.free_symbols for t in (*found, n1, n0, a_, e_)):
+        raise NotShown(f"{variable} is bound")
+    stiffness, damping, spring, damper, late = found
+    polynomial = variable ** (late + 1) * (variable**2 - a_ * variable + e_) + (
+        n1 * variable + n0
+    ) * ((stiffness + damping) * variable - damping)
+    device = Predicate("device", (), (spring, damper, n1, n0, a_, e_))
+    zeros = Predicate("stable", (variable,), (polynomial,))
+    named = [Predicate(name, (), tuple(found)) for name in ("stable_loop", "stable_substituted")]
+    return {device, whole(late)}, And(tuple(Iff((one, zeros)) for one in named))
+
+
+@rule
+def device_exists(spring: Any, damper: Any, names: Sequence[Symbol]) -> Judgement:
+    """A device x'' + delta x' + gamma x = F has its four numbers, for all real gamma and delta."""
+    gamma_, delta_ = term(spring), term(damper)
+    if not (real(gamma_) and real(delta_)) or len(set(names)) != 4:
+        raise NotShown("two real numbers and four names are wanted")
+    if set(names) & (gamma_.free_symbols | delta_.free_symbols):
+        raise NotShown("a name is taken")
+    return conditions(gamma_, delta_), Exists(
+        tuple(names), Predicate("device", (), (gamma_, delta_, *names))
+    )
+
+
+@rule
+def device_at_rest(device: Theorem) -> Judgement:
+    """1 - a + e = gamma (n1 + n0), for a held unit force rests at 1/gamma; e = exp(-delta).
+
+    A held force pushes a device with a damper forwards: 0 < n1 + n0 for 0 <= gamma, 0 < delta.
+    """
+    gamma_, delta_, n1, n0, a_, e_ = device_numbers(device)
+    damped = {Relation(sp.S.Zero, "<=", gamma_), Relation(sp.S.Zero, "<", delta_)}
+    return device.hypotheses | damped, And(
+        (
+            Relation(1 - a_ + e_, "=", gamma_ * (n1 + n0)),
+            Relation(sp.S.Zero, "<", n1 + n0),
+            Relation(e_, "=", sp.exp(-delta_)),
+        )
+    )
+
+
+@rule
+def device_comes_to_rest(device: Theorem, variable: Symbol) -> Judgement:
+    """A device with damper and spring forgets its state: all zeros of A lie inside.
+
+    They are exp(s) for the zeros s of s^2 + delta s + gamma, which have negative real parts.
+    """
+    gamma_, delta_, _, _, a_, e_ = device_numbers(device)
+    if any(variable in t.free_symbols for t in (gamma_, delta_, a_, e_)):
+        raise NotShown(f"{variable} is bound")
+    held = {Relation(sp.S.Zero, "<", gamma_), Relation(sp.S.Zero, "<", delta_)}
+    poles = Predicate("stable", (variable,), (variable**2 - a_ * variable + e_,))
+    return device.hypotheses | held, poles
+
+
+def device_numbers(device: Theorem) -> tuple[Expr, ...]:
+    """gamma, delta, n1, n0, a and e of which a theorem says that they belong together."""
+    claim = device.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "device"):
+        raise NotShown(f"{claim} is about no device")
+    return claim.of

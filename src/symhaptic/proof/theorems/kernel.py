@@ -424,6 +424,19 @@ def _divisor(condition: Proposition) -> Expr:
 
 
 @rule
+def substituted(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
+    """p(a) and a = b give p(b); ``pattern`` is p, with a symbol in the place of its term."""
+    pattern, equal = proposition(pattern), equation.conclusion
+    if not (isinstance(equal, Relation) and equal.sign == "="):
+        raise NotShown(f"{equal} is no equation")
+    before, after = {place: equal.left}, {place: equal.right}
+    if theorem.conclusion != pattern.at(before):
+        raise NotShown(f"{theorem.conclusion} is not {pattern} there")
+    extra = _allowed(before, pattern) | _allowed(after, pattern)
+    return theorem.hypotheses | equation.hypotheses | extra, pattern.at(after)
+
+
+@rule
 def witnessed(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement:
     """p(a), for real terms a, gives that there is an x with p(x)."""
     if not isinstance(wanted, Exists) or set(values) != set(wanted.over):

@@ -26,7 +26,7 @@ from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term
-from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definedness import conditions, mirrors, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 _ZERO = sp.S.Zero
@@ -208,6 +208,18 @@ def factor(of: Any, product: Theorem, other: Any) -> Judgement:
     if not _same(of * other, claim.right - claim.left):
         raise NotShown(f"{of} is no factor of {claim.right - claim.left}")
     return product.hypotheses | conditions(of, other), Relation(of, "!=", _ZERO)
+
+
+@rule
+def mirrored(theorem: Theorem) -> Judgement:
+    """The conjugate of an equation, whose symbols are real: with -j for j."""
+    claim = theorem.conclusion
+    if not (isinstance(claim, Relation) and claim.sign in ("=", "!=")):
+        raise NotShown(f"{claim} is no equation")
+    if not (mirrors(claim.left) and mirrors(claim.right)):
+        raise NotShown(f"the conjugate of {claim} is not found by exchanging j and -j")
+    left, right = (side.xreplace({sp.I: -sp.I}) for side in (claim.left, claim.right))
+    return theorem.hypotheses | conditions(left, right), Relation(left, claim.sign, right)
 
 
 # -- elementary functions --------------------------------------------------------------

@@ -6,16 +6,22 @@ has to be believed beside logic and the deciders.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Not, Predicate, Relation, term
+from symhaptic.notation.proposition import Not, Predicate, Proposition, Relation, term
+from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 SOURCES = {
+    "roots_stay": "zeros of a polynomial are continuous in its coefficients; Marden, Geometry of "
+    "Polynomials, Theorem 1.4",
+    "linear": "definition of a zero",
+    "all_inside": "zeros of a product are those of its factors",
     "zero_beyond": "a real polynomial that is not positive at 1 and grows has a zero there or "
     "beyond: intermediate value theorem; Rudin, 4.23",
     "zero_on_circle": "definition of a zero",
@@ -31,11 +37,14 @@ def zero_on_circle(polynomial: Any, variable: Symbol, angle: Any, zero: Theorem)
     polynomial, angle = term(polynomial), term(angle)
     if not real(angle):
         raise NotShown(f"{angle} is not real by its form")
-    _coefficients(polynomial, variable)
-    there = polynomial.xreplace({variable: sp.exp(sp.I * angle)})
-    if zero.conclusion != Relation(there, "=", _ZERO):
-        raise NotShown(f"{zero.conclusion} is not the value of {polynomial} there")
-    return zero.hypotheses | conditions(angle), Not(
+    exponents = _whole(_powers(polynomial, variable))
+    claim = zero.conclusion
+    there = _on_circle(polynomial, variable, angle)
+    if not (isinstance(claim, Relation) and (claim.sign, claim.right) == ("=", _ZERO)):
+        raise NotShown(f"{claim} is no zero")
+    if not is_zero(claim.left - there):
+        raise NotShown(f"{claim.left} is not the value of {polynomial} there")
+    return zero.hypotheses | conditions(angle) | exponents, Not(
         (Predicate("stable", (variable,), (polynomial,)),)
     )
 
@@ -63,3 +72,148 @@ def _coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
         return [sp.sympify(c) for c in sp.Poly(polynomial, variable).all_coeffs()]
     except sp.PolynomialError:
         raise NotShown(f"{polynomial} is no polynomial in {variable} of a known degree") from None
+
+
+@rule
+def linear(variable: Symbol, below: Theorem, above: Theorem) -> Judgement:
+    """The zero of z - v lies inside for -1 < v < 1."""
+    claim, other = below.conclusion, above.conclusion
+    if not (isinstance(claim, Relation) and (claim.sign, claim.left) == ("<", -sp.S.One)):
+        raise NotShown(f"{claim} does not say that something is above -1")
+    value = claim.right
+    if other != Relation(value, "<", sp.S.One) or variable in value.free_symbols:
+        raise NotShown(f"{other} does not say that {value} is below 1")
+    return below.hypotheses | above.hypotheses, Predicate(
+        "stable", (variable,), (variable - value,)
+    )
+
+
+@rule
+def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
+    """All zeros of z^m f g lie inside if those of f and of g do; m is whole."""
+    product = term(variable) ** term(power)
+    hypotheses = _whole([term(power)])
+    for theorem in factors:
+        polynomial = _stable(theorem, variable)
+        product *= polynomial
+        hypotheses |= theorem.hypotheses
+    return hypotheses, Predicate("stable", (variable,), (product,))
+
+
+@rule
+def roots_stay(
+    start: Any,
+    change: Any,
+    variable: Symbol,
+    share: Symbol,
+    angle: Symbol,
+    crossing: Theorem,
+    static: Theorem,
+    begin: Theorem,
+    *inwards: Theorem,
+) -> Judgement:
+    """All zeros of f + g lie inside: along f + y g, 0 <= y <= 1, none crosses the circle.
+
+    f is monic and of higher degree than g, both are real polynomials in z, powers of z with
+    symbols in the exponent included (that these are whole is a hypothesis).  ``crossing`` concludes
+    that f + y g is not zero at exp(j theta), for 0 < y <= 1 and 0 < theta <= pi, ``static`` that it
+    is not zero at 1.  ``begin`` concludes that all zeros of f lie inside; or all of h with f =
+    (z - 1) h, then ``inwards`` concludes 0 < g(1) and 0 < h(1), so that the zero at 1 moves to
+    smaller z.
+    """
+    f, g = term(start), term(change)
+    if {share, angle} & (f.free_symbols | g.free_symbols) or share == angle:
+        raise NotShown(f"{share} or {angle} is no symbol of its own")
+    turned = _on_circle(f, variable, angle) + share * _on_circle(g, variable, angle)
+    f_one, g_one = (_on_circle(p, variable, _ZERO) for p in (f, g))
+    part_way = {Relation(_ZERO, "<", share), Relation(share, "<=", sp.S.One)}
+    circle = {Relation(_ZERO, "<", angle), Relation(angle, "<=", sp.pi)}
+    hypotheses = _monic_above(f, g, variable)
+    for theorem, value, within in (
+        (crossing, turned, part_way | circle),
+        (static, f_one + share * g_one, part_way),
+    ):
+        claim = theorem.conclusion
+        if not (
+            isinstance(claim, Relation)
+            and claim.right == 0
+            and (claim.sign == "!=")
+            and is_zero(claim.left - value)
+        ):
+            raise NotShown(f"{claim} does not say that the path avoids the circle")
+        hypotheses |= theorem.hypotheses - within
+    if any({share, angle} & p.free for p in hypotheses):
+        raise NotShown(f"a hypothesis is about {share} or {angle}")
+    inside = _stable(begin, variable)
+    hypotheses |= begin.hypotheses
+    if not is_zero(inside - f):
+        if not is_zero((variable - 1) * inside - f) or len(inwards) != 2:
+            raise NotShown(f"{inside} is not where the path begins")
+        for theorem, value in zip(
+            inwards, (g_one, _on_circle(inside, variable, _ZERO)), strict=True
+        ):
+            claim = theorem.conclusion
+            if not (
+                isinstance(claim, Relation)
+                and (claim.sign, claim.left) == ("<", _ZERO)
+                and is_zero(claim.right - value)
+            ):
+                raise NotShown(f"{claim} does not say that the zero at 1 moves inwards")
+            hypotheses |= theorem.hypotheses
+    return hypotheses, Predicate("stable", (variable,), (f + g,))
+
+
+def _stable(theorem: Theorem, variable: Symbol) -> Expr:
+    """The polynomial of which a theorem says that all its zeros lie inside."""
+    claim = theorem.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "stable"):
+        raise NotShown(f"{claim} does not say that zeros lie inside")
+    [polynomial] = claim.of
+    return polynomial.xreplace({claim.over[0]: variable})
+
+
+def _powers(polynomial: Expr, variable: Symbol) -> dict[Expr, Expr]:
+    """Exponents of a polynomial, which may hold symbols, with their coefficients."""
+    found: dict[Expr, Expr] = {}
+    for summand in sp.Add.make_args(sp.expand(polynomial)):
+        coefficient, powers = summand.as_independent(variable, as_Add=False)
+        factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
+        if any(base != variable or variable in e.free_symbols for base, e in factors):
+            raise NotShown(f"{summand} is no multiple of a power of {variable}")
+        if not real(coefficient):
+            raise NotShown(f"{coefficient} is not real by its form")
+        exponent = sp.expand(sp.Add(*(e for _, e in factors)))
+        found[exponent] = found.get(exponent, _ZERO) + coefficient
+    return {e: c for e, c in found.items() if c != 0}
+
+
+def _whole(exponents: Iterable[Expr]) -> set[Proposition]:
+    """That exponents are whole; of numbers it is seen."""
+    for exponent in exponents:
+        if exponent.is_number and not (exponent.is_Integer and exponent >= 0):
+            raise NotShown(f"the exponent {exponent} is not whole")
+    return {whole(e) for e in exponents if not e.is_number}
+
+
+def _on_circle(polynomial: Expr, variable: Symbol, angle: Expr) -> Expr:
+    """Its value at exp(j theta), for whole exponents."""
+    return sp.Add(*(c * sp.exp(sp.I * angle * e) for e, c in _powers(polynomial, variable).items()))
+
+
+def _monic_above(f: Expr, g: Expr, variable: Symbol) -> set[Proposition]:
+    """That exponents are whole, and the highest: larger than all others by whole numbers."""
+    ours, theirs = _powers(f, variable), _powers(g, variable)
+    hypotheses = _whole([*ours, *theirs])
+    for lead in ours:
+        others = [*(e for e in ours if e != lead), *theirs]
+        gaps = [sp.expand(lead - e - 1) for e in others]
+        if ours[lead] == 1 and all(_seen_whole(gap) for gap in gaps):
+            hypotheses |= {whole(s) for gap in gaps for s in gap.free_symbols}
+            return hypotheses
+    raise NotShown(f"{f} is not monic, or {g} not of lower degree")
+
+
+def _seen_whole(gap: Expr) -> bool:
+    """A sum of whole numbers and multiples of symbols, which are whole by hypothesis."""
+    poly = sp.Poly(gap, *gap.free_symbols) if gap.free_symbols else None
+    return all(c.is_Integer and c >= 0 for c in (poly.coeffs() if poly else [gap]))

@@ -22,6 +22,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
+    absurd,
     applied,
     assume,
     conjoined,
@@ -156,3 +157,9 @@ def sine_of_half(angle: Any) -> Theorem:
         angle / 2 < sp.pi, [half, angle < sp.pi], [number(sp.Lt(0, sp.pi / 2, evaluate=False))]
     )
     return closed(sign_of(sp.sin, angle / 2), low, high)
+
+
+def denied_by(equivalence: Theorem, denial: Theorem) -> Theorem:
+    """not p, from p <=> q and not q."""
+    claim = equivalence.conclusion.of[0]  # type: ignore[attr-defined]
+    return absurd(applied(equivalence, assume(claim)), denial, claim)

@@ -1,0 +1,182 @@
+"""A wall that meets the passivity condition at every angle keeps every damped device stable."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+from sympy import Expr, I, Ne, exp, pi
+
+from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.model.passivity import margin
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    a,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    e,
+    gamma,
+    n_0,
+    n_1,
+    theta,
+    y,
+    z,
+)
+from symhaptic.notation.proposition import Predicate, Relation, proposition
+from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.definitions import (
+    device_at_rest,
+    device_comes_to_rest,
+    device_exists,
+    loop_of_device,
+)
+from symhaptic.proof.theorems.energy import held_steady_state
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    by_cases,
+    chosen,
+    conjoined,
+    cut,
+    decided,
+    ordered,
+    part,
+    placed,
+    substituted,
+    whole,
+)
+from symhaptic.proof.theorems.leaves import (
+    both_ways,
+    combined,
+    is_whole,
+    mirrored,
+    number,
+    rising,
+    sign_of,
+    square,
+    tends,
+)
+from symhaptic.proof.theorems.roots import all_inside, linear, roots_stay
+from symhaptic.proof.theorems.tactics import at, closed, positive
+
+NUMBERS = (n_1, n_0, a, e)
+LOOP = (alpha, beta, gamma, delta, d)
+DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
+MARGIN = margin().xreplace({K: alpha, B: beta, b: delta, T: sp.S.One})
+"""delta - alpha sin((d+1/2) theta)/(2 sin(theta/2)) + beta cos((d+1) theta)."""
+EVERY_MARGIN = at_every_angle(MARGIN >= 0)
+
+
+def _mirror(expr: Expr) -> Expr:
+    return expr.xreplace({I: -I})
+
+
+@cache
+def margin_to_the_end() -> Theorem:
+    """0 <= margin for 0 < theta <= pi, from the angles below pi."""
+    below = at(assume(EVERY_MARGIN), {theta: theta}, *map(assume, INSIDE))
+    end = MARGIN.xreplace({theta: pi})
+    limit = tends(MARGIN, theta, pi, end)
+    last = in_the_limit(below, theta, sp.S.Zero, pi, limit)
+    last = cut(last, number(sp.Lt(0, pi, evaluate=False)))
+    equal = both_ways(assume(theta >= pi), assume(theta <= pi))
+    there = substituted(MARGIN >= 0, theta, last, equal)
+    return by_cases(ordered(theta, pi), below, there)
+
+
+@cache
+def sine_not_zero() -> Theorem:
+    """sin(theta/2) != 0 for 0 < theta <= pi."""
+    half = sp.S.Half
+    low = positive(theta / 2 > 0, [half, theta > 0])
+    room = number(sp.Lt(0, pi / 2, evaluate=False))
+    high = positive(theta / 2 < pi, [half, theta <= pi], [room])
+    return positive(Ne(sp.sin(theta / 2), 0), [closed(sign_of(sp.sin, theta / 2), low, high)])
+
+
+@cache
+def no_crossing() -> Theorem:
+    """p(exp(j theta)) != 0 for the wall turned up to y, 0 < y <= 1 and 0 < theta <= pi."""
+    turn = exp(I * theta)
+    way = (turn - 1) * (n_1 * turn + n_0)
+    delayed = exp(I * (d + 1) * theta)
+    plant = turn**2 - a * turn + e
+    wall = (n_1 * turn + n_0) * ((alpha + beta) * turn - beta)
+    path = delayed * plant + y * wall
+    energy = held_steady_state(assume(DEVICE), theta)
+    gain = energy.conclusion.right - energy.conclusion.left  # type: ignore[attr-defined]
+    eased = delta + y * (MARGIN - delta)
+    safe = positive(
+        eased >= 0, [positive(1 - y >= 0, y <= 1), delta > 0], [y > 0, margin_to_the_end()]
+    )
+    size = way * _mirror(way)
+    along, across = (way + _mirror(way)) / 2, (way - _mirror(way)) / (2 * I)
+    nonnegative = combined(size >= 0, [square(along)], [square(across)])
+    apart = sine_not_zero()
+    both = closed(combined(gain + size * eased > 0, [energy], [nonnegative, safe]), apart)
+    root = assume(sp.Eq(path, 0))
+    turned = way * delayed / 2
+    balance = combined(
+        Relation(sp.S.Zero, "=", gain + size * eased),
+        [mirrored(root), -turned],
+        [root, -_mirror(turned)],
+    )
+    contrary = absurd(both, closed(balance, apart))
+    wanted = proposition(Ne(path, 0))
+    return by_cases(decided(path, sp.S.Zero), anything(contrary, wanted), assume(wanted))
+
+
+@cache
+def passive_is_stable() -> Theorem:
+    """stable, from the margin at every angle, 0 <= gamma, 0 < delta, 0 < alpha + gamma, d whole."""
+    device = assume(DEVICE)
+    rest = device_at_rest(device)
+    static, pushed, decay = (part(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
+    below_one = positive(1 - y >= 0, y <= 1)
+    stiff = positive(y * alpha + gamma > 0, [y > 0, alpha + gamma > 0], [below_one, gamma >= 0])
+    plant, wall = z**2 - a * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
+    at_one = positive(
+        Ne((1 - a + e) + y * (n_1 + n_0) * alpha, 0), [pushed, stiff], [static, -sp.S.One]
+    )
+    path = (z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one)
+    held = all_inside(z, d + 1, device_comes_to_rest(device, z))
+    sprung = roots_stay(*path, held)
+    free = _from_a_pole_at_one(static, pushed, decay)
+    spring = ordered(sp.S.Zero, gamma)
+    nothing = both_ways(assume(gamma <= 0), assume(gamma >= 0))
+    stable = by_cases(spring, sprung, cut(free, nothing))
+    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
+    found = loop_of_device(NUMBERS, LOOP, z)
+    readings = [part(found, reading) for reading in found.conclusion.of]  # type: ignore[attr-defined]
+    both = conjoined(*(applied(reading, closed(stable, *steps)) for reading in readings))
+    return chosen(device_exists(gamma, delta, NUMBERS), both)
+
+
+def _from_a_pole_at_one(static: Theorem, pushed: Theorem, decay: Theorem) -> Theorem:
+    """Without a spring one pole of the device lies at 1; the first stiffness moves it inwards."""
+    place = sp.Symbol("q")
+    free = assume(sp.Eq(gamma, 0))
+    trace = combined(sp.Eq(a, 1 + e), [static, -1], [free, -(n_1 + n_0)])
+    device = substituted(DEVICE.at({a: place}), place, assume(DEVICE), trace)
+    pull = combined(alpha > 0, [assume(alpha + gamma > 0)], [free, 1])
+    plant, wall = z**2 - (1 + e) * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
+    crossing = cut(placed(no_crossing(), {a: 1 + e}), device)
+    at_one = positive(Ne(y * (n_1 + n_0) * alpha, 0), [y > 0, pushed, pull])
+    below_one = closed(rising(exp, -delta, sp.S.Zero), positive(-delta < 0, delta > 0))
+    slow = combined(e < 1, [below_one], [decay, 1])
+    last = combined(e > -1, [sign_of(exp, -delta)], [decay, -1], [sp.S.One])
+    begin = all_inside(z, d + 1, linear(z, last, slow))
+    inwards = positive((n_1 + n_0) * alpha > 0, [pushed, pull]), positive(1 - e > 0, [slow])
+    start = z ** (d + 1) * plant
+    stable = roots_stay(start, wall, z, y, theta, crossing, at_one, begin, *inwards)
+    back = combined(sp.Eq(1 + e, a), [trace, -1])
+    pattern = Predicate("stable", (z,), (z ** (d + 1) * (z**2 - place * z + e) + wall,))
+    return substituted(pattern, place, stable, back)
