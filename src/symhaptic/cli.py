@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from symhaptic.commands import computing, deciding  # noqa: F401 - each registers its commands
+from symhaptic.commands import computing, deciding, reporting  # noqa: F401 - each registers its commands
 from symhaptic.commands.shared import Unusable, app
 
 # Typer carries Click inside or beside itself, depending on its age; this is the base of the

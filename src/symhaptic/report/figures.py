@@ -151,7 +151,7 @@ def free_mass_inequalities(axes: Axes) -> None:
 
 
 _METADATA: dict[str, Any] = {
-    ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    ".pdf": {"CreationDate": None, "Creator": "symhaptic", "Producer": None},
     ".svg": {"Date": None},
     ".png": {"Software": None},
 }
