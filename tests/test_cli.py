@@ -218,8 +218,8 @@ BAD_INPUT = {
     "no number": (["export", "--delay", "two"], "'two' should be a valid integer"),
     "one word too many": (["report", "book"], "(book); allowed is what --help lists"),
     "unknown chapter": (
-        ["report", "--chapter", "s3c_stifness_maximum"],
-        "'s3c_stiffness_maximum'?",
+        ["report", "--chapter", "s3d_figure"],
+        "'s3d_figures'",
     ),
     "standing alone without a chapter": (["report", "--standalone"], "--chapter NAME"),
     "report into a file": (["report", "-o", "a_file"], "a_file"),

@@ -11,6 +11,8 @@ from itertools import product
 from numbers import Real
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from symhaptic.suggest import suggested
+
 if TYPE_CHECKING:
     from symhaptic.simplest.choose import Simplest
 
@@ -49,6 +51,26 @@ class Parts:
 
 
 FULL = Parts()
+
+
+def left(words: str) -> Parts:
+    """The loop that is left without what words say, such as ``"no-stiffness,no-delay"``.
+
+    Raises :class:`ValueError` for a word that names no part.
+
+    >>> left("no-stiffness,no-delay").name
+    'damping, virtual damping'
+    """
+    parts = FULL
+    allowed = [f"no-{part.replace('_', '-')}" for part in FULL.present()]
+    for word in filter(None, (w.strip() for w in words.split(","))):
+        if word == "no-mass":
+            raise ValueError("no-mass: a loop without a mass has no motion to sample")
+        if word not in allowed:
+            raise ValueError(f"{word}: is not known; {suggested(word, allowed)}")
+        parts = parts.without(word.removeprefix("no-").replace("-", "_"))
+    return parts
+
 
 ALL = tuple(Parts(*choice) for choice in product((True, False), repeat=4))
 """All sixteen scenes, the full one first."""

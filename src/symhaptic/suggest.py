@@ -15,7 +15,7 @@ def suggested(name: str, known: Iterable[str], listing: str = "") -> str:
     >>> suggested("no-dely", ["no-damping", "no-delay"])
     "did you mean 'no-delay'? allowed are no-damping, no-delay"
     >>> suggested("eq111", [f"eq{n}" for n in range(1, 32)], "`symhaptic verify --list` lists all")
-    "did you mean 'eq11', 'eq1'? `symhaptic verify --list` lists all"
+    "did you mean 'eq11', 'eq1', 'eq31', 'eq21'? `symhaptic verify --list` lists all"
     """
     names = list(known)
     folded = {each.casefold(): each for each in reversed(names)}

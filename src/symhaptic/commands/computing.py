@@ -14,7 +14,6 @@ from symhaptic.commands.shared import (
     no_folder,
     progress,
     refuse,
-    unwritable,
     write,
 )
 
@@ -176,7 +175,7 @@ def kernels(
         try:
             own.write()
         except OSError as wrong:
-            unwritable(own.FOLDER, wrong.strerror)
+            refuse(f"{own.FOLDER}: cannot write there ({wrong.strerror}); it has to be writable")
         typer.echo(f"wrote {own.FOLDER}")
         return
     diff = own.differences()

@@ -10,12 +10,12 @@ import typer
 
 from symhaptic.commands.shared import (
     app,
-    close_to,
     progress,
     refuse,
     writable,
     write,
 )
+from symhaptic.suggest import suggested
 
 if TYPE_CHECKING:
     from symhaptic.ledger import Entry
@@ -28,6 +28,8 @@ class ListFormat(StrEnum):
     json = "json"
     junit = "junit"
 
+
+LISTED = "`symhaptic verify --list` lists all"
 
 Derivations = Annotated[
     list[Path] | None,
@@ -74,6 +76,7 @@ def verify(
         int | None,
         typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
     ] = None,
+    names_only: Annotated[bool, typer.Option("--list", help="Print the statements' ids.")] = False,
     derivation: Derivations = None,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one."""
@@ -83,16 +86,19 @@ def verify(
     own = own_chapters(derivation)
     wanted = ids or []
     known = ledger.expected(library.expected_ledger())
+    if names_only:
+        typer.echo("\n".join(known))
+        return
     for id in wanted if not own else []:
         if id not in known:
-            refuse(f"ID: {id!r} is not a statement; allowed are {close_to(id, known)}")
+            refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
     paths = listing.needed(wanted, library.shipped()) + own
     entries = ledger.ledger(settled(paths, workers or parallel.workers()))
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:
             if id not in names:
-                refuse(f"ID: {id!r} is not a statement; allowed are {close_to(id, names)}")
+                refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted)]
     surprises = ledger.surprises(entries, known, whole=not wanted)
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
