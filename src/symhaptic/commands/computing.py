@@ -63,9 +63,10 @@ def trace(
     delay: Annotated[
         str, typer.Option("--delay", metavar="d", help="Delay in periods, fractions exact.")
     ],
-    format: Annotated[TraceFormat, typer.Option("--format", help="What to write.")] = (
-        TraceFormat.csv
-    ),
+    format: Annotated[
+        TraceFormat | None,
+        typer.Option("--format", help="What to write; as FILE ends, or csv, if not given."),
+    ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
     ] = None,
@@ -75,6 +76,7 @@ def trace(
     from symhaptic.tracer import output as written
     from symhaptic.tracer.region import stable_region
 
+    format = format_of(output, format)
     drawn = format in (TraceFormat.png, TraceFormat.svg)
     if drawn and output is None:
         refuse(f"--format {format}: needs -o FILE; csv and json can be printed")
@@ -183,6 +185,19 @@ def kernels(
     if diff:
         typer.echo("symhaptic: a kernel is stale; `symhaptic kernels` writes them", err=True)
         raise typer.Exit(1)
+
+
+def format_of(output: Path | None, given: TraceFormat | None) -> TraceFormat:
+    """The format that is given or that a file's ending names, which have to agree."""
+    ending = "" if output is None else output.suffix.lower().removeprefix(".")
+    if not ending:
+        return given or TraceFormat.csv
+    if given is None and ending not in TraceFormat.__members__:
+        every = ", ".join(f".{name}" for name in TraceFormat)
+        refuse(f"-o {output}: its ending names no format; allowed are {every}, or none")
+    if given not in (None, ending):
+        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+    return TraceFormat(ending)
 
 
 def number(name: str, text: str) -> float:
