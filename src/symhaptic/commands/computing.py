@@ -152,9 +152,7 @@ def export(
                 typer.echo(f"{form.name}({args})\n    {form.title}")
             return
         if target is None:
-            refuse(
-                "--target: is needed; allowed are numpy, c, cpp, fortran, rust, javascript, octave"
-            )
+            refuse(f"--target: is needed; allowed are {', '.join(request.TARGETS)}")
         language = request.target(target, precision)
         folder = output or Path(f"{name}-{target}")
         _, files = request.built(language, forms, name)

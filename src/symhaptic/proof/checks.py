@@ -1,6 +1,6 @@
 """What a chapter asks of the checkers, kept with its arguments so that it can be asked again.
 
-The page keeps each question that was answered with yes; :mod:`symhaptic.proof.trial` asks it again
+The page keeps each question that was answered with yes; :mod:`symhaptic.proof.changes` asks it again
 with something changed, and the answer must then be no.
 """
 
