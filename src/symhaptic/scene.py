@@ -114,9 +114,10 @@ class Scene:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = getattr(self, field.name)
+            value = _plain(getattr(self, field.name))
             if value is None:
                 continue
+            object.__setattr__(self, field.name, value)
             least = "> 0" if field.name in ("mass", "sampling_period") else ">= 0"
             real = isinstance(value, Real) and math.isfinite(value)
             if not real or value < 0 or (least == "> 0" and value == 0):
@@ -241,6 +242,7 @@ class Scene:
         """
         from symhaptic.tracer.margin import delay_margin
 
+        K, B = _plain(K), _plain(B)
         for name, value in (("K", K), ("B", B)):
             if not isinstance(value, Real) or not math.isfinite(value):
                 raise ValueError(f"{name}: {value!r} is not allowed; finite numbers are")
@@ -248,3 +250,8 @@ class Scene:
         scale = self.sampling_period / self.mass
         found = delay_margin(K * scale * self.sampling_period, B * scale, gamma, delta)
         return float(found) * self.sampling_period
+
+
+def _plain(value: Any) -> Any:
+    """A number that comes as an array without axes, or as NumPy's own kind, as Python's."""
+    return value.item() if getattr(value, "ndim", None) == 0 else value

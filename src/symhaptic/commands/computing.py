@@ -142,6 +142,7 @@ def export(
     """Write stable forms as source code that stands alone, with test vectors and a self-test."""
     from symhaptic.export import request
     from symhaptic.export.target import Refused
+    from symhaptic.export.targets import TARGETS
 
     try:
         by = [word.strip() for word in derivative.split(",") if word.strip()]
@@ -152,7 +153,7 @@ def export(
                 typer.echo(f"{form.name}({args})\n    {form.title}")
             return
         if target is None:
-            refuse(f"--target: is needed; allowed are {', '.join(request.TARGETS)}")
+            refuse(f"--target: is needed; allowed are {', '.join(TARGETS)}")
         language = request.target(target, precision)
         folder = output or Path(f"{name}-{target}")
         _, files = request.built(language, forms, name)
