@@ -1,4 +1,4 @@
-"""The chapter that CONTRIBUTING shows runs as it stands, by README's CI too; a wrong step is found."""
+"""The chapter that CONTRIBUTING shows runs as it stands, by README's CI too; a wrong step fails."""
 
 import shlex
 import subprocess

@@ -15,7 +15,7 @@ from symhaptic.report.bench import measurement
 from symhaptic.report.errata import errata
 from symhaptic.report.mutants import mutants_listed
 from symhaptic.report.page import chapter_tex
-from symhaptic.report.place import drafted, left_over
+from symhaptic.report.place import drafted, left_over, refuse_foreign
 from symhaptic.report.tex import ReportError, filled, typeset
 from symhaptic.report.words import escaped, prose
 
@@ -144,6 +144,7 @@ def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str],
     Raises :class:`ReportError` where that cannot be, or would cost a file that is no report's.
     """
     files = text_files(chapters)
+    refuse_foreign(target, [*files, *_drawn(chapters)])
     with drafted(target) as draft:
         _texts(files, draft)
         _figures(chapters, draft / "figures", say)
@@ -163,6 +164,7 @@ def write_excerpt(
 ) -> None:
     """The same for some chapters, with their numbers in the book; others there are left alone."""
     files = excerpt_files(chapters, standalone)
+    refuse_foreign(target, [*files, *_drawn([chapter for _, chapter in chapters])])
     with drafted(target) as draft:
         _texts(files, draft)
         _figures([chapter for _, chapter in chapters], draft / "figures", say)
@@ -173,6 +175,12 @@ def write_excerpt(
 def _texts(files: dict[str, str], folder: Path) -> None:
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
+
+
+def _drawn(chapters: list[Chapter]) -> list[str]:
+    """Names of the figures of chapters."""
+    blocks = [block for chapter in chapters for block in chapter.page.blocks]
+    return [f"figures/{block.title}.pdf" for block in blocks if block.draw is not None]
 
 
 def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:
