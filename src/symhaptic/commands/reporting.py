@@ -91,8 +91,8 @@ def report(
             build.write(chapters, output, pdf, say)
     except tex.ReportError as wrong:
         refuse(str(wrong))
-    main = "book" if not some else "chapters" if alone else some[-1].stem
-    typer.echo(f"wrote {output / main}.{'pdf' if pdf else 'tex'}")
+    mains = ["book"] if not some else ["chapters"] if alone else [path.stem for path in some]
+    typer.echo("\n".join(f"wrote {output / name}.{'pdf' if pdf else 'tex'}" for name in mains))
     if not pdf and not some and format is None:
         typer.echo(f"no PDF: {tex.NO_TEX}", err=True)
 
