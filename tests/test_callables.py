@@ -113,6 +113,11 @@ def test_printed_and_derived_forms(monkeypatch):
 def test_a_scene_leaves_arguments_out():
     scene = Scene(mass=0.1, sampling_period=0.001, damping=0.5)
     assert lambdify("linear_limit", scene=scene)(0.0, 0.02) == pytest.approx(0.04)
+    assert lambdify("linear_limit", scene="no-delay, no-stiffness")(0.0, 0.02) == (
+        pytest.approx(0.04)
+    )  # 2 (beta + delta), the paper's (25) at d = 0
+    with pytest.raises(TypeError, match="scene: 3 is not allowed"):
+        lambdify("linear_limit", scene=3)
     free = lambdify("discretize", scene=Parts(stiffness=False, damping=False))
     assert [float(x) for x in free()] == [0.5, 0.5, 2.0, 1.0]
 
@@ -125,6 +130,8 @@ def test_a_scene_leaves_arguments_out():
         ({"id": "eq11", "modules": "pandas"}, "modules: 'pandas'"),
         ({"id": "eq11", "form": "printed", "scene": Parts()}, "scene"),
         ({"id": "eq11", "scene": Parts(damping=False)}, "without damping"),
+        ({"id": "eq11", "scene": "no-dely"}, "scene: no-dely: .* did you mean 'no-delay'"),
+        ({"id": "linear_limt"}, "id: 'linear_limt' .* did you mean 'linear_limit'"),
     ],
 )
 def test_what_is_not_known_is_named(arguments, named):

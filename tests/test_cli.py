@@ -217,6 +217,11 @@ BAD_INPUT = {
     "too small a number": (["verify", "--workers", "0"], "'--workers': '0' should be greater"),
     "no number": (["export", "--delay", "two"], "'two' should be a valid integer"),
     "one word too many": (["report", "book"], "(book); allowed is what --help lists"),
+    "unknown chapter": (
+        ["report", "--chapter", "s3d_figure"],
+        "'s3d_figures'",
+    ),
+    "standing alone without a chapter": (["report", "--standalone"], "--chapter NAME"),
     "report into a file": (["report", "-o", "a_file"], "a_file"),
     "report below a file": (["report", "-o", "a_file/deeper"], "a_file"),
     "check of a file": (["report", "--check", "-o", "a_file"], "-o a_file: is no folder"),
@@ -266,8 +271,9 @@ build.write([run(shipped()[0])], Path(sys.argv[1]), pdf=True, say=print)
 def test_a_killed_report_leaves_the_old_one_whole(tmp_path):
     target = tmp_path / "reports"
     target.mkdir()
-    (target / "book.tex").write_text("old")
-    (target / "ledger.json").write_text("old")
+    old = "% written by `symhaptic report`; do not edit\nold"
+    (target / "book.tex").write_text(old)
+    (target / "ledger.json").write_text(old)
     process = subprocess.Popen(
         [sys.executable, "-c", ONE_CHAPTER, target],
         stdout=subprocess.DEVNULL,
@@ -280,8 +286,45 @@ def test_a_killed_report_leaves_the_old_one_whole(tmp_path):
     assert list(target.glob(".draft-*"))
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
-    assert (target / "book.tex").read_text() == "old"
-    assert (target / "ledger.json").read_text() == "old"
+    assert (target / "book.tex").read_text() == old
+    assert (target / "ledger.json").read_text() == old
+
+
+@pytest.mark.parametrize("name", ["book.tex", "symhaptic.sty", "s3_energy.tex", "ledger.json"])
+def test_a_report_does_not_write_over_what_is_not_its_own(name, tmp_path):
+    (tmp_path / name).write_text("mine")
+    begin = time.monotonic()
+    run = symhaptic("report", "--format", "tex", "-o", tmp_path)
+    assert run.returncode == 2
+    assert f"{name} there is not written by `symhaptic report`" in run.stderr
+    assert run.stderr.count("\n") == 1
+    assert time.monotonic() - begin < 10  # told before the work
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+    assert (tmp_path / name).read_text() == "mine"
+
+
+def test_one_chapter_alone(tmp_path):
+    (tmp_path / "book.tex").write_text("mine")  # which it does not write
+    run = symhaptic("report", "--chapter", "s3c_stiffness_maximum", "-o", tmp_path)
+    assert run.returncode == 0, run.stderr
+    names = {path.name for path in tmp_path.iterdir()}
+    assert names == {"book.tex", "s3c_stiffness_maximum.tex", "symhaptic.sty"}
+    committed = ROOT / "reports" / "s3c_stiffness_maximum.tex"
+    if committed.is_file():  # the same as in the book
+        written = (tmp_path / "s3c_stiffness_maximum.tex").read_text(encoding="utf-8")
+        assert written == committed.read_text(encoding="utf-8")
+    check = ("report", "--chapter", "s3c_stiffness_maximum", "--check", "-o", tmp_path)
+    assert symhaptic(*check).returncode == 0
+    (tmp_path / "symhaptic.sty").unlink()
+    assert symhaptic(*check).returncode == 1
+
+
+def test_a_chapter_of_ones_own_alone_and_standing_alone(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    run = symhaptic("report", "--chapter", "my", "--derivation", path, "--standalone", cwd=tmp_path)
+    assert run.returncode == 0, run.stderr
+    names = {path.name for path in (tmp_path / "reports").iterdir()}
+    assert names == {"my.tex", "chapters.tex", "symhaptic.sty"}
 
 
 def test_help_and_version():

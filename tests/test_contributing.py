@@ -1,12 +1,17 @@
-"""The chapter that CONTRIBUTING shows runs as it stands, and a wrong step in it is found."""
+"""The chapter that CONTRIBUTING shows runs as it stands, by README's CI too; a wrong step fails."""
 
+import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+from symhaptic.latex import latex
 from symhaptic.library import BadChapter, run
 
 TEXT = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
+README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 EXAMPLE = TEXT.split("```python\n")[1].split("```")[0]
 
 
@@ -16,8 +21,34 @@ def test_the_example_proves_its_statement(tmp_path):
     assert run(path).page.settled["my-drift"].verdict.kind == "proved"
 
 
+def test_its_steps_show_something(tmp_path):
+    path = tmp_path / "drift.py"
+    path.write_text(EXAMPLE, encoding="utf-8")
+    sides = [line for block in run(path).page.blocks for line in block.lines]
+    shown = [[s if isinstance(s, str) else latex(s) for s in (a, b)] for a, _, b in sides]
+    assert len(shown) == 4
+    assert all(left != right for left, right in shown)
+
+
 def test_a_wrong_step_in_it_is_named(tmp_path):
     path = tmp_path / "drift.py"
     path.write_text(EXAMPLE.replace("-b * speed", "-2 * b * speed"), encoding="utf-8")
     with pytest.raises(BadChapter, match="It obeys Newton's law"):
         run(path)
+
+
+@pytest.mark.parametrize("part", README.split("```yaml\n")[1:], ids=["GitHub", "GitLab"])
+def test_the_ci_of_somebody_else_checks_their_chapter(part, tmp_path):
+    """In a repository that is not this one: installed by name, then their chapter, their tests."""
+    steps = [line.strip(" -").removeprefix("run: ") for line in part.split("```")[0].splitlines()]
+    (installed,) = (s for s in steps if s.startswith("pip install"))
+    assert "symhaptic" in installed.split()
+    assert "." not in installed.split()
+    assert "pytest" in steps
+    (verified,) = (s for s in steps if s.startswith("symhaptic verify"))
+    command = [sys.executable, "-m", *shlex.split(verified)]
+    for text, status in ((EXAMPLE, 0), (EXAMPLE.replace("{mv}{b}", "{2mv}{b}"), 1)):
+        (tmp_path / "drift.py").write_text(text, encoding="utf-8")
+        run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert run.returncode == status, run.stderr
+        assert "my-drift" in (tmp_path / "formulas.xml").read_text(encoding="utf-8")

@@ -115,6 +115,11 @@ def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     assert verdicts == {"eq1": "definition", "eq11": "qualified"}
 
 
+def test_the_wheel_says_that_it_is_typed(unpacked):
+    """PEP 561: without this file a checker takes every name of the package for Any."""
+    assert (unpacked / "symhaptic" / "py.typed").is_file()
+
+
 def test_a_public_name_is_not_hidden_by_a_module():
     """A submodule of the same name would take its place once it is imported."""
     code = (

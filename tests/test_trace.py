@@ -70,6 +70,22 @@ def test_a_picture_is_the_same_from_run_to_run(format, head, tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("name", "head"),
+    [
+        ("x.png", b"\x89PNG"),
+        ("x.SVG", b"<?xml"),
+        ("x.json", b"{"),
+        ("x.csv", b"ring"),
+        ("x", b"ring"),
+    ],
+)
+def test_the_ending_of_the_file_names_the_format(name, head, tmp_path):
+    run = trace(*PLANT, "-o", tmp_path / name)
+    assert run.returncode == 0, run.stderr
+    assert (tmp_path / name).read_bytes().startswith(head)
+
+
+@pytest.mark.parametrize(
     ("arguments", "says"),
     [
         (("--gamma", -1, "--delta", 0, "--delay", 0), ("--gamma", "-1.0", "gamma >= 0")),
@@ -79,6 +95,9 @@ def test_a_picture_is_the_same_from_run_to_run(format, head, tmp_path):
         (("--gamma", 0, "--delta", 0), ("--delay",)),
         ((*PLANT, "--format", "png"), ("--format png", "-o FILE")),
         ((*PLANT, "--format", "gif"), ("--format", "gif", "csv")),
+        ((*PLANT, "--format", "csv", "-o", "x.png"), ("-o x.png", "--format csv", ".csv")),
+        ((*PLANT, "--format", "png", "-o", "x.pdf"), ("-o x.pdf", "--format png", ".png")),
+        ((*PLANT, "-o", "x.gif"), ("-o x.gif", ".csv, .json, .png, .svg")),
         ((*PLANT, "-o", "no/such/folder/x.csv"), ("-o no/such/folder/x.csv", "folder")),
     ],
 )

@@ -17,7 +17,8 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.model.derivatives import with_derivatives
 from symhaptic.model.stable import STATEMENTS, Form, NoForm
 from symhaptic.model.values import value
-from symhaptic.scene import FULL, Parts, Scene
+from symhaptic.scene import FULL, Parts, Scene, left
+from symhaptic.suggest import suggested
 
 FORMS = ("stable", "derived", "printed")
 MODULES = ("numpy", "jax", "torch", "cupy", "mpmath")
@@ -27,8 +28,8 @@ def lambdify(
     id: str,
     form: str = "stable",
     modules: str = "numpy",
-    scene: Scene | Parts | None = None,
-    derivatives: Sequence[str] = (),
+    scene: Scene | Parts | str | None = None,
+    derivatives: Sequence[str] | str = (),
 ) -> Callable[..., Any]:
     """A function of numbers from a formula.
 
@@ -36,7 +37,9 @@ def lambdify(
     a function that `symhaptic export --list` prints.  ``form`` is ``"stable"``, which keeps its
     digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
     ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries, or mpmath, which gives
-    as many digits as ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out.  The arguments of a
+    as many digits as ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out, as a
+    :class:`Scene` or in the words of the command line (``"no-stiffness,no-delay"``).  The arguments
+    of a
     stable form are dimensionless and in the order that `--list` prints; those of the others are in
     the order of their names.  ``derivatives`` names arguments of a stable form: after its results
     come their derivatives with respect to the first of these, then to the next.  Returns one number
@@ -57,8 +60,7 @@ def lambdify(
     """
     for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
         if given not in known:
-            raise ValueError(f"{name}: {given!r} is not allowed; {', '.join(known)} are")
-    parts = scene.parts if isinstance(scene, Scene) else scene or FULL
+            raise ValueError(f"{name}: {given!r} is not allowed; {suggested(given, known)}")
     if form != "stable":
         if derivatives:
             raise ValueError(
@@ -68,15 +70,31 @@ def lambdify(
             raise ValueError(f"scene: is not allowed with form={form!r}; stable forms have scenes")
         return _of_the_paper(id, form, modules)
     try:
-        (wanted,) = request.chosen([id], parts)
+        (wanted,) = request.chosen([id], _parts(scene))
     except Refused as wrong:
-        raise ValueError(f"id: {wrong}") from None
+        raise ValueError(f"id: {str(wrong).removeprefix('FORMULA: ')}") from None
+    if isinstance(derivatives, str):
+        derivatives = [name.strip() for name in derivatives.split(",") if name.strip()]
     if derivatives:
         try:
             wanted = with_derivatives(wanted, tuple(derivatives))
         except NoForm as lacking:
             raise ValueError(f"derivatives: {lacking}") from None
     return _in_digits(wanted) if modules == "mpmath" else _on_arrays(wanted)
+
+
+def _parts(scene: Scene | Parts | str | None) -> Parts:
+    """What is in the loop."""
+    if scene is None or isinstance(scene, Parts):
+        return scene or FULL
+    if isinstance(scene, Scene):
+        return scene.parts
+    if not isinstance(scene, str):
+        raise TypeError(f"scene: {scene!r} is not allowed; a Scene or words as 'no-delay' are")
+    try:
+        return left(scene)
+    except ValueError as wrong:
+        raise ValueError(f"scene: {wrong}") from None
 
 
 @cache

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from typing import Annotated
 
 import typer
 
-from symhaptic.commands import computing, deciding  # noqa: F401 - each registers its commands
+from symhaptic.commands import computing, deciding, reporting  # noqa: F401 - each registers its commands
 from symhaptic.commands.shared import Unusable, app
+from symhaptic.suggest import suggested
 
 # Typer carries Click inside or beside itself, depending on its age; this is the base of the
 # errors that its parser raises, in either case.
@@ -30,6 +32,18 @@ def _root(
         typer.echo(context.get_help())
 
 
+def clearer(said: str) -> str:
+    """What the parser says, with what may have been meant."""
+    if choice := re.search(r"'([^']*)' is not one of ('.*')\.?$", said):
+        names = re.findall(r"'([^']*)'", choice[2])
+        return f"{said[: choice.start()]}{choice[1]!r} is not known; {suggested(choice[1], names)}"
+    if not said.startswith(("No such", "Got unexpected")):
+        return said
+    said = re.sub(r" \(Possible options: (.*)\)", r"; did you mean \1?", said)
+    said = re.sub(r"\. Did you mean (.*)\?", r"; did you mean \1?", said).rstrip(".")
+    return f"{said}{' ' if said.endswith('?') else '; '}allowed is what --help lists"
+
+
 def main() -> None:
     """Entry point: one line for a bad input, exit status 2, no traceback."""
     command = typer.main.get_command(app)
@@ -40,8 +54,7 @@ def main() -> None:
         said = said.replace("Value error, ", "")
         if (errors := getattr(wrong.__cause__, "errors", None)) is not None:
             said = said.replace("Input should", f"{errors()[0]['input']!r} should")
-        if said.startswith(("No such", "Got unexpected")):
-            said = f"{said.rstrip('.')}; allowed is what --help lists"
+        said = clearer(said)
         typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
         raise SystemExit(2) from None
     except (typer.Abort, KeyboardInterrupt):

@@ -16,6 +16,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.reading import Printed
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
+from symhaptic.suggest import suggested
 
 
 @dataclass(frozen=True)
@@ -82,8 +83,9 @@ def formula(id: str) -> Formula:
     statement = STATEMENTS.get(id)
     derived, verdict = found.get(id, ((), None))
     if statement is None or verdict is None or not (statement.printed or derived):
-        known = ", ".join(k for k, known in STATEMENTS.items() if known.printed)
-        raise ValueError(f"id: {id!r} is not a formula; known are {known}")
+        known = [k for k, known in STATEMENTS.items() if known.printed]
+        close = suggested(id, known, "`symhaptic verify --list` lists all")
+        raise ValueError(f"id: {id!r} is not a formula; {close}")
     return Formula(
         id,
         statement.location,

@@ -11,6 +11,8 @@ from itertools import product
 from numbers import Real
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from symhaptic.suggest import suggested
+
 if TYPE_CHECKING:
     from symhaptic.simplest.choose import Simplest
 
@@ -49,6 +51,26 @@ class Parts:
 
 
 FULL = Parts()
+
+
+def left(words: str) -> Parts:
+    """The loop that is left without what words say, such as ``"no-stiffness,no-delay"``.
+
+    Raises :class:`ValueError` for a word that names no part.
+
+    >>> left("no-stiffness,no-delay").name
+    'damping, virtual damping'
+    """
+    parts = FULL
+    allowed = [f"no-{part.replace('_', '-')}" for part in FULL.present()]
+    for word in filter(None, (w.strip() for w in words.split(","))):
+        if word == "no-mass":
+            raise ValueError("no-mass: a loop without a mass has no motion to sample")
+        if word not in allowed:
+            raise ValueError(f"{word}: is not known; {suggested(word, allowed)}")
+        parts = parts.without(word.removeprefix("no-").replace("-", "_"))
+    return parts
+
 
 ALL = tuple(Parts(*choice) for choice in product((True, False), repeat=4))
 """All sixteen scenes, the full one first."""
@@ -92,9 +114,10 @@ class Scene:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = getattr(self, field.name)
+            value = _plain(getattr(self, field.name))
             if value is None:
                 continue
+            object.__setattr__(self, field.name, value)
             least = "> 0" if field.name in ("mass", "sampling_period") else ">= 0"
             real = isinstance(value, Real) and math.isfinite(value)
             if not real or value < 0 or (least == "> 0" and value == 0):
@@ -219,6 +242,7 @@ class Scene:
         """
         from symhaptic.tracer.margin import delay_margin
 
+        K, B = _plain(K), _plain(B)
         for name, value in (("K", K), ("B", B)):
             if not isinstance(value, Real) or not math.isfinite(value):
                 raise ValueError(f"{name}: {value!r} is not allowed; finite numbers are")
@@ -226,3 +250,8 @@ class Scene:
         scale = self.sampling_period / self.mass
         found = delay_margin(K * scale * self.sampling_period, B * scale, gamma, delta)
         return float(found) * self.sampling_period
+
+
+def _plain(value: Any) -> Any:
+    """A number that comes as an array without axes, or as NumPy's own kind, as Python's."""
+    return value.item() if getattr(value, "ndim", None) == 0 else value

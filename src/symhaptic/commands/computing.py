@@ -14,7 +14,6 @@ from symhaptic.commands.shared import (
     no_folder,
     progress,
     refuse,
-    unwritable,
     write,
 )
 
@@ -64,9 +63,10 @@ def trace(
     delay: Annotated[
         str, typer.Option("--delay", metavar="d", help="Delay in periods, fractions exact.")
     ],
-    format: Annotated[TraceFormat, typer.Option("--format", help="What to write.")] = (
-        TraceFormat.csv
-    ),
+    format: Annotated[
+        TraceFormat | None,
+        typer.Option("--format", help="What to write; as FILE ends, or csv, if not given."),
+    ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
     ] = None,
@@ -76,6 +76,7 @@ def trace(
     from symhaptic.tracer import output as written
     from symhaptic.tracer.region import stable_region
 
+    format = format_of(output, format)
     drawn = format in (TraceFormat.png, TraceFormat.svg)
     if drawn and output is None:
         refuse(f"--format {format}: needs -o FILE; csv and json can be printed")
@@ -141,6 +142,7 @@ def export(
     """Write stable forms as source code that stands alone, with test vectors and a self-test."""
     from symhaptic.export import request
     from symhaptic.export.target import Refused
+    from symhaptic.export.targets import TARGETS
 
     try:
         by = [word.strip() for word in derivative.split(",") if word.strip()]
@@ -151,9 +153,7 @@ def export(
                 typer.echo(f"{form.name}({args})\n    {form.title}")
             return
         if target is None:
-            refuse(
-                "--target: is needed; allowed are numpy, c, cpp, fortran, rust, javascript, octave"
-            )
+            refuse(f"--target: is needed; allowed are {', '.join(TARGETS)}")
         language = request.target(target, precision)
         folder = output or Path(f"{name}-{target}")
         _, files = request.built(language, forms, name)
@@ -176,7 +176,7 @@ def kernels(
         try:
             own.write()
         except OSError as wrong:
-            unwritable(own.FOLDER, wrong.strerror)
+            refuse(f"{own.FOLDER}: cannot write there ({wrong.strerror}); it has to be writable")
         typer.echo(f"wrote {own.FOLDER}")
         return
     diff = own.differences()
@@ -184,6 +184,19 @@ def kernels(
     if diff:
         typer.echo("symhaptic: a kernel is stale; `symhaptic kernels` writes them", err=True)
         raise typer.Exit(1)
+
+
+def format_of(output: Path | None, given: TraceFormat | None) -> TraceFormat:
+    """The format that is given or that a file's ending names, which have to agree."""
+    ending = "" if output is None else output.suffix.lower().removeprefix(".")
+    if not ending:
+        return given or TraceFormat.csv
+    if given is None and ending not in TraceFormat.__members__:
+        every = ", ".join(f".{name}" for name in TraceFormat)
+        refuse(f"-o {output}: its ending names no format; allowed are {every}, or none")
+    if given not in (None, ending):
+        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+    return TraceFormat(ending)
 
 
 def number(name: str, text: str) -> float:

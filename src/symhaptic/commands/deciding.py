@@ -1,4 +1,4 @@
-"""Verify, report and mutants: what runs the chapters."""
+"""Verify and mutants: what asks whether the chapters are right."""
 
 from __future__ import annotations
 
@@ -10,17 +10,15 @@ import typer
 
 from symhaptic.commands.shared import (
     app,
-    close_to,
-    folder_allowed,
     progress,
     refuse,
     writable,
     write,
 )
+from symhaptic.suggest import suggested
 
 if TYPE_CHECKING:
     from symhaptic.ledger import Entry
-    from symhaptic.library import Chapter
 
 
 class ListFormat(StrEnum):
@@ -31,32 +29,12 @@ class ListFormat(StrEnum):
     junit = "junit"
 
 
-class ReportFormat(StrEnum):
-    """What `report` writes."""
-
-    tex = "tex"
-    pdf = "pdf"
-
+LISTED = "`symhaptic verify --list` lists all"
 
 Derivations = Annotated[
     list[Path] | None,
     typer.Option("--derivation", metavar="FILE", help="A chapter of your own; may be repeated."),
 ]
-
-
-def chapters_of(paths: list[Path]) -> list[Chapter]:
-    """Run derivations one after the other, whole with their pages."""
-    from symhaptic.library import BadChapter, run
-
-    done: list[Chapter] = []
-    try:
-        with progress(len(paths)) as told:
-            for path in paths:
-                told(len(done), path)
-                done.append(run(path))
-    except BadChapter as wrong:
-        refuse(f"--derivation {wrong}")
-    return done
 
 
 def settled(paths: list[Path], workers: int) -> list[Entry]:
@@ -98,6 +76,7 @@ def verify(
         int | None,
         typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
     ] = None,
+    names_only: Annotated[bool, typer.Option("--list", help="Print the statements' ids.")] = False,
     derivation: Derivations = None,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one."""
@@ -107,16 +86,19 @@ def verify(
     own = own_chapters(derivation)
     wanted = ids or []
     known = ledger.expected(library.expected_ledger())
+    if names_only:
+        typer.echo("\n".join(known))
+        return
     for id in wanted if not own else []:
         if id not in known:
-            refuse(f"ID: {id!r} is not a statement; allowed are {close_to(id, known)}")
+            refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
     paths = listing.needed(wanted, library.shipped()) + own
     entries = ledger.ledger(settled(paths, workers or parallel.workers()))
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:
             if id not in names:
-                refuse(f"ID: {id!r} is not a statement; allowed are {close_to(id, names)}")
+                refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted)]
     surprises = ledger.surprises(entries, known, whole=not wanted)
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
@@ -131,51 +113,6 @@ def verify(
         write(listing.replace, output, text)
     if surprises or (strict and undecided):
         raise typer.Exit(1)
-
-
-@app.command()
-def report(
-    format: Annotated[
-        ReportFormat | None,
-        typer.Option("--format", help="tex, or pdf where a TeX is installed (the default)."),
-    ] = None,
-    output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the report.")] = Path(
-        "reports"
-    ),
-    check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; fail where the text there is stale.")
-    ] = False,
-    derivation: Derivations = None,
-) -> None:
-    """Write the derivations as LaTeX chapters and a book, with figures and the ledger."""
-    from symhaptic import library
-    from symhaptic.report import build
-
-    tex = build.has_tex()
-    if format is ReportFormat.pdf and not tex and not check:
-        refuse(f"--format pdf: {build.NO_TEX}")
-    paths = library.shipped() + own_chapters(derivation)
-    try:
-        build.check(paths)
-        if not check:
-            folder_allowed(output)
-        elif not output.is_dir():
-            refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
-        chapters = chapters_of(paths)
-        if check:
-            diff = build.differences(chapters, output)
-            typer.echo(diff, nl=False)
-            if diff:
-                typer.echo(f"symhaptic: {output} is stale; `symhaptic report` writes it", err=True)
-                raise typer.Exit(1)
-            return
-        pdf = tex and format is not ReportFormat.tex
-        build.write(chapters, output, pdf, lambda line: typer.echo(line, err=True))
-    except build.ReportError as wrong:
-        refuse(str(wrong))
-    typer.echo(f"wrote {output / ('book.pdf' if pdf else 'book.tex')}")
-    if not pdf and format is None:
-        typer.echo(f"no PDF: {build.NO_TEX}", err=True)
 
 
 @app.command()

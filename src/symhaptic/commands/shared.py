@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -89,11 +89,3 @@ def write(replace: Callable[[Path, str | bytes], None], output: Path, content: s
         replace(output, content)
     except OSError as wrong:
         unwritable(output, wrong.strerror)
-
-
-def close_to(id: str, known: Iterable[str]) -> str:
-    """Ids that look alike, or some to start from."""
-    from difflib import get_close_matches
-
-    names = list(known)
-    return ", ".join(get_close_matches(id, names, 4, 0.5) or [*names[:3], "...", names[-1]])

@@ -6,7 +6,6 @@ import os
 import shutil
 import tempfile
 from collections.abc import Sequence
-from difflib import get_close_matches
 from pathlib import Path
 
 from symhaptic.export.library import Library, library
@@ -18,7 +17,8 @@ from symhaptic.export.vectors import text as test_vectors
 from symhaptic.model import stable
 from symhaptic.model.derivatives import differentiable, with_derivatives
 from symhaptic.model.stable import Form, NoForm
-from symhaptic.scene import FULL, Parts
+from symhaptic.scene import FULL, Parts, left
+from symhaptic.suggest import suggested
 
 TITLE = "Passivity and stability of haptic walls"
 
@@ -32,9 +32,9 @@ _LONGEST = 6
 def target(name: str, precision: str = "double") -> Target:
     """The target of this name, in a precision."""
     if name not in TARGETS:
-        raise Refused(f"--target {name}: is not a target; allowed are {', '.join(TARGETS)}")
+        raise Refused(f"--target {name}: is not a target; {suggested(name, TARGETS)}")
     if precision not in PRECISIONS:
-        raise Refused(f"--precision {precision}: is not known; allowed are {', '.join(PRECISIONS)}")
+        raise Refused(f"--precision {precision}: is not known; {suggested(precision, PRECISIONS)}")
     return TARGETS[name].at(PRECISIONS[precision])
 
 
@@ -44,15 +44,10 @@ def scene(words: str) -> Parts:
     >>> scene("no-stiffness,no-delay").name
     'damping, virtual damping'
     """
-    parts = FULL
-    allowed = [f"no-{part.replace('_', '-')}" for part in FULL.present()]
-    for word in filter(None, (w.strip() for w in words.split(","))):
-        if word == "no-mass":
-            raise Refused("--scene no-mass: a loop without a mass has no motion to sample")
-        if word not in allowed:
-            raise Refused(f"--scene {word}: is not known; allowed are {', '.join(allowed)}")
-        parts = parts.without(word.removeprefix("no-").replace("-", "_"))
-    return parts
+    try:
+        return left(words)
+    except ValueError as wrong:
+        raise Refused(f"--scene {wrong}") from None
 
 
 def chosen(
@@ -93,8 +88,7 @@ def _all_differentiated(every: list[Form], by: Sequence[str]) -> list[Form]:
     for name in by:
         if name not in known:
             raise Refused(
-                f"--derivative {name}: is no argument of any function; allowed are "
-                f"{', '.join(known)}"
+                f"--derivative {name}: is no argument of any function; {suggested(name, known)}"
             )
     found = []
     for form in every:
@@ -108,8 +102,8 @@ def _by_name(name: str, parts: Parts, delay: int | None) -> Form:
     known = {id: own for own, ids in stable.STATEMENTS.items() for id in ids}
     own = known.get(name, name)
     if own not in stable.FORMS:
-        close = get_close_matches(name, [*stable.FORMS, *known], 4, 0.5) or list(stable.FORMS)
-        raise Refused(f"FORMULA: {name!r} has no stable form; allowed are {', '.join(close)}")
+        close = suggested(name, [*stable.FORMS, *known], "`symhaptic export --list` lists all")
+        raise Refused(f"FORMULA: {name!r} has no stable form; {close}")
     try:
         return stable.form(own, parts, delay)
     except NoForm as lacking:

@@ -13,3 +13,11 @@ class Extremum(NamedTuple):
     alpha: Array
     beta: Array
     theta: Array
+
+    def __repr__(self) -> str:
+        """Numbers as numbers, ``alpha=0.098``, not as arrays without axes."""
+        shown = (
+            f"{name}={value}" if getattr(value, "ndim", None) == 0 else f"{name}={value!r}"
+            for name, value in self._asdict().items()
+        )
+        return f"Extremum({', '.join(shown)})"

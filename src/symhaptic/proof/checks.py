@@ -1,7 +1,7 @@
 """What a chapter asks of the checkers, kept with its arguments so that it can be asked again.
 
-The page keeps each question that was answered with yes; :mod:`symhaptic.proof.trial` asks it again
-with something changed, and the answer must then be no.
+The page keeps each question that was answered with yes; :mod:`symhaptic.proof.changes` asks it
+again with something changed, and the answer must then be no.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from sympy import Expr
 
 @dataclass(frozen=True)
 class Fractional:
-    """A quotient of two polynomials in the generators of a :class:`Field`."""
+    """A quotient of polynomials in the generators of :class:`symhaptic.proof.normal.Field`."""
 
     num: fmpq_mpoly
     den: fmpq_mpoly

@@ -75,8 +75,8 @@ def _functions(record: dict[str, Any], names: list[str], panels: Any) -> None:
             axes.set_xlim(min(times) / 8, max(times) * 40)
             axes.set_yticks([1, 1e-10, 1e-20, 1e-30, 1e-40, 1e-50])
             axes.set_title(f"{words(name)}, {which}", loc="left", fontsize=9)
-            axes.set_xlabel("seconds per evaluation")
-            axes.set_ylabel("error of largest term")
+            axes.set_xlabel("time per evaluation in s")
+            axes.set_ylabel("error over largest term")
             for last in _DIGITS.values():
                 axes.axhline(last, color=GREY, linewidth=0.3, zorder=0)
             placed.append(_ways(axes, [r for r in rows if r["set"] == which]))
@@ -113,7 +113,7 @@ def _boundary(record: dict[str, Any], panels: Any) -> None:
         axes.set(xscale="log", yscale="log", ylim=(1e-19, 1e-1))
         axes.set_xlim(min(times) / 3, max(times) * 10)
         axes.set_title(f"$d={delay}$", loc="left", fontsize=9)
-        axes.set_xlabel("seconds per point")
+        axes.set_xlabel("time per point in s")
         axes.set_ylabel("largest distance from the curve")
         names, lines = [], []
         for method in dict.fromkeys(r["method"] for r in rows):
@@ -133,8 +133,8 @@ def _stability(record: dict[str, Any], panels: Any) -> None:
     delays = sorted({r["delay"] for r in rows})
     left, right = panels
     left.set(xscale="log", yscale="log", xlim=(0.8, 60 * (max(delays) + 1)))
-    left.set_xlabel("delay $d+1$ in periods")
-    left.set_ylabel("seconds per wall")
+    left.set_xlabel("delay $d+1$ in sampling periods")
+    left.set_ylabel("time per wall in s")
     left.set_ylim(min(r["seconds"] for r in rows) / 3, max(r["seconds"] for r in rows) * 3)
     names, lines = [], []
     for method in methods:
@@ -146,7 +146,7 @@ def _stability(record: dict[str, Any], panels: Any) -> None:
     left_panel: Panel = (left, names, lines)
     right.set(xscale="log", xlim=(3e-3, 3e-16), ylim=(-4, 64))
     right.set_xlabel("relative distance from the boundary")
-    right.set_ylabel("wrong verdicts in %")
+    right.set_ylabel("share of wrong verdicts in %")
     names, lines = [], []
     last: list[float] = []
     for method in methods:
@@ -175,8 +175,8 @@ def _models(record: dict[str, Any], axes: Axes) -> None:
     times = [r["seconds"] for r in some]
     axes.set_xlim(min(times) / 3, max(times) * 30)
     axes.set_ylim(1e-4, 1)
-    axes.set_xlabel("seconds per limit")
-    axes.set_ylabel("median error of the stiffness")
+    axes.set_xlabel("time per limit in s")
+    axes.set_ylabel("median relative error of the stiffness")
     names = []
     for row in some:
         colour = _COLOURS[row["model"]]

@@ -3,12 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import os
-import re
-import shutil
-import subprocess
-import tempfile
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -21,6 +15,8 @@ from symhaptic.report.bench import measurement
 from symhaptic.report.errata import errata
 from symhaptic.report.mutants import mutants_listed
 from symhaptic.report.page import chapter_tex
+from symhaptic.report.place import drafted, left_over, refuse_foreign
+from symhaptic.report.tex import ReportError, filled, typeset
 from symhaptic.report.words import escaped, prose
 
 MEANINGS = (
@@ -33,24 +29,11 @@ MEANINGS = (
     (Kind.EXTERNAL, "rests on data outside the paper"),
     (Kind.UNDECIDED, "none of these yet"),
 )
-DRAFT = ".draft-"
-"""Beginning of the name of the folder that a report is made in."""
-
-STALE = 3600
-"""Seconds after which a draft is taken to be left over."""
-
-RESERVED = ("bench", "book", "errata", "ledger", "mutants", "preamble")
+RESERVED = ("bench", "book", "chapters", "errata", "ledger", "mutants")
 """Names of the report's own files, which no chapter may have."""
 
-NO_TEX = (
-    "no latexmk and pdflatex found; on Debian: "
-    "apt-get install latexmk texlive-latex-recommended lmodern"
-)
-TITLE = "Passivity and stability of haptic walls, derived and verified"
-
-
-class ReportError(RuntimeError):
-    """The report cannot be written; the message is one line."""
+PACKAGE = "symhaptic.sty"
+"""What a chapter's LaTeX needs."""
 
 
 def check(paths: list[Path]) -> None:
@@ -63,33 +46,25 @@ def check(paths: list[Path]) -> None:
             )
 
 
+def names_of(paths: list[Path], pdf: bool) -> list[str]:
+    """Text files and PDF of the report of these derivations, known before they are run."""
+    own = [name for name in RESERVED if name != "chapters"]
+    names = [f"{name}.tex" for name in (*(path.stem for path in paths), *own)]
+    return [*names, PACKAGE, "ledger.json", *(["book.pdf"] if pdf else [])]
+
+
+def names_of_excerpt(paths: list[Path], standalone: bool, pdf: bool) -> list[str]:
+    """The same of some chapters alone."""
+    alone = ["chapters.tex"] * standalone + ["chapters.pdf"] * pdf
+    return [PACKAGE, *(f"{path.stem}.tex" for path in paths), *alone]
+
+
 def text_files(chapters: list[Chapter]) -> dict[str, str]:
     """Name and content of every text file of the report."""
-    try:
-        from jinja2 import Environment, PackageLoader, StrictUndefined
-    except ImportError:
-        raise ReportError(
-            "reports need jinja2 and matplotlib: pip install 'symhaptic[report]'"
-        ) from None
-    environment = Environment(
-        loader=PackageLoader("symhaptic.report"),
-        undefined=StrictUndefined,
-        autoescape=False,
-        keep_trailing_newline=True,
-        variable_start_string="<<",
-        variable_end_string=">>",
-        block_start_string="<%",
-        block_end_string="%>",
-        comment_start_string="<#",
-        comment_end_string="#>",
-    )
     entries = ledger(entry for chapter in chapters for entry in of_chapter(chapter))
-    shared = {"generated": GENERATED, "title": TITLE, "counts": counted(entries)}
-    files = {
-        f"{chapter.name}.tex": f"% {GENERATED}\n" + chapter_tex(chapter, number)
-        for number, chapter in enumerate(chapters, 1)
-    }
+    shared = {"generated": GENERATED, "counts": counted(entries)}
     numbers = {chapter.source: number for number, chapter in enumerate(chapters, 1)}
+    files = _chapter_files([(numbers[chapter.source], chapter) for chapter in chapters])
     rows = [_row(entry, numbers) for entry in entries]
     trials = mutants_listed(expected_mutants())
     try:
@@ -97,7 +72,6 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
     except BadRecord as wrong:
         raise ReportError(str(wrong)) from None
     parts: list[tuple[str, dict[str, Any]]] = [
-        ("preamble", {}),
         (
             "book",
             {
@@ -118,8 +92,24 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
         *([("bench", speed)] if speed else []),
     ]
     for name, extra in parts:
-        files[f"{name}.tex"] = environment.get_template(f"{name}.tex").render(**shared, **extra)
+        files[f"{name}.tex"] = filled(f"{name}.tex", **shared, **extra)
     files["ledger.json"] = committed(entries)
+    return files
+
+
+def excerpt_files(chapters: list[tuple[int, Chapter]], standalone: bool) -> dict[str, str]:
+    """Some chapters, with their numbers in the book, and what a document needs for them."""
+    files = _chapter_files(chapters)
+    if standalone:
+        names = [chapter.name for _, chapter in chapters]
+        files["chapters.tex"] = filled("chapters.tex", generated=GENERATED, chapters=names)
+    return files
+
+
+def _chapter_files(chapters: list[tuple[int, Chapter]]) -> dict[str, str]:
+    files = {PACKAGE: filled(PACKAGE, generated=GENERATED)}
+    for number, chapter in chapters:
+        files[f"{chapter.name}.tex"] = f"% {GENERATED}\n" + chapter_tex(chapter, number)
     return files
 
 
@@ -151,52 +141,50 @@ def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
 def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str], None]) -> None:
     """Write text, figures and, if asked and possible, the PDF into ``target``.
 
-    Everything is made in a folder beside it first and moved file by file when all is there, so
-    that a run that is killed leaves the old report whole.
+    Raises :class:`ReportError` where that cannot be, or would cost a file that is no report's.
     """
     files = text_files(chapters)
-    made_here = not target.exists()
-    try:
-        target.mkdir(parents=True, exist_ok=True)
-        for old in target.glob(f"{DRAFT}*"):  # of a run that was killed, not of one beside this
-            if time.time() - old.stat().st_mtime > STALE:
-                shutil.rmtree(old, ignore_errors=True)
-        draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=target))
-    except OSError as wrong:
-        raise ReportError(
-            f"-o {target}: cannot write there ({wrong.strerror}); a folder that can be written is "
-            "allowed"
-        ) from None
-    try:
-        for name, text in files.items():
-            (draft / name).write_text(text, encoding="utf-8")
+    refuse_foreign(target, [*files, *_drawn(chapters)])
+    with drafted(target) as draft:
+        _texts(files, draft)
         _figures(chapters, draft / "figures", say)
+        _measured(draft / "figures", say)
         if pdf:
             typeset(draft, say)
-        for made in sorted(draft.rglob("*")):
-            if made.is_file() and made.suffix in (".tex", ".json", ".pdf"):
-                place = target / made.relative_to(draft)
-                place.parent.mkdir(exist_ok=True)
-                os.replace(made, place)
-        for path in _left_over(target, files):
-            path.unlink()
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)
-        if made_here and not any(target.iterdir()):
-            target.rmdir()
+    for path in left_over(target, files):
+        path.unlink()
 
 
-def _left_over(target: Path, files: dict[str, str]) -> list[Path]:
-    """Chapters of an earlier report whose derivation is gone."""
-    mark = f"% {GENERATED}"
-    return [
-        path
-        for path in sorted(target.glob("*.tex"))
-        if path.name not in files and path.read_text(encoding="utf-8").startswith(mark)
-    ]
+def write_excerpt(
+    chapters: list[tuple[int, Chapter]],
+    target: Path,
+    standalone: bool,
+    pdf: bool,
+    say: Callable[[str], None],
+) -> None:
+    """The same for some chapters, with their numbers in the book; others there are left alone."""
+    files = excerpt_files(chapters, standalone)
+    refuse_foreign(target, [*files, *_drawn([chapter for _, chapter in chapters])])
+    with drafted(target) as draft:
+        _texts(files, draft)
+        _figures([chapter for _, chapter in chapters], draft / "figures", say)
+        if pdf:
+            typeset(draft, say, "chapters")
+
+
+def _texts(files: dict[str, str], folder: Path) -> None:
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+
+
+def _drawn(chapters: list[Chapter]) -> list[str]:
+    """Names of the figures of chapters."""
+    blocks = [block for chapter in chapters for block in chapter.page.blocks]
+    return [f"figures/{block.title}.pdf" for block in blocks if block.draw is not None]
 
 
 def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:
+    """The figures of chapters."""
     folder.mkdir()
     for chapter in chapters:
         for block in chapter.page.blocks:
@@ -205,6 +193,10 @@ def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) 
 
                 say(f"figure {block.title}")
                 save(block.draw, folder / f"{block.title}.pdf", block.panels, block.height)
+
+
+def _measured(folder: Path, say: Callable[[str], None]) -> None:
+    """The figures of the committed measurement."""
     if expected_bench().is_file():
         from symhaptic.bench.record import read
         from symhaptic.report.bench_figures import drawings
@@ -215,11 +207,11 @@ def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) 
             save(draw, folder / f"{name}.pdf", panels, height)
 
 
-def differences(chapters: list[Chapter], target: Path) -> str:
+def differences(files: dict[str, str], target: Path, whole: bool = True) -> str:
     """A diff from the committed text to what would be written; empty where nothing changed."""
     out: list[str] = []
-    files = text_files(chapters)
-    for name, text in (files | {p.name: "" for p in _left_over(target, files)}).items():
+    gone = {path.name: "" for path in left_over(target, files)} if whole else {}
+    for name, text in (files | gone).items():
         path = target / name
         old = path.read_text(encoding="utf-8") if path.is_file() else ""
         out += difflib.unified_diff(
@@ -229,37 +221,3 @@ def differences(chapters: list[Chapter], target: Path) -> str:
             f"{path} (derived)",
         )
     return "".join(out)
-
-
-# -- typesetting ----------------------------------------------------------------------
-
-
-def has_tex() -> bool:
-    """Whether latexmk and pdflatex are installed."""
-    return shutil.which("latexmk") is not None and shutil.which("pdflatex") is not None
-
-
-def typeset(folder: Path, say: Callable[[str], None]) -> None:
-    """Run latexmk on the book; overfull lines and undefined references are errors."""
-    say("typesetting book.pdf")
-    run = subprocess.run(
-        ["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "book.tex"],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        errors="replace",
-        stdin=subprocess.DEVNULL,
-        env=os.environ | {"SOURCE_DATE_EPOCH": "0", "max_print_line": "1000"},
-        check=False,
-    )
-    log_file = folder / "book.log"
-    log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""
-    if run.returncode != 0:
-        first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
-        files = re.findall(r"\(\./(\w+)\.tex", log)
-        raise ReportError(f"latexmk failed in {files[-1] if files else 'book'}.tex: {first}")
-    bad = re.findall(r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*)$", log, re.MULTILINE)
-    if bad:
-        opened = re.findall(r"\(\./(\w+)\.tex", log[: log.index(bad[0])])
-        where = f"{opened[-1] if opened else 'book'}.tex"
-        raise ReportError(f"{len(bad)} bad lines in the report, the first in {where}: {bad[0]}")

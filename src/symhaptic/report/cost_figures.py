@@ -25,9 +25,9 @@ def costs(panels: Any) -> None:
         ):
             full, less = (max_stable_stiffness(g, f, delay).alpha for g, f in (whole, part))
             axes.plot(across, 100 * (less / full - 1), color=colour, label=f"$d={delay}$")
-    left.set_xlabel(r"damping $\delta$")
-    right.set_xlabel(r"stiffness $1000\,\gamma$")
-    left.set_ylabel("error in per cent")
+    left.set_xlabel(r"physical damping $\delta$")
+    right.set_xlabel(r"physical stiffness $1000\,\gamma$")
+    left.set_ylabel("error of largest stable stiffness in %")
     for axes, names in ((left, "without damper"), (right, "without spring")):
         axes.set_title(names, loc="left", fontsize=9)
         axes.axhline(0, color="black", linewidth=0.4)

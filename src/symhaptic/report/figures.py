@@ -78,14 +78,20 @@ def passive_regions(axes: Axes) -> None:
     ends = np.linspace(0, 60, 600)
     for colour, text in zip(COLOURS, DELAYS, strict=True):
         axes.plot(*boundary(float(text)), color=colour, label=f"$d = {float(text):g}$")
-    axes.plot(*_largest()(ends), color="black", linestyle="dashdot", linewidth=0.8)
-    axes.plot(*_corner()(ends), color="black", linestyle="dashed", linewidth=0.8)
+    axes.add_artist(axes.legend(loc="upper right", ncols=2))
+    styles = [
+        axes.plot(*curve(ends), color="black", linestyle=style, linewidth=0.8, label=label)[0]
+        for curve, style, label in (
+            (_largest(), "dashdot", "largest stiffness"),
+            (_corner(), "dashed", "end of the straight part"),
+        )
+    ]
     axes.axhline(0, color="black", linewidth=0.4)
     axes.set_xlim(0, 2.1)
     axes.set_ylim(-1.05, 1.05)
     axes.set_xlabel("virtual stiffness $KT/b$")
     axes.set_ylabel("virtual damping $B/b$")
-    axes.legend(loc="upper right", ncols=2)
+    axes.legend(handles=styles, loc="lower right")
 
 
 def largest_stiffness(axes: Axes) -> None:
@@ -151,7 +157,7 @@ def free_mass_inequalities(axes: Axes) -> None:
 
 
 _METADATA: dict[str, Any] = {
-    ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    ".pdf": {"CreationDate": None, "Creator": "symhaptic", "Producer": None},
     ".svg": {"Date": None},
     ".png": {"Software": None},
 }

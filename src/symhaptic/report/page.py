@@ -19,10 +19,10 @@ LINE = 29.0
 
 
 def chapter_tex(chapter: Chapter, number: int) -> str:
-    """The chapter's LaTeX, to be included by the book."""
+    """The chapter's LaTeX, to be included by the book or by any document with `symhaptic.sty`."""
     title = prose(chapter.title)
     out = [
-        f"\\chapterhead{{{number}}}{{{escaped(chapter.source)}}}{{{title}}}",
+        f"\\begin{{symhapticchapter}}{{{number}}}{{{escaped(chapter.source)}}}{{{title}}}",
         "",
         prose(chapter.introduction),
         "",
@@ -40,7 +40,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
             out += _figure(block)
     if chapter.page.settled:
         out += printed_forms(list(chapter.page.settled.values()))
-    return "\n".join(out) + "\n"
+    return "\n".join([*out, "\\end{symhapticchapter}"]) + "\n"
 
 
 # -- equations ------------------------------------------------------------------------

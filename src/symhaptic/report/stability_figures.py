@@ -25,8 +25,14 @@ GAMMA, DELTA = 0.001, 0.02
 """Upper limits of the parameter ranges (23)."""
 
 STABLE, PASSIVE, GREY = COLOURS[5], COLOURS[0], "#8A8A8A"
-DOTTED = {"linestyle": (0, (1, 1.5)), "linewidth": 0.7}
+DOTTED: dict[str, Any] = {"linestyle": (0, (1, 1.5)), "linewidth": 0.7}
 """Of the paper's principal sheet."""
+
+DASHED: dict[str, Any] = {"linestyle": "dashed", "linewidth": 0.9}
+"""Of passive walls."""
+
+STIFFEST: dict[str, Any] = {"color": "black", "linestyle": "dashdot", "linewidth": 0.7}
+"""Of the largest stable stiffness over the delay."""
 
 FINE = 1e-4
 """Chords of the drawn outlines, relative to the region."""
@@ -85,7 +91,7 @@ def origin(axes: Axes) -> None:
 
 
 def key(axes: Axes, columns: int) -> None:
-    """The legend below all panels."""
+    """The legend of one panel below all of them."""
     handles, labels = axes.get_legend_handles_labels()
     axes.figure.legend(
         handles,
@@ -124,8 +130,8 @@ def passive_and_stable(panels: Any) -> None:
             region(GAMMA, DELTA, delay).plot(axes, color=colour, label=f"$d={delay:g}$")
             if delay != int(delay):
                 region(GAMMA, DELTA, delay, "principal").plot(axes, color=colour, **DOTTED)
-            axes.plot(*passive(delay), color=colour, linestyle="dashed", linewidth=0.9)
-        axes.plot(most.alpha, most.beta, color="black", linestyle="dashdot", linewidth=0.7)
+            axes.plot(*passive(delay), color=colour, **DASHED)
+        axes.plot(most.alpha, most.beta, **STIFFEST)
         plane(axes)
     whole.set_xlim(-0.02, 0.75)
     whole.set_ylim(-0.08, 2.15)
@@ -138,6 +144,16 @@ def passive_and_stable(panels: Any) -> None:
     for axes, name in ((whole, "(a)"), (close, "(b)")):
         axes.set_title(name, loc="left", fontsize=9)
     key(whole, 7)
+    styles = {
+        "stable": {},
+        "stable, principal sheet": DOTTED,
+        "passive": DASHED,
+        "largest stable stiffness": STIFFEST,
+    }
+    for label, style in styles.items():
+        whole.plot([], [], **{"color": "black", "label": label} | style)
+    handles = whole.lines[-len(styles) :]
+    whole.figure.legend(handles=handles, loc="outside upper center", ncols=len(styles))
 
 
 def passive_stiffness(delays: Any) -> Any:
@@ -205,13 +221,13 @@ def springs(panels: Any) -> None:
             axes.set_xlim(-0.02, 0.07)
             axes.set_ylim(-0.04, 0.05)
         reading = ", principal" if sheet == "principal" else ""
-        whole.set_ylabel(rf"$\beta$  for  $d={delay:g}$" + reading)
+        whole.set_ylabel(rf"$d={delay:g}${reading}" "\n" r"virtual damping $\beta$", fontsize=8)
     for axes in panels.flat:
         axes.tick_params(labelsize=7)
     for axes, delta in zip(panels[0], (DELTA, DELTA, 0), strict=True):
         axes.set_title(rf"$\delta={delta:g}$", fontsize=9)
     for axes in panels[-1]:
-        axes.set_xlabel(r"$\alpha$")
+        axes.set_xlabel(r"virtual stiffness $\alpha$")
     panels[0, 0].figure.colorbar(
         ScalarMappable(Normalize(0, np.pi**2), colours),
         ax=panels,
@@ -252,5 +268,5 @@ def delay_margins(panels: Any) -> None:
         location="bottom",
         aspect=60,
         format="%g",
-        label="delay margin, periods",
+        label="delay margin in sampling periods",
     )

@@ -14,3 +14,16 @@ def prose(text: str) -> str:
     """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
     parts = re.split(r"(\$[^$]*\$)", text)
     return "".join(p if p[:1] == "$" else re.sub(r"(?<!\\)([%#&_])", r"\\\1", p) for p in parts)
+
+
+def number(value: float) -> str:
+    r"""Up to six digits of a number inside a formula, with a power of ten where it needs one.
+
+    >>> number(0.02), number(6.944e-05), number(1e6)
+    ('0.02', '6.944\\times10^{-5}', '10^{6}')
+    """
+    mantissa, _, power = f"{value:g}".partition("e")
+    if not power:
+        return mantissa
+    ten = f"10^{{{int(power)}}}"
+    return ten if mantissa == "1" else rf"{mantissa}\times{ten}"

@@ -58,7 +58,7 @@ def _up(bound: float) -> str:
 
 
 def simplest(scene: Scene, rtol: float, over: Mapping[str, Range | None]) -> Simplest:
-    """What :meth:`symhaptic.Scene.simplest` returns."""
+    """What :meth:`symhaptic.scene.Scene.simplest` returns."""
     _real("rtol", rtol, "> 0")
     ranges = {name: _interval(name, value) for name, value in over.items() if value is not None}
     box, there = _box(scene, ranges)
