@@ -44,10 +44,12 @@ from symhaptic.proof.theorems.leaves import (
 
 
 def closed(theorem: Theorem, *lemmas: Theorem) -> Theorem:
-    """Hypotheses cut by lemmas, again and again, as long as one of them is concluded."""
-    while usable := [x for x in lemmas if x.conclusion in theorem.hypotheses]:
+    """Hypotheses cut by lemmas, as often as one lemma may need another."""
+    for _ in lemmas:
+        usable = [x for x in lemmas if x.conclusion in theorem.hypotheses]
+        if not usable:
+            break
         theorem = cut(theorem, *usable)
-        lemmas = tuple(x for x in lemmas if x not in usable)
     return theorem
 
 

@@ -1,0 +1,114 @@
+r"""Is a passive wall stable with every spring, and what does damping do to the passive walls?
+
+The spring did not enter the comparison: a wall that meets the passivity condition is stable in
+every hand, whatever its stiffness.
+"""
+
+from sympy import Ne, S
+
+from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
+from symhaptic.book.lemmas.walls import (
+    HALF,
+    LATE,
+    damped,
+    divisors,
+    late_sums,
+    margins,
+    met,
+    unstable,
+)
+from symhaptic.notation import alpha, beta, d, delta, gamma, omega, y
+from symhaptic.notation.proposition import Relation
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import absurd, assume, cut, part, weakened, whole
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    counterexample,
+    either_way,
+    example,
+    fact,
+    for_all,
+    one,
+    over,
+    positive,
+)
+
+
+def derive(page):
+    _robust(page)
+    _scaled(page)
+
+
+def _robust(page):
+    """A stiff passive wall needs a damper, so that nothing has to be said of it."""
+    claim = CLAIMED["s5c-robust-subset"](())
+    symbols, given, robust = taken_apart(claim)
+    extra = [alpha > 0, whole(d)]
+    stiff = positive(alpha + gamma > 0, alpha > 0, gamma >= 0)
+    found = cut(part(passive_is_stable(), STABLE), margins(given[-1]), stiff)
+    damper = page.lemma(
+        "A stiff wall meets (5) beside a damper only",
+        damped(given[-1]),
+        because="at $\\theta=\\pi/(2(d+1))$ its virtual damping does nothing",
+    )
+    found = cut(found, damper)
+    every = for_all([gamma], [gamma >= 0], found)
+    theorem = for_all(symbols, [*given, *extra], weakened(every, *given))
+    stiff_wall = {alpha: S.One, beta: S.Zero, delta: S.One, d: S.Zero}
+    nothing = stiff_wall | {alpha: S.Zero}
+
+    def shaken(point):
+        """Not for every spring: not without one."""
+        falls = unstable({**point, gamma: S.Zero})
+        there = robust.at(point)
+        calm = at(assume(there), {gamma: S.Zero}, fact(Relation(S.Zero, "<=", S.Zero)))
+        return absurd(calm, falls, there)
+
+    page.settle(
+        "s5c-robust-subset",
+        theorem,
+        example=example(stiff_wall, [*given, *extra], met(stiff_wall, [HALF])),
+        unless=[
+            counterexample(
+                claim,
+                nothing,
+                *(met(nothing, [S.One]), shaken(nothing)),
+                holds=[whole(d)],
+                but=alpha > 0,
+            ),
+            counterexample(
+                claim,
+                LATE,
+                met(LATE, *late_sums()),
+                shaken(LATE),
+                holds=[alpha > 0],
+                but=whole(d),
+            ),
+        ],
+        shows="without a wall and a spring the device drifts",
+        note=r"holds for every $\gamma\ge0$, beyond the Nyquist frequency too; a stiff wall meets "
+        r"(5) for $\delta>0$ only",
+    )
+
+
+def _scaled(page):
+    """(5) is linear in the wall and the damper."""
+    claim = CLAIMED["s5a-proportional"](())
+    symbols, given, scaled = taken_apart(claim)
+    small, large = scaled.of
+    inside = [assume(p) for p in small.body.of[0].of]
+    up = positive(large.body.of[1], [at(assume(small), {omega: omega}, *inside), y > 0])
+    share = over(1 / y > 0, one(), y > 0)
+    down = positive(small.body.of[1], [at(assume(large), {omega: omega}, *inside), share])
+    both = (
+        for_all(
+            [omega], small.body.of[0].of, closed(way, positive(Ne(y, 0), y > 0), *divisors(omega))
+        )
+        for way in (up, down)
+    )
+    same = weakened(either_way(*both, small, large), *given)
+    point = {alpha: S.One, beta: S.Zero, delta: S.One, d: S.Zero, y: S.One}
+    page.settle("s5a-proportional", for_all(symbols, given, same), example=example(point, given))

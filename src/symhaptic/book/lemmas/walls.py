@@ -1,0 +1,121 @@
+"""Walls in the units of Table I that meet (5) at every frequency, and loops that are not stable."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sympy import Expr, Ne, Rational, S, cos, pi, sin
+
+from symhaptic.book.lemmas.passive_is_stable import MARGIN
+from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.notation import alpha, beta, d, delta, gamma, omega, theta, z
+from symhaptic.notation.proposition import Proposition, Relation
+from symhaptic.paper.propositions.comparison import passive
+from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.kernel import Theorem, assume, whole
+from symhaptic.proof.theorems.leaves import (
+    bounded,
+    combined,
+    identity,
+    number,
+    root_outside,
+    sign_of,
+    square,
+)
+from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    denied_by,
+    fact,
+    for_all,
+    over,
+    positive,
+    sine_of_half,
+)
+
+HALF, LITTLE = S.Half, Rational(1, 100)
+PI = number(Relation(S.Zero, "<", pi))
+
+LATE = {alpha: S.One, beta: LITTLE, delta: 1 + 3 * LITTLE, d: HALF}
+"""A wall half a period late that meets (5), and whose (18) has a zero outside in sqrt(z)."""
+
+
+def margins(below: Proposition) -> Theorem:
+    """The margin at every angle, from (5) at every frequency."""
+    met = at(assume(below), {omega: theta}, *map(assume, INSIDE))
+    found = closed(positive(MARGIN >= 0, [met]), *divisors(theta))
+    return for_all([theta], INSIDE, found)
+
+
+def divisors(angle: Expr) -> tuple[Theorem, ...]:
+    """What (5) and the margin divide by is not zero at an angle between 0 and pi."""
+    half = sine_of_half(angle)
+    return positive(Ne(2 - 2 * cos(angle), 0), [4, half, half]), not_zero(half)
+
+
+def not_zero(theorem: Theorem) -> Theorem:
+    """e != 0 from 0 < e."""
+    return positive(Ne(theorem.conclusion.right, 0), [theorem])  # type: ignore[attr-defined]
+
+
+def met(point: Mapping[Expr, Expr], *products: Any) -> Theorem:
+    """(5) at every frequency for the wall of a point."""
+    frequencies = passive().at(point)
+    given, relation = frequencies.body.of  # type: ignore[attr-defined]
+    found = closed(combined(relation, *products), *divisors(omega))
+    return for_all([omega], given.of, found)
+
+
+def late_sums() -> tuple[Any, ...]:
+    """1 - cos(omega/2) + (1 + cos(3 omega/2))/100 + 1/50, in squares."""
+    slow, fast = omega / 2, 3 * omega / 2
+    return (
+        *([HALF, known] for known in (square(1 - cos(slow)), bounded(cos, slow))),
+        *([LITTLE / 2, known] for known in (square(1 + cos(fast)), bounded(cos, fast))),
+        [2 * LITTLE],
+    )
+
+
+def unstable(point: Mapping[Expr, Expr]) -> Theorem:
+    """That a loop is not stable: by a root outside, at 1 or beyond."""
+    values = [point[s] for s in (alpha, beta, gamma, delta, d)]
+    share = point[d].q
+    parts = {"stiffness": point[gamma] != 0, "damping": point[delta] != 0}
+    loop = closed(loop_substituted(values, z, share, **parts), fact(whole(share * point[d])))
+    zeros = loop.conclusion.of[1].of[0]  # type: ignore[attr-defined]
+    at_one = zeros.subs(z, 1)
+    if share > 1:
+        return denied_by(loop, root_outside(zeros, z))
+    if at_one == 0:
+        return denied_by(loop, zero_on_circle(zeros, z, S.Zero, identity(at_one, S.Zero)))
+    return denied_by(loop, zero_beyond(zeros, z, number(Relation(at_one, "<", S.Zero))))
+
+
+def damped(below: Proposition) -> Theorem:
+    """0 < delta, from (5) at theta = pi/(2(d+1)), where the virtual damping does nothing."""
+    angle = pi / (2 * (d + 1))
+    more = positive(d + 1 > 0, d >= 0, [S.One])
+    share = over(angle > 0, number(Relation(S.Zero, "<", pi / 2)), more)
+    rest = over(pi - angle > 0, positive(pi * (2 * d + 1) / 2 > 0, [PI, d >= 0], [HALF, PI]), more)
+    inside = share, positive(angle < pi, [rest])
+    met = at(margins(below), {theta: angle}, *inside)
+    turn = (d + HALF) * angle
+    low = over(
+        turn > 0, positive((d + HALF) * pi / 2 > 0, [HALF, PI, d >= 0], [HALF / 2, PI]), more
+    )
+    high = over(
+        pi - turn > 0,
+        positive(pi * (d + Rational(3, 2)) / 2 > 0, [HALF, PI, d >= 0], [3 * HALF / 2, PI]),
+        more,
+    )
+    lifts = closed(sign_of(sin, turn), low, positive(turn < pi, [high]))
+    half = closed(sine_of_half(angle), *inside)
+    need = over(
+        alpha * sin(turn) / (2 * sin(angle / 2)) > 0,
+        positive(alpha * sin(turn) > 0, [assume(alpha > 0), lifts]),
+        positive(2 * sin(angle / 2) > 0, [2, half]),
+    )
+    apart = positive(Ne(d + 1, 0), [more]), positive(Ne(2 * d + 2, 0), [2, more]), not_zero(half)
+    return closed(positive(delta > 0, [met], [need]), *apart)
