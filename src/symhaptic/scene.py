@@ -196,7 +196,7 @@ class Scene:
         >>> print(arm.simplest(0.01, damping=(0.0, 20.0)))
           linear limit: not proved: it has no largest stiffness, but grows with B; give B
           without stiffness and damping: below 6.66 %
-        * without stiffness: below 0.0170 %
+        * without stiffness: below 0.0169 %
           without damping: below 6.68 %
           full: exact
         """

@@ -66,10 +66,15 @@ def margin(theta: float, alpha: float, beta: float, delta: float, d: float) -> t
 
 
 def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
-    """Where the margin and its slope vanish: two linear equations for whole delays."""
+    """Where the margin and its slope vanish: two linear equations for whole delays.
+
+    Nothing beyond pi/(d + 1), where the paper's extent of (27) ends.
+    """
     if d % 1:
         return searched.passive(theta, delta, d)
     t, n = arb(theta), arb(d) + 1
+    if n * t > arb.pi():
+        return arb("nan"), arb("nan")
     up, half = (n - arb(1) / 2) * t, t / 2
     k = up.sin() / (2 * half.sin())
     k1 = (n - arb(1) / 2) * up.cos() / (2 * half.sin())

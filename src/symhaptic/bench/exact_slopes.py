@@ -110,6 +110,8 @@ def envelope(theta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
     if float(d[0]) % 1:
         return _scaled(searched.passive(float(theta[0]), 1.0, float(d[0])), delta)
     t, n = theta, d + 1
+    if n[0] * t[0] > arb.pi():
+        return (arb_series([arb("nan")] * 2, 2),) * 2
     up, half = (n - arb(1) / 2) * t, t / 2
     k = up.sin() / (2 * half.sin())
     k1 = (n - arb(1) / 2) * up.cos() / (2 * half.sin())

@@ -5,7 +5,8 @@ series is used, beyond it closed forms that subtract no two nearly equal numbers
 
     n1 = (Decay(q) - exp(-q) Decay(p - q))/p,   n0 = exp(-q) (Decay(p - q) - exp(-(p-q)) Decay(q))/p
 
-for a creeping device, and those of cos and sin of sqrt(gamma - delta^2/4) for a swinging one.
+for a creeping device, and those of cos and sin of sqrt(gamma - delta^2/4) for a swinging one,
+where it is not near whole turns (whole_turns.py).
 The poles are kept to twice the precision of a float, since exp(-q) magnifies their error by q.
 """
 
@@ -17,9 +18,11 @@ import sympy as sp
 from sympy import Expr, cos, exp, sin, sqrt
 from sympy.logic.boolalg import Boolean
 
+from symhaptic.export import whole_turns
 from symhaptic.export.device_series import NEAR
 from symhaptic.export.elementary import SIXTH, number_and
 from symhaptic.export.pairs import Fading, fading, fallen, waving
+from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     ProductError,
     Routine,
@@ -31,6 +34,7 @@ from symhaptic.export.routine import (
     product,
     quotient,
 )
+from symhaptic.export.whole_turns import Turned, turned
 from symhaptic.model.entire import Decay
 from symhaptic.notation import delta, gamma
 
@@ -141,7 +145,11 @@ def _swinging(do: Steps, m: Motion) -> Swinging:
     )
 
 
-def rise() -> Routine:
+def _turned(do: Steps, m: Motion, precision: Precision) -> Turned:
+    return turned(do, m.half, m.w, m.w_low, m.root, m.root_low, precision)
+
+
+def rise(precision: Precision = DOUBLE) -> Routine:
     """n_1."""
     do = Steps()
     m = motion(do)
@@ -155,16 +163,18 @@ def rise() -> Routine:
     left, left_low = product(do, v.envelope, both, lost + (v.even_low + v.odd_low))
     top, lost = fast_sum(do, sp.S.One, -left)
     swing, more = quotient(do, top, v.stiff, lost - left_low)
+    turns = _turned(do, m, precision)
+    swing = choose(turns.near, whole_turns.risen(do, turns, v.stiff), swing + more)
     half = do("half", choose(m.soft, m.half, 0))
     decayed, lost = fallen(do, half)
     given = half, choose(m.soft, m.w, 0)
     near = number_and(do, decayed, sp.S.Half, "RiseSeries", *given, low=lost)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
                       (gamma, delta),
-                      _cases(m, m.soft, near, swing + more, creep + missed))  # fmt: skip
+                      _cases(m, m.soft, near, swing, creep + missed))  # fmt: skip
 
 
-def fall() -> Routine:
+def fall(precision: Precision = DOUBLE) -> Routine:
     """n_0."""
     do = Steps()
     m = motion(do)
@@ -180,22 +190,25 @@ def fall() -> Routine:
     top, lost = difference(do, top, -v.envelope)
     top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
     swing, missed = quotient(do, top, v.stiff, top_low)
+    turns = _turned(do, m, precision)
+    swing = choose(turns.near, whole_turns.fallen(do, turns, v.stiff), swing + missed)
     decayed, lost = fallen(do, choose(m.soft, m.half, 0))
     decayed, lost = product(do, decayed, decayed, 2 * lost)
     given = choose(m.soft, gamma, 0), choose(m.soft, delta, 0)
     near = number_and(do, decayed, sp.S.Half, "FallSeries", *given, low=lost)
     return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
-                      (gamma, delta), _cases(m, m.soft, near, swing + missed, creep))  # fmt: skip
+                      (gamma, delta), _cases(m, m.soft, near, swing, creep))  # fmt: skip
 
 
-def together() -> Routine:
+def together(precision: Precision = DOUBLE) -> Routine:
     """n_1 + n_0: a product for a creeping device, a sum of squares for a swinging one."""
     do = Steps()
     m = motion(do)
     v = _swinging(do, m)
     total, low = _squares(do, m, v, sin)
     swing, missed = quotient(do, total, v.stiff, low)
-    swing = 4 * (swing + missed)
+    turns = _turned(do, m, precision)
+    swing = choose(turns.near, whole_turns.both(do, turns, v.stiff), 4 * (swing + missed))
     c = _creeping(do, m)
     fast, fast_low = _faster(do, c)
     gone, lost = fast_sum(do, sp.S.One, -fast)
@@ -288,5 +301,5 @@ def apart() -> Routine:
     )
 
 
-ROUTINES = (rise, fall, together, nyquist, swing, apart)
-PRECISE = ()
+ROUTINES = (nyquist, swing, apart)
+PRECISE = (rise, fall, together)

@@ -35,8 +35,8 @@ class Fading:
     mean_low: Expr
 
 
-def _brief(do: Steps, given: Expr, low: Expr) -> tuple[Expr, ...]:
-    """Both and what they miss, for a rate up to BRIEF."""
+def briefly(do: Steps, given: Expr, low: Expr) -> tuple[Expr, ...]:
+    """Both of Fading and what they miss, for a rate up to BRIEF."""
     first, lost = fast_sum(do, sp.S.One, -given / 2)
     curved = do("curved", given * given * sp.Function("DecaySeries")(given))
     mean, more = fast_sum(do, first, curved)
@@ -49,7 +49,7 @@ def _brief(do: Steps, given: Expr, low: Expr) -> tuple[Expr, ...]:
 
 def fallen(do: Steps, rate: Expr) -> tuple[Expr, Expr]:
     """exp(-rate) and what it misses, for a rate up to twice BRIEF: the square of that of half."""
-    fall, low, _, _ = _brief(do, do("given", rate / 2), sp.S.Zero)
+    fall, low, _, _ = briefly(do, do("given", rate / 2), sp.S.Zero)
     return product(do, fall, fall, 2 * low)
 
 
@@ -57,7 +57,7 @@ def fading(do: Steps, rate: Expr, low: Expr) -> Fading:
     """The pair for rate + low."""
     brief = do("rate", rate) < BRIEF
     given = do("given", choose(brief, rate, 0))
-    fall, fall_low, mean, mean_low = _brief(do, given, low)
+    fall, fall_low, mean, mean_low = briefly(do, given, low)
     sunk = do("sunk", exp(-rate))
     sunk_low = do("sunk_low", -sunk * low)
     top, top_low = fast_sum(do, sp.S.One, -sunk)

@@ -9,10 +9,13 @@ from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose, difference, product, quotient
 from symhaptic.export.search import crossing
 from symhaptic.model import worst
-from symhaptic.model.entire import CosNext, Sinc
+from symhaptic.model.entire import CosNext, Sinc, SinNext
 from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta
 
 _WALL = (alpha, beta, l, epsilon)
+
+_FIRST = 4
+"""Angles (l + 1) theta up to here hold the first zero of Lead, and no second one."""
 
 _whole = sp.Eq(epsilon, 0)
 
@@ -163,11 +166,21 @@ def pushed() -> Routine:
                       choose(alpha < 0, sp.oo, need))  # fmt: skip
 
 
+def lead() -> Routine:
+    """Whether mere damping is not yet in phase with its delay: the sine of what it lacks."""
+    do = Steps()
+    early, late = do("early", SinNext(l, theta)), do("late", SinNext(l + 1, theta))
+    sine = do("sine", worst.between(early, late))
+    return do.routine("Lead", "negative beyond the angle in phase with the delay",
+                      (theta, l, epsilon), choose((l + 1) * theta < _FIRST, sine, -1))  # fmt: skip
+
+
 def rated() -> Routine:
-    """The slope of a need, which has none if the wall pulls."""
-    do, slope = Steps(), sp.Symbol("slope")
-    return do.routine("Rated", "the slope of the need, NaN for alpha < 0", (alpha, slope),
-                      choose(alpha < 0, sp.nan, slope))  # fmt: skip
+    """A value that is none where a number is negative: a slope if the wall pulls, a lost end."""
+    do = Steps()
+    number, value = given = sp.symbols("number value")
+    return do.routine("Rated", "the value, NaN for number < 0", given,
+                      choose(number < 0, sp.nan, value))  # fmt: skip
 
 
 def whole_part() -> Routine:
@@ -191,6 +204,6 @@ def some_part() -> Routine:
 ROUTINES = (straight,
     between,
     whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
-    rated,
+    lead, rated,
 )  # fmt: skip
 PRECISE = (worst_angle, neediest_angle, turn, passive_angle)

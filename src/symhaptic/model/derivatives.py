@@ -99,7 +99,7 @@ class _By:
             return sp.S.Zero
         if isinstance(expr, LatePart | SomePart):
             return self(expr.args[0])
-        if isinstance(expr, Pushed):
+        if isinstance(expr, Pushed | Rated):
             return Rated(expr.args[0], self(expr.args[1]))
         if isinstance(expr, LargestNeed):
             return Rated(expr.args[0], self._needed(expr))

@@ -26,7 +26,11 @@ def _complete(k: int, gamma: Expr, delta: Expr) -> Expr:
 
 
 class Rise(Entire):
-    """n_1: where a unit force, held for a period, has moved the device."""
+    """n_1: where a unit force, held for a period, has moved the device; never negative.
+
+    It and n_0 nearly vanish where a device with little damping has swung k turns, at
+    gamma = (2 pi k)^2; export/whole_turns.py has their form there.
+    """
 
     nargs = 2
     meaning = "(1 - exp(-delta/2) (C(w) + delta/2 S(w)))/gamma, w = delta^2/4 - gamma"

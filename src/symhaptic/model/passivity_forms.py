@@ -21,8 +21,10 @@ from symhaptic.model.form import HALF, Form, NoForm, Pairs, domain, either, pres
 from symhaptic.model.searched import (
     LargestNeed,
     LatePart,
+    Lead,
     PassiveAngle,
     Pushed,
+    Rated,
     Touching,
 )
 from symhaptic.notation import (
@@ -125,6 +127,8 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     Its denominator and its numerators are differences of sines that vanish with the angle; as
     functions of their own they do not.  At a fraction of a period the wall is searched for whose
     need has no slope at this angle; proved are the need and that slope.
+
+    It ends where alpha vanishes, before Lead does; :mod:`symhaptic.model.worst` says why.
     """
     _needs_damping(parts, "passivity_boundary")
     if not parts.virtual_damping:
@@ -141,17 +145,21 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
         exact = tuple(_normalised(parts, side) for side in passivity.envelope())
         return (*zip(curve, exact, strict=True), *worst.derived())
 
-    ends = ["behind a fraction of a period it ends before, where alpha is 0"] * parts.delay
+    before = Lead(theta, d, sp.S.Zero), Lead(theta, l, epsilon)
     return Form(
         "passivity_boundary",
         "the wall that is just passive and whose worst angle is theta = omega T",
         symbols,
         tuple(
-            (name, either(*both))
+            (name, either(*map(Rated, before, both)))
             for name, *both in zip(("alpha", "beta"), curve, late, strict=True)
         ),
         equal,
-        domain(symbols, "theta <= pi/(d + 1), beyond which it bounds nothing", *ends),
+        domain(
+            symbols,
+            "NaN beyond the angle where alpha is 0: pi/(d + 1) for whole delays",
+            "for d <= 2/9 the curve goes on to pi",
+        ),
     )
 
 

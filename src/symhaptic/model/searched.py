@@ -239,6 +239,24 @@ class Pushed(Searched):
         return mpf("inf") if alpha < 0 else value
 
 
+class Lead(Searched):
+    """Negative where a passivity boundary has ended for sure: (theta, l, epsilon)."""
+
+    nargs = 3
+    meaning = (
+        "(1 - epsilon) sin((l + 1) theta) + epsilon sin((l + 2) theta) where (l + 1) theta < 4, "
+        "else -1: negative beyond the angle at which mere damping is in phase with its delay"
+    )
+
+    @staticmethod
+    def exact(theta: mpf, whole: mpf, part: mpf) -> mpf:
+        """As it says."""
+        if (whole + 1) * theta >= 4:
+            return mpf(-1)
+        early, late = (mpmath.sin((whole + i) * theta) for i in (1, 2))
+        return (1 - part) * early + part * late
+
+
 class Rated(Searched):
     """The second argument, and NaN where the first is negative."""
 
@@ -249,5 +267,5 @@ class Rated(Searched):
     def exact(alpha: mpf, value: mpf) -> mpf:
         """The second argument, or none."""
         if alpha < 0:
-            raise ArithmeticError("no slope of what is infinite")
+            raise ArithmeticError("there is none: the wall pulls, or the boundary has ended")
         return value

@@ -5,6 +5,19 @@ periods, the damping :math:`n=\alpha\sin((2k+1)\psi)/(2\sin\psi)-\beta\cos N\psi
 delays n is the mean of both and all motions need :math:`b` with
 :math:`b^2-bn-\varepsilon(1-\varepsilon)s/4=0`, :math:`s=\alpha^2\cos^2\psi+(\alpha+2\beta)^2
 \sin^2\psi`; chapter s6d_fractional_passivity.
+
+Where the walls end that are worst at an angle :math:`\theta=2\psi`: no wall with
+:math:`\alpha\ge0` and :math:`\alpha/2+\beta\ge0` needs most beyond the first angle at which mere
+damping is in phase with its delay, where :math:`(1-\varepsilon)\sin(\ell+1)\theta+\varepsilon
+\sin(\ell+2)\theta` vanishes (s6d_fractional_passivity; a spring is in phase earlier).  This angle
+is at most :math:`\pi/(\ell+1)`, and so far mere damping, :math:`\beta=1`, has one maximum.  Its b
+is the positive root of :math:`F=b^2+b((1-\varepsilon)\cos(\ell+1)\theta+\varepsilon
+\cos(\ell+2)\theta)-\varepsilon(1-\varepsilon)\sin^2\psi`, with
+:math:`F_\theta/\sin\theta=-b((\ell+1)(1-\varepsilon)U_\ell+(\ell+2)\varepsilon U_{\ell+1})
+-\varepsilon(1-\varepsilon)/2`.  Chebyshev's :math:`U_\ell` and :math:`U_{\ell+1}` of
+:math:`\cos\theta` do not rise up to :math:`\pi/(\ell+1)`, so that F first falls and then rises for
+every b, and the angles that need more than b are one interval.  Behind that maximum both mere
+damping and the wall :math:`\beta=-\alpha/2` need less at larger angles: no wall is found there.
 """
 
 from __future__ import annotations

@@ -76,12 +76,14 @@ def is_passive(
 
 
 def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
-    """(27) of the paper at any real delay, for a damping of 1."""
+    """(27) of the paper at any real delay, for a damping of 1; NaN beyond pi/(delay + 1)."""
     half = haptic.sinc(xp, theta / 2)
     up = haptic.sin_next(xp, delay, theta)
     rise = half * half * (delay + 1) * up / theta
     below = haptic.spread(xp, delay, theta)
-    return 2 * rise / below, (haptic.chord(xp, delay, theta) - rise) / below
+    lead = haptic.lead(xp, theta, delay, xp.zeros_like(delay))
+    wall = 2 * rise / below, (haptic.chord(xp, delay, theta) - rise) / below
+    return haptic.rated(xp, lead, wall[0]), haptic.rated(xp, lead, wall[1])
 
 
 def passivity_boundary(
@@ -90,11 +92,13 @@ def passivity_boundary(
     """The wall (alpha, beta) that is just passive, and whose worst angle is ``omega`` = omega T.
 
     For 0 < ``omega`` < pi, ``delta`` >= 0 and ``delay`` >= 0; arrays broadcast.  For whole delays
-    and with ``sheet="principal"`` this is (27) of the paper, which bounds nothing beyond
-    pi/(delay + 1); for fractional delays it is NaN beyond the angle where the stiffness vanishes.
-    At omega -> 0 there is more boundary, from (0, -delta) to the limit of this curve: all walls
-    with worst angle 0, on alpha (delay + 1/2) + e alpha^2/(4 delta) = delta + beta with
-    e = part (1 - part) for the fractional part of the delay.
+    and with ``sheet="principal"`` this is (27) of the paper.  It ends where the stiffness vanishes,
+    for these at pi/(delay + 1), and is NaN beyond: there (27) still gives walls, but not one of
+    them is passive.  At omega -> 0 there is more boundary, from (0, -delta) to the limit of this
+    curve: all walls with worst angle 0, on alpha (delay + 1/2) + e alpha^2/(4 delta) =
+    delta + beta with e = part (1 - part) for the fractional part of the delay.  For delays up to
+    2/9 of a period it does not end before pi, and there is more from its limit to
+    (0, delta/(1 - delay)): all walls with worst angle pi, on beta + alpha/2 = delta/(1 - delay).
 
     Raises :class:`ValueError` for an angle, damping or delay outside its range; NaN gives NaN.
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from heapq import heappop, heappush
 from typing import NamedTuple
 
@@ -42,6 +43,9 @@ _CLOSE = 1.01
 _SMALL = 1e-12
 """Nor closer than this."""
 
+_ROUGH = 1.25
+"""The factor for those that are not close after enough pieces."""
+
 
 class Cost(NamedTuple):
     """The largest relative error on a range lies between these two."""
@@ -66,21 +70,52 @@ class Model(NamedTuple):
 
 
 def error(whole: Limit, model: Model) -> Limit:
-    """The relative error of a model's limit, reduced/whole - 1, with its slopes."""
+    """The relative error of a model's limit, reduced/whole - 1, with its slopes.
+
+    What a small part costs is the small difference of two limits that a box has far apart.  Where
+    the model is the same limit without some parts, it is also what these parts make of the limit
+    on the way there, by the mean value theorem: size times slope, which is small itself.
+    """
 
     def found(box: Box, hint: object = None) -> Found:
-        hints = hint if isinstance(hint, tuple) else (None, None)
+        hints = hint if isinstance(hint, tuple) else (None, None, None)
         full, less = whole(box, hints[0]), model(box, hints[1])
         positive(full.value)
         ratio = less.value / full.value
+        error, there = ratio - 1, None
+        if model.limit is whole and model.left_out:
+            taken, there = _on_the_way(model, box, hints[2])
+            error = _nearer(error, -taken / full.value)
+            ratio = _nearer(ratio, error + 1)
         slopes = zip(less.slopes, full.slopes, strict=True)
         return Found(
-            ratio - 1,
+            error,
             tuple((r - ratio * f) / full.value for r, f in slopes),
-            (full.hint, less.hint),
+            (full.hint, less.hint, there),
         )
 
     return found
+
+
+def _on_the_way(model: Model, box: Box, hint: object) -> tuple[arb, object]:
+    """What the parts that are left out add to the limit, not finite where that is not known."""
+    way = [
+        Interval(min(x.low, Fraction(0)), max(x.high, Fraction(0))) if i in model.left_out else x
+        for i, x in enumerate(box)
+    ]
+    try:
+        found = model.limit(tuple(way), hint)
+    except NotEnclosed:
+        return arb("nan"), None
+    parts = (found.slopes[i] * box[i].ball for i in model.left_out)
+    return sum(parts, arb(0)), found.hint
+
+
+def _nearer(one: arb, other: arb) -> arb:
+    """What two balls around the same number have in common."""
+    if not other.is_finite():
+        return one
+    return one.intersection(other) if one.is_finite() else other
 
 
 def positive(stiffness: arb) -> None:
@@ -119,8 +154,8 @@ def cost(error: Limit, box: Box, rtol: float) -> Cost:
             most = max(worst.most, least)
             even = most <= least + _SMALL
             decided = most < rtol or rtol <= least or even
-            close = even or most <= _CLOSE * least
-            if decided and most < math.inf and (close or tried > _ENOUGH):
+            close = even or most <= (_CLOSE if tried <= _ENOUGH else _ROUGH) * least
+            if decided and most < math.inf and close:
                 return Cost(least, most)
             if most == math.inf and rtol <= least and tried > _PATIENCE:
                 return Cost(least, most)
