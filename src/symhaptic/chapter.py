@@ -17,8 +17,8 @@ from flint import arb
 from sympy import Expr
 
 from symhaptic.latex import latex
-from symhaptic.notation.proposition import Proposition, implied
-from symhaptic.notation.written import written
+from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.written import chains, written
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
@@ -105,11 +105,12 @@ class Page(Record):
         self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
     ) -> Theorem:
         """A theorem of the kernel: its hypotheses, and what they imply."""
-        claim = implied(sorted(theorem.hypotheses, key=written), theorem.conclusion)
         sources = analysis.SOURCES | energy.SOURCES | roots.SOURCES
         rules = ", ".join(sorted(leaves_of(theorem).keys() & sources.keys()))
         method = f"a theorem of the kernel{f' by {rules}' if rules else ''}".replace("_", " ")
-        self._equation(title, [("", "", written(claim))], "proved", method, because, boxed)
+        given = sorted(chains(sorted(theorem.hypotheses, key=written)), key=len)
+        lines = [("", "", text) for text in (*given, written(theorem.conclusion))]
+        self._equation(title, lines, "proved", method, because, boxed, kind="theorem")
         return theorem
 
     def minimal(

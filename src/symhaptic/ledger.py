@@ -43,6 +43,7 @@ class Entry:
             "location": self.statement.location,
             "statement": self.statement.text,
             "verdict": str(v.kind),
+            "argued_for": v.argued_for and str(v.argued_for),
             "proposition": v.proposition,
             "rests": list(v.rests),
             "method": v.method,
@@ -122,7 +123,7 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     for entry in entries:
         id, kind = entry.statement.id, entry.verdict.kind
         if entry.own:
-            if kind not in PASSES | {Kind.QUALIFIED, Kind.EXTERNAL}:
+            if kind not in PASSES | {Kind.QUALIFIED, Kind.EXTERNAL, Kind.ARGUED}:
                 lines.append(f"{id}: {entry.verdict}")
         elif kind != known.get(id):
             lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")

@@ -46,7 +46,7 @@ def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
     for entry in entries:
         verdict = entry.verdict
         detail = verdict.value or verdict.condition or ""
-        if verdict.kind in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
+        if verdict.claimed in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
             detail = "at " + ", ".join(f"{k} = {v}" for k, v in verdict.counterexample.items())
         if entry.derivation:
             detail = f"{detail}  [{entry.derivation}]".strip()
@@ -54,6 +54,9 @@ def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
     lines += [f"DIFFERS  {line}" for line in surprises]
     plural = "" if len(entries) == 1 else "s"
     lines.append(f"{len(entries)} statement{plural}: {counted(entries)}")
+    argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
+    if argued:
+        lines.append(f"{argued} argued: words join what was checked, which is not a pass")
     open_ = [e for e in entries if e.verdict.kind is Kind.UNDECIDED]
     if open_:
         failing = " (an error, with --strict)" if strict else ""

@@ -74,7 +74,12 @@ def _bracketed(claim: Proposition) -> str:
 
 
 def listed(claims: Sequence[Proposition]) -> str:
-    """Propositions beside each other, two bounds of one term as a chain."""
+    """Propositions beside each other."""
+    return r",\ ".join(chains(claims))
+
+
+def chains(claims: Sequence[Proposition]) -> list[str]:
+    """Propositions one by one, two bounds of one term as a chain."""
     left = list(claims)
     out: list[str] = []
     while left:
@@ -89,7 +94,7 @@ def listed(claims: Sequence[Proposition]) -> str:
             out.append(f"{lower}{_SIGNS[claim.sign]}{middle}{_SIGNS[chain.sign]}{upper}")
         else:
             out.append(_bracketed(claim))
-    return r",\ ".join(out)
+    return out
 
 
 def _upper(claim: Proposition, others: Sequence[Proposition]) -> Relation | None:

@@ -28,6 +28,9 @@ from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 ACCEPTED = PASSES | {Kind.QUALIFIED}
 """Verdicts of what is right, with a condition or without."""
 
+_WEIGHED = ACCEPTED | {Kind.MISPRINT, Kind.REFUTED}
+"""Verdicts that need more than words."""
+
 WRONG = frozenset({Kind.MISPRINT, Kind.REFUTED})
 """Verdicts of what is false as printed."""
 
@@ -70,7 +73,18 @@ class Settlement:
     claim: Claim | None = None
 
     def decide(self, printed: Printed) -> Verdict:
-        """The verdict on a printed form."""
+        """The verdict on a printed form; *argued* where words join what was checked."""
+        found = self.found(printed)
+        if self.judged is not None or found.kind not in _WEIGHED or not self._rests_on_words(found):
+            return found
+        return replace(found, kind=Kind.ARGUED, argued_for=found.kind)
+
+    def _rests_on_words(self, found: Verdict) -> bool:
+        """Whether a condition is not read, or grounds do not say what the statement does."""
+        return bool(found.condition) or (bool(self.proofs) and not self.derived)
+
+    def found(self, printed: Printed) -> Verdict:
+        """The verdict that is claimed, whatever joins its grounds."""
         if self.judged is not None:
             verdict = self._judged(printed)
             return self._constants(verdict) if self.values else verdict
@@ -97,7 +111,7 @@ class Settlement:
         ):
             return False
         try:
-            return self.decide(printed).kind in kinds
+            return self.found(printed).kind in kinds
         except Unfounded:
             return False
 

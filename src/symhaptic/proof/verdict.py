@@ -52,6 +52,8 @@ class Verdict:
     value: str | None = None
     radius: str | None = None
     note: str | None = None
+    argued_for: Kind | None = None
+    """What an argument in words claims, of a verdict that is *argued*."""
     proposition: str | None = None
     """LaTeX of what the statement claims."""
     rests: tuple[str, ...] = ()
@@ -59,11 +61,17 @@ class Verdict:
     certificate: Certificate | None = field(default=None, repr=False, compare=False)
     """Of an inequality on a box; :func:`symhaptic.recheck` checks it again."""
 
+    @property
+    def claimed(self) -> Kind:
+        """The kind, or what is argued for."""
+        return self.argued_for or self.kind
+
     def __bool__(self) -> bool:
         return self.kind in PASSES
 
     def __str__(self) -> str:
-        parts = [f"{self.kind}: {self.method}"]
+        kind = f"{self.kind} ({self.argued_for})" if self.argued_for else str(self.kind)
+        parts = [f"{kind}: {self.method}"]
         if self.condition:
             parts.append(f"if {self.condition}")
         if self.counterexample:

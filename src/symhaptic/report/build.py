@@ -27,6 +27,7 @@ MEANINGS = (
     (Kind.MISPRINT, "false as printed, true as corrected"),
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
+    (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
     (Kind.UNDECIDED, "none of these yet"),
 )
 RESERVED = ("bench", "book", "chapters", "errata", "ledger", "mutants")
@@ -115,7 +116,7 @@ def _chapter_files(chapters: list[tuple[int, Chapter]]) -> dict[str, str]:
 
 def _errors(entries: list[Entry]) -> str:
     """How many entries the errata have."""
-    kinds = [entry.verdict.kind for entry in entries if not entry.own]
+    kinds = [entry.verdict.claimed for entry in entries if not entry.own]
     wrong = kinds.count(Kind.REFUTED) + kinds.count(Kind.MISPRINT)
     return (
         f"Of {len(kinds)} statements {wrong} are wrong as printed and "

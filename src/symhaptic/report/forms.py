@@ -22,8 +22,10 @@ def printed_forms(settled: list[Settled]) -> list[str]:
         statement, verdict = item.statement, item.verdict
         shown = printed(statement)
         if verdict.condition:
-            running = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
-            shown += f"\\\\[4pt]{{\\footnotesize{running}}}"
+            for_ = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
+            shown += f"\\\\[4pt]{{\\footnotesize{for_}}}"
+        if verdict.proposition:
+            shown += f"\\\\[4pt]{{\\footnotesize claims ${running(verdict.proposition)}$}}"
         out.append(f"\\form{{{reference(statement.id)}}}{{{shown}}}{{{_verdict(verdict)}}}")
         right = correction(verdict)
         if right:
@@ -43,6 +45,12 @@ def printed(statement: Statement) -> str:
     if not statement.id.startswith(("eq", "tab")):
         shown = f"{prose(statement.says)}\\\\[2pt]{shown}"
     return shown
+
+
+def running(claim: str) -> str:
+    """A proposition as running text: it may break after a comma and before an arrow."""
+    claim = claim.replace(r",\ ", r",\allowbreak\ ").replace(r":\ ", r":\allowbreak\ ")
+    return claim.replace(r"\ \Rightarrow\ ", r"\allowbreak\ \Rightarrow\ ")
 
 
 def condition(verdict: Verdict) -> str:
@@ -108,7 +116,7 @@ def correction(verdict: Verdict) -> str:
 def _verdict(verdict: Verdict) -> str:
     head = f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"
     rest = ([verdict.method] if verdict.kind is Kind.EXTERNAL else []) + shown_by(verdict)
-    if verdict.value and verdict.kind in (Kind.ENCLOSED, Kind.QUALIFIED):
+    if verdict.value and verdict.claimed in (Kind.ENCLOSED, Kind.QUALIFIED):
         head += f":\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\"
         return head + "; ".join(rest)
     return head + (": " if rest else "") + "; ".join(rest)

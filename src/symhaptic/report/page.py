@@ -11,7 +11,7 @@ from symhaptic.latex import latex
 from symhaptic.library import Chapter
 from symhaptic.record import Block
 from symhaptic.report.breaking import broken, pieces, width
-from symhaptic.report.forms import printed_forms
+from symhaptic.report.forms import printed_forms, running
 from symhaptic.report.words import escaped, prose
 
 LINE = 29.0
@@ -34,6 +34,9 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
         elif block.kind in ("equation", "result"):
             steps += block.kind == "equation"
             out += _equation(block, number, steps)
+        elif block.kind == "theorem":
+            steps += 1
+            out += _theorem(block, number, steps)
         elif block.kind == "table":
             out += _table(block)
         elif block.kind == "figure":
@@ -69,6 +72,20 @@ def _equation(block: Block, chapter: int, step: int) -> list[str]:
         "\\begin{align*}",
         *body,
         "\\end{align*}",
+        "",
+    ]
+
+
+def _theorem(block: Block, chapter: int, step: int) -> list[str]:
+    """Hypotheses and conclusion as a sentence, whose formulas break where TeX finds it best."""
+    *given, then = (f"${running(text)}$" for _, _, text in block.lines)
+    reason = _sentence(prose(block.text)) if block.text else ""
+    lead = f"Let {', '.join(given)}. Then " if given else ""
+    number = f"({chapter}.{block.number})"
+    kind = "boxedclaim" if block.boxed else "claim"
+    return [
+        f"\\step{{Step {step}. {prose(block.title)}.}}{{{reason}}}",
+        f"\\{kind}{{{lead}{then}.}}{{{number}}}{{{block.verdict}}}{{{prose(block.method)}}}",
         "",
     ]
 
