@@ -13,6 +13,7 @@ import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
 
+from symhaptic.book.mutation.judgements import changes_of_judgement
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, Unreadable, read
 from symhaptic.proof import second
@@ -49,6 +50,7 @@ def changes_of(settled: Settled) -> Iterator[Change]:
     yield from _claim(settled)
     yield from _correction(settled)
     yield from _counterexample(settled)
+    yield from changes_of_judgement(settled)
 
 
 def _print(settled: Settled) -> Iterator[Change]:

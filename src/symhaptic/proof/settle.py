@@ -11,6 +11,7 @@ from flint import arb
 from sympy import Expr
 from sympy.core.relational import Relational
 
+from symhaptic.notation.proposition import NoTerm
 from symhaptic.paper.propositions import Claim
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
@@ -120,10 +121,14 @@ class Settlement:
         if self.judged is None or self.claim is None:
             raise Unfounded("nothing formal is claimed by the statement")
         right = None
-        if self.judged.corrected is not None:
-            lines = tuple(p for line in self.judged.corrected for p in read(line))
-            right = self.claim(lines)
-        return self.judged.decide(self.claim(printed), right)
+        try:
+            if self.judged.corrected is not None:
+                lines = tuple(p for line in self.judged.corrected for p in read(line))
+                right = self.claim(lines)
+            claim = self.claim(printed)
+        except (NoTerm, ValueError) as wrong:
+            raise Unfounded(f"no claim can be made of the print: {wrong}") from None
+        return self.judged.decide(claim, right)
 
     def _without_constants(self, printed: Printed) -> Verdict:
         if not printed or not self.derived:

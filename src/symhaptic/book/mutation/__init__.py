@@ -1,0 +1,1 @@
+"""Do the checkers say no?  Statements asked again with one thing changed."""
