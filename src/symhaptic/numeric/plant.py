@@ -149,6 +149,15 @@ def _held(x: _Motion) -> tuple[Array, Array, Array, Array]:
     return (together + apart) / 2, (together - apart) / 2, together, apart
 
 
+def impulse(gamma: Array, delta: Array, time: Array) -> Array:
+    """The device's displacement ``time`` periods after a unit impulse."""
+    x = _motion(gamma * time**2, delta * time)
+    with np.errstate(invalid="ignore"):
+        creep = np.exp(-2 * x.minus) * _exprel(-2 * x.root)
+    swing = np.exp(-x.delta / 2) * np.sinc(np.where(x.swings, x.root, 0.0) / np.pi)
+    return np.asarray(time * np.where(x.swings, swing, creep))
+
+
 def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     """The plant behind a delay of ``part`` periods, 0 <= part < 1, which lets the hold act late.
 

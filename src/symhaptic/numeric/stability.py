@@ -53,12 +53,29 @@ def phase(x: Device, v: Wall, c: Crossing) -> Angle:
     Each factor, turned by a power of z, keeps to one half plane: the angle of A/z, of M/z and of
     the wall is an arctangent that never jumps.
     """
-    sine = 2 * np.sqrt(c.y * c.rest)  # parts are those at the angle times 4
-    below = _angle(-2 * (1 + x.e) * c.off, x.loss * sine)
+    a, m, w = below(x, c), above(x, c), force(v, c)
+    return Angle(m.halves + w.halves - a.halves, m.rest + w.rest - a.rest)
+
+
+def _sine(c: Crossing) -> Array:
+    """4 sin(theta): the real parts beside it are those at the angle times 4."""
+    return 2 * np.sqrt(c.y * c.rest)
+
+
+def below(x: Device, c: Crossing) -> Angle:
+    """The angle of A/z."""
+    return _angle(-2 * (1 + x.e) * c.off, x.loss * _sine(c))
+
+
+def above(x: Device, c: Crossing) -> Angle:
+    """The angle of M/z."""
     middle = x.numerator_at_one * c.rest - x.numerator_at_minus_one * c.y
-    above = _angle(middle, (x.m2 - x.m0) * sine)
-    force = _angle(v.alpha * c.rest - v.at_minus_one * c.y, v.slope * sine)
-    return Angle(above.halves + force.halves - below.halves, above.rest + force.rest - below.rest)
+    return _angle(middle, (x.m2 - x.m0) * _sine(c))
+
+
+def force(v: Wall, c: Crossing) -> Angle:
+    """The angle of the wall."""
+    return _angle(v.alpha * c.rest - v.at_minus_one * c.y, v.slope * _sine(c))
 
 
 def theta(c: Crossing) -> Angle:
