@@ -10,7 +10,7 @@ bands of angles between the roots of two cubics only.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -99,12 +99,16 @@ def bands(p: Part, v: Wall) -> Bands:
     row, at = np.nonzero(possible & (last[:, 2] > first[:, 2]))
     some = Part(Device(*(a[at] for a in p.x)), *(a[at] for a in p[1:]))
     walls = Wall(*(a[at] for a in v))
-    ends = [Crossing(*e[row, :, at].T, np.True_, np.True_) for e in (first, last)]
+    ends = [_point(*e[row, :, at].T) for e in (first, last)]
     angles = [stability.theta(c) for c in ends]
     low, high = (a.halves * np.pi + a.rest for a in angles)
     least, most = _phases(some, walls, ends)
     y, rest, off = (a[row, at] for a in inner)
     return Bands(at, some, walls, low, high, least, most, y, rest, off, ends[1].y)
+
+
+def _point(y: Array, rest: Array, off: Array) -> Crossing:
+    return Crossing(y, rest, off, np.asarray(np.True_), np.asarray(np.True_))
 
 
 def _room(s: Surplus, v: Wall, change: Array) -> Surplus:
@@ -228,7 +232,7 @@ def one_way(b: Bands, steps: Array) -> Array:
     force = _Ball(late + 1j * (x.m2 - x.m0) * sine, size * reach + p.change * over)
     shape = _Ball((x.m2 - x.m0) * cosine + 1j * both * sine, size * reach + p.change)
     wall = _Ball(push + 1j * v.slope * sine, np.abs(v.slope) * reach)
-    round_ = _Ball(v.slope * (cosine + 1j * sine), np.abs(v.slope) * reach)
+    round_ = _Ball(v.slope * cosine + 1j * v.slope * sine, np.abs(v.slope) * reach)
     rise = _Ball(
         -b.y / 2 * (p.slope2 + p.slope0) + 1j * sine * (p.slope2 - p.slope0),
         (np.abs(p.slope2) + np.abs(p.slope0)) * reach + 2 * p.half * over,
@@ -245,7 +249,7 @@ def one_way(b: Bands, steps: Array) -> Array:
 class _Ball(NamedTuple):
     """Complex numbers at most ``radius`` from ``center``."""
 
-    center: NDArray[np.complex128]
+    center: NDArray[Any]
     radius: Array
 
     def __truediv__(self, other: _Ball) -> _Ball:

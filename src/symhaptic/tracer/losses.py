@@ -48,7 +48,7 @@ class Loops(NamedTuple):
     def stable(self, steps: Array, part: Array) -> NDArray[np.bool_]:
         """Whether no root is outside behind ``steps`` and a fraction of a period."""
         x = device(self.gamma, self.delta, part)
-        return stability.count(x, self.v, steps, False) == 0
+        return np.asarray(stability.count(x, self.v, steps, False) == 0)
 
 
 class _Parts(NamedTuple):
@@ -96,7 +96,7 @@ class _Search:
         lost = self._counted(parts)
         self._found(parts.take(lost & ((way != 0) | (parts.width <= SHORTEST))))
         last = parts.take(parts.width <= SHORTEST)
-        for _ in range(_LATER):
+        for _ in range(_LATER if last.at.size else 0):
             last = last._replace(steps=last.steps + 1)
             last = last.take(last.steps + last.begin < self.least[last.at])
             self._found(last.take(self._counted(last)))
@@ -139,9 +139,10 @@ def first_loss(loops: Loops, whole: Array) -> Array:
     stack = [_Parts(np.arange(whole.size), none, none + 1, none)]
     while stack:
         parts = stack.pop()
-        for begin in range(_AT_ONCE, parts.at.size, _AT_ONCE):
-            stack.append(parts.take(np.s_[begin : begin + _AT_ONCE]))
-        rest = search.step(parts.take(np.s_[:_AT_ONCE]))
+        every = np.arange(parts.at.size)
+        for begin in range(_AT_ONCE, every.size, _AT_ONCE):
+            stack.append(parts.take(every[begin : begin + _AT_ONCE]))
+        rest = search.step(parts.take(every[:_AT_ONCE]))
         if rest.at.size:
             stack.append(rest)
     at = np.flatnonzero(np.isfinite(search.least))
@@ -153,6 +154,8 @@ def first_loss(loops: Loops, whole: Array) -> Array:
     part = np.full(at.size, np.nan)
     for refined in (_by_newton, _by_newton_at_minus_one, _by_halves):
         left = np.flatnonzero(np.isnan(part))
+        if not left.size:
+            break
         here = some.take(left)
         with np.errstate(all="ignore"):
             part[left] = refined(here, steps[left], low[left], high[left])

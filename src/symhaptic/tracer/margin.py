@@ -19,7 +19,7 @@ from symhaptic.numeric.plant import Device, device
 from symhaptic.numeric.stability import SHEETS, is_stable
 from symhaptic.tracer.losses import Loops, first_loss
 
-_BLOCK = 2048
+_BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""
 
 
@@ -44,7 +44,7 @@ def delay_margin(
     any more: only an instability that is shorter than that may be missed, but for rounding.  With
     ``sheet="principal"`` the paper's z^-d, in closed form.
 
-        Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
+    Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
 
     >>> round(float(delay_margin(0.01, 0.05, 0.0, 0.0)), 6)
     3.969213
