@@ -44,6 +44,11 @@ def _converted(name: str, quantity: Any, unit: str) -> Any:
     return quantity.to(wanted).magnitude
 
 
+def dimensionless(name: str, quantity: Any) -> Any:
+    """The numbers of a quantity of Pint's without dimension; :class:`ValueError` for others."""
+    return _converted(name, quantity, "")
+
+
 def shown(value: object) -> str:
     """The value on one line that fits a message."""
     try:

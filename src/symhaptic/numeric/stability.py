@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import kept, numbers_only
 from symhaptic.numeric.crossings import Crossing, Wall, crossings, surplus, wall
 from symhaptic.numeric.cubic import Terms
 from symhaptic.numeric.given import Given, to_numpy
@@ -156,6 +157,7 @@ def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array) 
     return np.asarray(arguments.in_blocks(work, alpha, beta, delay, *plant)[0])
 
 
+@kept(unstable_roots=int)
 def unstable_roots(
     alpha: ArrayLike,
     beta: ArrayLike,
@@ -204,6 +206,7 @@ def _outside_and_stable(given: Given, sheet: str) -> Any:
     return given.by_numpy(work, 2)
 
 
+@kept(is_stable=bool)
 def is_stable(
     alpha: ArrayLike,
     beta: ArrayLike,
@@ -226,6 +229,7 @@ def is_stable(
     return _outside_and_stable(given, sheet)[1] == 1  # type: ignore[no-any-return]
 
 
+@numbers_only
 def characteristic_polynomial(
     alpha: float, beta: float, gamma: float, delta: float, delay: int
 ) -> Array:

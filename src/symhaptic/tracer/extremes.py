@@ -11,6 +11,7 @@ from scipy.optimize.elementwise import find_root
 from symhaptic.numeric import arguments, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.boundary import end, point, tangent
+from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given
@@ -34,6 +35,7 @@ _FARTHEST = 1e60
 """Where no force reaches the device, the boundary is at infinity."""
 
 
+@kept(alpha=float, beta=float, theta=float)
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Extremum:

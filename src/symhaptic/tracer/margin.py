@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.numeric import arguments, stability
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import Wall, crossings, surplus, wall
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device, device
@@ -23,6 +24,7 @@ _BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""
 
 
+@kept(delay=float)
 def delay_margin(
     alpha: ArrayLike,
     beta: ArrayLike,
