@@ -174,3 +174,15 @@ def test_none_of_these_libraries_is_loaded_for_plain_numbers():
     )
     told = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
     assert told.stdout.split() == [b"[]"]
+
+
+def test_formulas_as_functions_keep_labels_and_units():
+    xarray, unit = library("xarray"), library("pint").UnitRegistry()
+    stiffest = symhaptic.lambdify("eq11")
+    delay = xarray.DataArray([0.0, 1.0], dims="d")
+    alpha, _, theta = stiffest(1.0, delay)
+    assert alpha.dims == theta.dims == ("d",)
+    assert alpha.to_numpy() == pytest.approx([2, 2 * np.tan(np.pi / 8)])  # 2 tan(pi/(4 (d + 1)))
+    assert stiffest(1000 * unit("mm/m"), 0.0)[0].magnitude == pytest.approx(2)
+    with pytest.raises(ValueError, match="a number without dimension is"):
+        stiffest(1.0, 1 * unit.ms)

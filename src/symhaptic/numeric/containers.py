@@ -24,10 +24,13 @@ _WORDS = ("sheet", "tolerance", "threshold")
 """Arguments that are no arrays."""
 
 
-def kept(**kinds: type) -> Callable[[Callable[P, R]], Callable[P, R]]:
+def kept(
+    into: Callable[..., Any] | None = None, traced: bool = False, /, **kinds: type
+) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Let a function take and give arrays of xarray, Dask, pandas, Pint and with masks.
 
-    ``kinds`` are the names of the results and their types.
+    ``kinds`` are the names of the results and their types; ``into`` is the tuple that they make.
+    Unless it may be ``traced``, Torch's compiler breaks its graph at the function.
     """
 
     def around(function: Callable[P, R]) -> Callable[P, R]:
@@ -38,18 +41,14 @@ def kept(**kinds: type) -> Callable[[Callable[P, R]], Callable[P, R]]:
             present = {_library(v) for v in (*args, *kwargs.values())}
             if present <= {""}:
                 return function(*args, **kwargs)
-            if "torch" in present and _compiled():
+            if "torch" in present and not traced and _compiled():
                 return cast(R, sys.modules["torch"].compiler.disable(function)(*args, **kwargs))
             if present <= {"", "torch"}:
                 return function(*args, **kwargs)
             bound = inspect.signature(function).bind(*args, **kwargs).arguments
             numbers = {n: bound.pop(n) for n in names if n in bound}
             found = _carried(partial(_by_name, wrapped, list(numbers), bound), numbers, kinds)
-            if isinstance(found, tuple) and "theta" in kinds:
-                from symhaptic.numeric.extremum import Extremum
-
-                return cast(R, Extremum(*found))
-            return cast(R, found)
+            return cast(R, into(*found) if into else found)
 
         return wrapped
 

@@ -119,7 +119,7 @@ def passivity_boundary(
     return given(partial(walls, given.xp))  # type: ignore[no-any-return]
 
 
-@kept(alpha=float, beta=float, theta=float)
+@kept(Extremum, alpha=float, beta=float, theta=float)
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 

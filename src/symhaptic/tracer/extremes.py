@@ -35,7 +35,7 @@ _FARTHEST = 1e60
 """Where no force reaches the device, the boundary is at infinity."""
 
 
-@kept(alpha=float, beta=float, theta=float)
+@kept(Extremum, alpha=float, beta=float, theta=float)
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Extremum:
