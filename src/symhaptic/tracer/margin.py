@@ -43,8 +43,11 @@ def delay_margin(
     enclosed instead: bounds hold for all its delays, whatever the whole periods, and it is left
     only where no root can be on the unit circle, or where all that can be there cross in one
     direction, so that root counts at its ends decide.  Parts of 2^-20 of a period are not divided
-    any more: only an instability that is shorter than that may be missed, but for rounding.  With
-    ``sheet="principal"`` the paper's z^-d, in closed form.
+    any more; where the bounds decide nothing, roots are counted at their ends, for the first whole
+    delay at which something could happen and 32 more.  What may be missed is an instability that
+    begins and ends within such parts: one shorter than 2^-20, or after more whole delays than
+    these between two places where plant and wall all but touch.  The bounds are float64's, without
+    directed rounding.  With ``sheet="principal"`` the paper's z^-d, in closed form.
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
 
