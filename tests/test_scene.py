@@ -1,5 +1,9 @@
 """Scenes in SI units beside the eigenvalues of the loop built in SI units, and what they refuse."""
 
+import pickle
+import warnings
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from scipy.linalg import expm
@@ -75,8 +79,11 @@ def test_what_is_left_out_is_not_modelled():
     assert scene.dimensionless == (0.0, 0.0, 0.0)
 
 
+BAD = [-1.0, np.nan, np.inf, "1", 1j, [1.0], True, np.True_, 10**400, -(10**6000)]
+
+
 @pytest.mark.parametrize("name", ["mass", "sampling_period", "damping", "stiffness", "delay"])
-@pytest.mark.parametrize("bad", [-1.0, np.nan, np.inf, "1", 1j, [1.0]])
+@pytest.mark.parametrize("bad", BAD, ids=range(len(BAD)))
 def test_an_impossible_number_is_named(name, bad):
     given = {"mass": 1.0, "sampling_period": 1e-3} | {name: bad}
     with pytest.raises(ValueError, match=f"^{name}: .+ is not allowed; finite numbers >=? 0 are$"):
@@ -97,3 +104,103 @@ def test_a_wall_of_no_number_is_named(bad):
         scene.delay_margin(K=bad, B=1.0)
     with pytest.raises(ValueError, match=r"^B: .+ is not allowed; finite numbers are$"):
         scene.delay_margin(K=1.0, B=bad)
+
+
+def test_decimals_count_as_they_are_written():
+    """Whole multiples of the period are whole delays; ratios are rounded once."""
+    for period in ("1e-4", "0.0007", "1.1e-3", "0.03", "0.1"):
+        for count in range(1, 60):
+            late = float(count * Fraction(period))
+            scene = Scene(mass=1.0, sampling_period=float(period), delay=late)
+            assert scene.dimensionless.delay == count
+            assert scene.periods == count
+    assert Scene(mass=0.3, sampling_period=0.1, damping=0.7, delay=0.25).dimensionless == (
+        0.0, 7 / 30, 2.5,
+    )  # fmt: skip
+
+
+def test_a_delay_in_periods():
+    late = Scene(mass=0.1, sampling_period=3e-4, delay_samples=7)
+    assert late.dimensionless.delay == 7
+    assert late.parts.delay
+    same = Scene(mass=0.1, sampling_period=3e-4, delay=2.1e-3)
+    assert late.max_stable_stiffness() == same.max_stable_stiffness()
+    with pytest.raises(ValueError, match=r"^delay_samples: 2.0 beside delay=0.001 is not allowed"):
+        Scene(mass=1.0, sampling_period=1e-3, delay=1e-3, delay_samples=2)
+
+
+def test_a_delay_that_was_meant_in_periods_is_warned_of():
+    with pytest.warns(
+        UserWarning, match=r"^delay: 1.5 s are 1500 sampling periods; .*_samples=1.5$"
+    ):
+        Scene(mass=0.1, sampling_period=1e-3, delay=1.5)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        Scene(mass=0.1, sampling_period=1e-3, delay=0.1)
+        Scene(mass=0.1, sampling_period=1e-3, delay_samples=500)
+
+
+def test_every_number_is_a_float64():
+    """A mass in single precision is the decimal that it was made of."""
+    single = Scene(mass=np.float32(0.1), sampling_period=np.float32(1e-3), damping=np.int64(2))
+    assert single == Scene(mass=0.1, sampling_period=1e-3, damping=2.0)
+    assert {type(v) for v in (single.mass, single.sampling_period, single.damping)} == {float}
+    assert {type(v) for v in single.dimensionless} == {float}
+
+
+def test_the_limits_tell_the_damping_that_they_need():
+    """The largest stiffness is lost with less damping, by eigenvalues; alone it is much less."""
+    T, m, b = 1e-3, 0.1, 0.5
+    scene = Scene(mass=m, damping=b, sampling_period=T, delay=2 * T)
+    best = scene.max_stable_stiffness()
+    assert isinstance(best, float)
+    assert best == best.K
+    assert pickle.loads(pickle.dumps(best)).B == best.B
+    assert spectral_radius(0.999 * best, best.B, m, b, 0.0, T, 2) < 1
+    assert spectral_radius(1.001 * best, best.B, m, b, 0.0, T, 2) > 1
+    assert spectral_radius(0.999 * best, 0.9 * best.B, m, b, 0.0, T, 2) > 1
+    assert best == pytest.approx(scene.limit_at(best.B).K, rel=1e-9)
+    passive = scene.max_passive_stiffness()
+    # (7) at the worst angle pi/(2 (d + 1)), (11)
+    assert passive.frequency_hz == pytest.approx(1 / (4 * 3 * T))
+    assert passive == pytest.approx(2 * b / T * np.tan(np.pi / 12))
+
+
+@pytest.mark.parametrize("periods", [0, 1, 3])
+@pytest.mark.parametrize("B", [-0.2, 0.0, 3.0, 20.0])
+def test_the_limit_at_a_damping(periods, B):
+    """Eigenvalues just below and above it, whose angle there is the frequency."""
+    m, b, k, T = (DEVICE[n] for n in ("mass", "damping", "stiffness", "sampling_period"))
+    scene = Scene(**DEVICE, delay_samples=periods)
+    K, damping, frequency = scene.limit_at(B=B)
+    assert damping == B
+    assert spectral_radius(K - 1e-4 * (K + k), B, m, b, k, T, periods) < 1
+    for more in (1e-4, 1e-2, 0.3, 1, 10):
+        assert spectral_radius(K + more * (K + k), B, m, b, k, T, periods) > 1
+    assert 0 < frequency <= 0.5 / T
+
+
+def test_a_damping_that_no_stiffness_makes_stable():
+    found = Scene(mass=0.1, sampling_period=1e-3).limit_at(B=1e6)
+    assert np.isnan(found.K)
+    assert found.B == 1e6
+    with pytest.raises(ValueError, match=r"^B: nan is not allowed; finite numbers are$"):
+        Scene(mass=0.1, sampling_period=1e-3).limit_at(B=np.nan)
+
+
+def test_quantities_of_pint_are_converted():
+    unit = pytest.importorskip("pint", reason="no Pint here: its quantities are not tried")
+    unit = unit.UnitRegistry()
+    scene = Scene(mass=100 * unit.g, sampling_period=1 * unit.ms, damping=0.5 * unit("N*s/m"))
+    assert scene == Scene(mass=0.1, sampling_period=1e-3, damping=0.5)
+    margin = scene.delay_margin(K=1 * unit("N/mm"), B=5 * unit("N*s/m"))
+    assert margin == scene.delay_margin(K=1000.0, B=5.0)
+    with pytest.raises(ValueError, match=r"^mass: .+ is not allowed; what converts to kg is$"):
+        Scene(mass=1 * unit.s, sampling_period=1e-3)
+    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; what converts to N/m is$"):
+        scene.delay_margin(K=1 * unit.N, B=1.0)
+
+
+def test_help_tells_units_and_ranges():
+    for told in ("kg", "Ns/m", "N/m", "periods", "gamma = k T^2/m", "> 0", ">= 0"):
+        assert told in Scene.__doc__

@@ -90,3 +90,12 @@ def test_sympy_has_the_same_response(scene):
         expected = state[0] * z**-steps * scene.sampling_period**2 / scene.mass
         exact = system.to_expr().subs(system.var, sp.exp(sp.I * sp.Float(frequency, 40)))
         assert complex(exact.evalf(30)) == pytest.approx(expected, rel=1e-9)
+
+
+def test_decimals_stay_decimals_in_sympy():
+    """3e-4 s are three periods of 1e-4 s: z^3 and no ghost of a fraction; T^2/(2 m) as written."""
+    system = Scene(mass=0.3, sampling_period=1e-4, delay=3e-4).to_sympy()
+    z = system.var
+    assert sp.expand(system.num - sp.Rational(1, 60000000) * (z + 1)) == 0
+    assert sp.expand(system.den - z**3 * (z - 1) ** 2) == 0
+    assert len(Scene(mass=0.3, sampling_period=1e-4, delay=3e-4).to_scipy().num) == 2

@@ -17,6 +17,7 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.model.derivatives import with_derivatives
 from symhaptic.model.stable import STATEMENTS, Form, NoForm
 from symhaptic.model.values import value
+from symhaptic.numeric.containers import kept
 from symhaptic.scene import FULL, Parts, Scene, left
 from symhaptic.suggest import suggested
 
@@ -36,10 +37,10 @@ def lambdify(
     ``id`` is that of a formula of the paper with a stable form, such as ``"eq11"``, or the name of
     a function that `symhaptic export --list` prints.  ``form`` is ``"stable"``, which keeps its
     digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
-    ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries, or mpmath, which gives
-    as many digits as ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out, as a
-    :class:`Scene` or in the words of the command line (``"no-stiffness,no-delay"``).  The arguments
-    of a
+    ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries (and xarray, Dask,
+    pandas and Pint, which come back as such), or mpmath, which gives as many digits as
+    ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out, as a :class:`Scene` or in the words of
+    the command line (``"no-stiffness,no-delay"``).  The arguments of a
     stable form are dimensionless and in the order that `--list` prints; those of the others are in
     the order of their names.  ``derivatives`` names arguments of a stable form: after its results
     come their derivatives with respect to the first of these, then to the next.  Returns one number
@@ -102,8 +103,9 @@ def _on_arrays(form: Form) -> Callable[..., Any]:
     _, files = request.built(TARGETS["numpy"], [form], "callables", vectors=False)
     space: dict[str, Any] = {"__name__": f"symhaptic.{form.name}"}
     exec(compile(files["callables.py"], f"<{form.name}>", "exec"), space)
-    function: Callable[..., Any] = space[form.name]
-    return function
+    around = kept(None, True, **{name: float for name, _ in form.results})
+    found: Callable[..., Any] = around(space[form.name])
+    return found
 
 
 def _in_digits(form: Form) -> Callable[..., Any]:

@@ -6,11 +6,13 @@ A part that a scene leaves out is not set to zero: the model is derived without 
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass, fields
+from fractions import Fraction
 from itertools import product
-from numbers import Real
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from symhaptic.quantities import decimal, nearest, number
 from symhaptic.suggest import suggested
 
 if TYPE_CHECKING:
@@ -87,12 +89,73 @@ class Dimensionless(NamedTuple):
     """t_d/T."""
 
 
+class Limit(NamedTuple):
+    """A wall on the border of stability, in SI units."""
+
+    K: float
+    """Virtual stiffness in N/m."""
+    B: float
+    """Virtual damping in Ns/m."""
+    frequency_hz: float
+    """The frequency in Hz at which the loop begins to swing there."""
+
+
+class Stiffness(float):
+    """A stiffness in N/m, with the damping that it needs: ``K``, ``B`` and ``frequency_hz``."""
+
+    B: float
+    """Virtual damping in Ns/m."""
+    frequency_hz: float
+    """The frequency in Hz at which this wall is just at its limit."""
+
+    def __new__(cls, K: float, B: float, frequency_hz: float) -> Stiffness:
+        """A number with two more beside it."""
+        self = super().__new__(cls, K)
+        self.B, self.frequency_hz = B, frequency_hz
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Stiffness, (self.K, self.B, self.frequency_hz)
+
+    @property
+    def K(self) -> float:
+        """The stiffness in N/m."""
+        return float(self)
+
+
+UNITS = {
+    "mass": "kg",
+    "sampling_period": "s",
+    "damping": "N*s/m",
+    "stiffness": "N/m",
+    "delay": "s",
+    "delay_samples": "",
+}
+
+_LONG = 100
+"""A delay in s of more sampling periods than this is warned of."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """A device in SI units; a part that is left out (``None``) is not modelled.
+    """gamma = k T^2/m, delta = b T/m, d = t_d/T: a device in SI units, behind a delay.
+
+    ========================  ======  =====  ======================================
+    ``mass``                  m       kg     > 0, device and arm together
+    ``sampling_period``       T       s      > 0
+    ``damping``               b       Ns/m   >= 0, physical
+    ``stiffness``             k       N/m    >= 0, physical
+    ``delay``                 t_d     s      >= 0, computation and transport
+    ``delay_samples``         d              >= 0, the delay in sampling periods instead
+    ========================  ======  =====  ======================================
+
+    Walls have the stiffness K in N/m and the damping B in Ns/m.  A part that is left out
+    (``None``) is not modelled.  Numbers become float64 and count as the decimals that they print
+    as: a delay of 3e-4 s is exactly three periods of 1e-4 s.  Quantities of Pint's are converted.
 
     Raises :class:`ValueError` for a mass or period that is not positive, a negative damping,
-    stiffness or delay, and for anything infinite or NaN.
+    stiffness or delay, for anything infinite, NaN, a truth value or of the wrong dimension, and
+    for two delays.  Warns of a ``delay`` of more than 100 periods.
 
     >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.001)
     >>> scene.dimensionless
@@ -102,28 +165,35 @@ class Scene:
     """
 
     mass: float
-    """m in kg, device and arm together."""
+    """m in kg, device and arm together, > 0."""
     sampling_period: float
-    """T in s."""
+    """T in s, > 0."""
     damping: float | None = None
-    """b in Ns/m."""
+    """b in Ns/m, >= 0."""
     stiffness: float | None = None
-    """k in N/m."""
+    """k in N/m, >= 0."""
     delay: float | None = None
-    """t_d in s."""
+    """t_d in s, >= 0."""
+    delay_samples: float | None = None
+    """d in sampling periods, >= 0, where the delay is not given in s."""
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            value = _plain(getattr(self, field.name))
-            if value is None:
-                continue
-            object.__setattr__(self, field.name, value)
-            least = "> 0" if field.name in ("mass", "sampling_period") else ">= 0"
-            real = isinstance(value, Real) and math.isfinite(value)
-            if not real or value < 0 or (least == "> 0" and value == 0):
-                raise ValueError(
-                    f"{field.name}: {value!r} is not allowed; finite numbers {least} are"
-                )
+        for name, unit in UNITS.items():
+            value = getattr(self, name)
+            if value is not None:
+                least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
+                object.__setattr__(self, name, number(name, value, unit, least))
+        if self.delay is not None and self.delay_samples is not None:
+            raise ValueError(
+                f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
+                "allowed; one of them is"
+            )
+        if self.delay is not None and self.periods > _LONG:
+            warnings.warn(
+                f"delay: {self.delay!r} s are {self.dimensionless.delay:g} sampling periods; "
+                f"a delay of {self.delay!r} periods is delay_samples={self.delay!r}",
+                stacklevel=3,
+            )
 
     @property
     def parts(self) -> Parts:
@@ -131,33 +201,55 @@ class Scene:
         return Parts(
             stiffness=self.stiffness is not None,
             damping=self.damping is not None,
-            delay=self.delay is not None,
+            delay=self.delay is not None or self.delay_samples is not None,
         )
+
+    @property
+    def periods(self) -> Fraction:
+        """The delay in sampling periods, exactly; 0 if there is none."""
+        if self.delay_samples is not None:
+            return decimal(self.delay_samples)
+        return decimal(self.delay or 0) / decimal(self.sampling_period)
 
     @property
     def dimensionless(self) -> Dimensionless:
         """gamma, delta and the delay in periods; 0 for what is not there."""
-        period = self.sampling_period
+        period, mass = decimal(self.sampling_period), decimal(self.mass)
         return Dimensionless(
-            gamma=(self.stiffness or 0.0) * period**2 / self.mass,
-            delta=(self.damping or 0.0) * period / self.mass,
-            delay=(self.delay or 0.0) / period,
+            gamma=nearest(decimal(self.stiffness or 0) * period**2 / mass),
+            delta=nearest(decimal(self.damping or 0) * period / mass),
+            delay=nearest(self.periods),
         )
 
-    def max_stable_stiffness(self) -> float:
-        """Largest stiffness in N/m of a stable wall, with the damping that allows it.
+    def _wall(self, alpha: Any, beta: Any, theta: Any) -> tuple[float, float, float]:
+        """K, B and the frequency in Hz."""
+        scale, period = self.mass / self.sampling_period, self.sampling_period
+        return (
+            float(alpha) * self.mass / period**2,
+            float(beta) * scale,
+            float(theta) / (2 * math.pi * period),
+        )
+
+    def max_stable_stiffness(self) -> Stiffness:
+        """Largest stiffness in N/m of a stable wall, with the damping ``.B`` that it needs.
+
+        A number, which also knows the virtual damping ``.B`` in Ns/m and the frequency
+        ``.frequency_hz`` at which the loop begins to swing.  With another damping the limit is
+        lower: :meth:`limit_at`.
 
         >>> scene = Scene(mass=0.1, sampling_period=0.001)  # 4 (2 - r)(r - 1)/r m/T^2, r = sqrt 2
-        >>> round(scene.max_stable_stiffness(), 3)
-        68629.15
+        >>> stiffest = scene.max_stable_stiffness()
+        >>> round(stiffest, 3), round(stiffest.B, 3)
+        (68629.15, 82.843)
         """
         from symhaptic.tracer.extremes import max_stable_stiffness
 
-        found = max_stable_stiffness(*self.dimensionless)
-        return float(found.alpha) * self.mass / self.sampling_period**2
+        return Stiffness(*self._wall(*max_stable_stiffness(*self.dimensionless)))
 
-    def max_passive_stiffness(self) -> float:
-        """Largest stiffness in N/m of a passive wall, with the damping that allows it.
+    def max_passive_stiffness(self) -> Stiffness:
+        """Largest stiffness in N/m of a passive wall, with the damping ``.B`` that it needs.
+
+        A number, which also knows ``.B`` in Ns/m and the worst frequency ``.frequency_hz``.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
@@ -166,8 +258,28 @@ class Scene:
         from symhaptic.numeric.passivity import max_passive_stiffness
 
         _, delta, delay = self.dimensionless
-        found = max_passive_stiffness(delta, delay)
-        return float(found.alpha) * self.mass / self.sampling_period**2
+        return Stiffness(*self._wall(*max_passive_stiffness(delta, delay)))
+
+    def limit_at(self, B: float) -> Limit:
+        """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
+
+        Returns K, ``B`` and the frequency in Hz at which the loop swings there; K is NaN where no
+        stiffness makes a wall of this damping stable.  It is a supremum, found among the crossings
+        of the explicit boundary; K may also have a lower limit.
+
+        Raises :class:`ValueError` for a ``B`` that is no finite number.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> round(scene.limit_at(B=0.0).K, 1)
+        250.4
+        """
+        from symhaptic.tracer.extremes import stiffest_at
+
+        gamma, delta, delay = self.dimensionless
+        damping = number("B", B, "N*s/m")
+        found = stiffest_at(damping * self.sampling_period / self.mass, gamma, delta, delay)
+        K, _, frequency = self._wall(*found)
+        return Limit(K, damping, frequency)
 
     def simplest(
         self,
@@ -242,16 +354,8 @@ class Scene:
         """
         from symhaptic.tracer.margin import delay_margin
 
-        K, B = _plain(K), _plain(B)
-        for name, value in (("K", K), ("B", B)):
-            if not isinstance(value, Real) or not math.isfinite(value):
-                raise ValueError(f"{name}: {value!r} is not allowed; finite numbers are")
+        K, B = number("K", K, "N/m"), number("B", B, "N*s/m")
         gamma, delta, _ = self.dimensionless
         scale = self.sampling_period / self.mass
         found = delay_margin(K * scale * self.sampling_period, B * scale, gamma, delta)
         return float(found) * self.sampling_period
-
-
-def _plain(value: Any) -> Any:
-    """A number that comes as an array without axes, or as NumPy's own kind, as Python's."""
-    return value.item() if getattr(value, "ndim", None) == 0 else value

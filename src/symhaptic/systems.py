@@ -6,11 +6,11 @@ one more coefficient (modified z-transform), not an approximation of the delay.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from symhaptic.kernels import haptic
+from symhaptic.quantities import decimal
 
 if TYPE_CHECKING:
     from symhaptic.scene import Scene
@@ -23,9 +23,9 @@ def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
     >>> coefficients(Scene(mass=1.0, sampling_period=1.0, delay=1.0))
     ([0.5, 0.5], [1.0, -2.0, 1.0, 0.0])
     """
-    gamma, delta, delay = scene.dimensionless
-    steps = int(np.floor(delay))
-    part = delay - steps
+    gamma, delta, _ = scene.dimensionless
+    steps = math.floor(scene.periods)
+    part = float(scene.periods - steps)
     found = haptic.discretize_late(gamma, delta, part) if part else haptic.discretize(gamma, delta)
     *force, a, e = map(float, found)
     scale = scene.sampling_period**2 / scene.mass
@@ -48,7 +48,7 @@ def scipy_system(scene: Scene) -> Any:
 
 
 def sympy_system(scene: Scene) -> Any:
-    """As an exact ``TransferFunction`` of SymPy, in z; floats are the fractions that they are.
+    """As an exact ``TransferFunction`` of SymPy, in z; floats are the decimals that they print as.
 
     >>> from symhaptic.scene import Scene
     >>> system = sympy_system(Scene(mass=2.0, sampling_period=1.0, delay=1.0))
@@ -61,13 +61,13 @@ def sympy_system(scene: Scene) -> Any:
     from symhaptic.model import fractional, plant
     from symhaptic.notation import z
 
-    period, mass = (sp.Rational(v) for v in (scene.sampling_period, scene.mass))
+    period, mass = (_exact(v) for v in (scene.sampling_period, scene.mass))
     exact = plant.Plant(
         sp.S.One,
-        sp.Rational(scene.damping) * period / mass if scene.damping else None,
-        sp.Rational(scene.stiffness) * period**2 / mass if scene.stiffness else None,
+        _exact(scene.damping) * period / mass if scene.damping else None,
+        _exact(scene.stiffness) * period**2 / mass if scene.stiffness else None,
     )
-    delay = sp.Rational(scene.delay or 0) / period
+    delay = sp.Rational(*scene.periods.as_integer_ratio())
     steps = sp.floor(delay)
     if delay == steps:
         device = plant.sampled(exact)
@@ -76,3 +76,9 @@ def sympy_system(scene: Scene) -> Any:
         late = fractional.late(exact, part=delay - steps)
         top, bottom = late.numerator, late.device.denominator * z ** (steps + 1)
     return TransferFunction(sp.expand(period**2 / mass * top), bottom, z)
+
+
+def _exact(value: float) -> Any:
+    import sympy as sp
+
+    return sp.Rational(*decimal(value).as_integer_ratio())

@@ -276,3 +276,39 @@ def test_what_stays_single_and_what_does_not():
     assert symhaptic.discretize([1, 2], 0)[0].dtype == np.float64
     assert symhaptic.passivity_margin(one, 0.0, 1.0, 0.5).dtype == np.float32
     assert symhaptic.is_stable(one, 0.1, 0.1, 0.1, 1).dtype == np.bool_
+
+
+def test_mapped_searches_broadcast_their_arguments():
+    """`jax.vmap` over one argument beside arrays that it does not map, as NumPy has them."""
+    jnp, jax = jax_numpy(), pytest.importorskip("jax")
+    gamma, delay = np.array([0.0, 1.0, 2.0]), np.array([0.0, 0.5, 1.0])
+    want = symhaptic.max_stable_stiffness(gamma[:, None], 0.02, delay).alpha
+
+    def stiffest(spring, late):
+        return symhaptic.max_stable_stiffness(spring, 0.02, late).alpha
+
+    beside = jax.vmap(lambda spring: stiffest(spring, jnp.asarray(delay)))(jnp.asarray(gamma))
+    assert np.asarray(beside).tolist() == want.tolist()
+    one_by_one = jax.vmap(stiffest)(jnp.asarray(gamma), jnp.asarray(delay))
+    assert np.asarray(one_by_one).tolist() == np.diag(want).tolist()
+    margin = jax.vmap(
+        lambda spring: symhaptic.delay_margin(0.1, jnp.asarray([0.4, 0.2]), spring, 0.02)
+    )(jnp.asarray(gamma))
+    expected = symhaptic.delay_margin(0.1, [0.4, 0.2], gamma[:, None], 0.02)
+    assert np.asarray(margin).tolist() == expected.tolist()
+
+
+def test_torch_compiles_around_public_functions():
+    """Its graph breaks there: thousands of operations would keep it busy for minutes."""
+    torch = torch_()
+
+    def kept(alpha):
+        stable = symhaptic.is_stable(2 * alpha, 0.4, 0.0, 0.02, 1)
+        return torch.where(stable, symhaptic.delay_margin(2 * alpha, 0.4, 0.0, 0.02), 0.0)
+
+    alpha = torch.linspace(0.01, 0.5, 5, dtype=torch.float64)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # torch's own, of what it traces through
+        found = torch.compile(kept, backend="aot_eager")(alpha)
+    assert found.tolist() == kept(alpha).tolist()
+    assert 0 < np.count_nonzero(found) < 5

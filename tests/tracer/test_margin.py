@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import scipy.linalg
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from oracle import moduli, radius
@@ -98,3 +99,84 @@ def test_stable_just_below_and_not_just_above(alpha, beta, gamma, delta, sheet):
     loop = alpha, beta, gamma, delta
     assert is_stable(*loop, max(margin - step, 0), sheet=sheet)
     assert not is_stable(*loop, margin + step, sheet=sheet)
+
+
+def scipy_radius(alpha, beta, gamma, delta, steps, part):
+    """Largest root of the polynomial behind ``steps`` periods and a part of one.
+
+    The force acts late by ``part``: SciPy's exponentials of the device's matrix tell what the new
+    force and the one before make of a period.
+    """
+    motion = np.array([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]])
+    whole, before, after = (scipy.linalg.expm(motion * t) for t in (1, part, 1 - part))
+    free = whole[:2, :2]
+    newer, older = after[:2, 2], after[:2, :2] @ before[:2, 2]
+    a, e = np.trace(free), np.linalg.det(free)
+    top = np.zeros(3)
+    for shift, push in ((0, newer), (1, older)):  # (1, 0) adj(z - free) push
+        top[shift : shift + 2] += push[0], free[0, 1] * push[1] - free[1, 1] * push[0]
+    polynomial = np.zeros(steps + 5)
+    polynomial[:3] = 1, -a, e
+    polynomial[-4:] += np.convolve(top, [alpha + beta, -beta])
+    return np.abs(np.linalg.eigvals(scipy.linalg.companion(polynomial))).max()
+
+
+def test_a_short_instability_before_the_loop_recovers():
+    """Unstable for d in (1.4709, 1.4879) only, as the eigenvalues have it."""
+    loop = 12.16859, -26.90683, 52.02097, 7.92567
+    for part, lost in ((0.4708, False), (0.471, True), (0.4878, True), (0.488, False)):
+        assert (scipy_radius(*loop, 1, part) > 1) == lost
+    assert delay_margin(*loop) == pytest.approx(1.47090, abs=1e-4)
+
+
+def test_no_window_of_a_dense_scan_is_missed_on_stiff_springs():
+    """240 loops that swing up to one and a half times a period, at every 1/256 to 2 periods."""
+    rng = np.random.default_rng(47)
+    gamma, delta = rng.uniform(10, 90, 4000), rng.uniform(0.2, 9, 4000)
+    alpha, beta = rng.normal(size=(2, 4000)) * 30
+    keep = np.flatnonzero(is_stable(alpha, beta, gamma, delta, 0))[:240]
+    margins = delay_margin(*(v[keep] for v in (alpha, beta, gamma, delta)))
+    windows = 0
+    for i, margin in zip(keep, margins, strict=True):
+        loop = [float(v[i]) for v in (alpha, beta, gamma, delta)]
+        delays = np.arange(0, 2, 1 / 256)
+        radii = np.array([scipy_radius(*loop, int(d), d % 1) for d in delays])
+        wrong = (delays < margin - 1e-9) & (radii > 1 + 1e-9)
+        assert not wrong.any(), (loop, delays[wrong])
+        if margin < 2:  # lost right behind it
+            windows += bool((radii[delays > margin] < 1).any())
+            assert scipy_radius(*loop, int(margin), margin % 1) == pytest.approx(1, abs=1e-7)
+    assert windows > 10  # loops that recover are among them
+
+
+RECOVER = [  # lost for less than 1/32 of a period
+    (20.09867, 11.41987, 60.63156, 6.86118),
+    (17.61051, -40.59375, 55.14065, 5.55429),
+    (-7.56037, -32.28032, 71.21705, 4.18751),
+    (3.77299, -7.13869, 12.85528, 4.16847),
+    (-21.11968, -4.86504, 76.40761, 2.52028),
+    (21.999, -27.67445, 55.40745, 4.55376),
+]
+
+
+@pytest.mark.parametrize("loop", RECOVER)
+def test_short_instabilities_are_where_a_fine_scan_has_them(loop):
+    """At every 1/1024 up to two periods: the first lost one is the first behind the margin."""
+    delays = np.arange(0, 2, 1 / 1024)
+    lost = [scipy_radius(*loop, int(d), d % 1) > 1 for d in delays]
+    first = delays[np.argmax(lost)]
+    assert first - 1 / 1024 <= delay_margin(*loop) <= first
+    assert not lost[np.argmax(lost) + 32]
+
+
+def test_long_work_is_told_on_a_terminal_only(capsys, monkeypatch):
+    walls = np.full(30000, 9.0)
+    delay_margin(walls, 0.05, 0.0, 0.0)
+    assert capsys.readouterr() == ("", "")
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    delay_margin(walls, 0.05, 0.0, 0.0)
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "delay margins" in err
+    delay_margin(walls[:10], 0.05, 0.0, 0.0)
+    assert capsys.readouterr() == ("", "")

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+import sys
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from typing import Any, NoReturn
 
@@ -142,20 +143,36 @@ def together(*arrays: Any) -> tuple[int, ...]:
         ) from None
 
 
-def in_blocks(work: Callable[..., Sequence[Array] | Array], *arrays: Array) -> Array:
+def in_blocks(
+    work: Callable[..., Sequence[Array] | Array],
+    *arrays: Array,
+    block: int = _BLOCK,
+    told: str | None = None,
+) -> Array:
     """The rows that ``work`` makes of the broadcast arrays, on pieces that fit the cache.
 
-    ``work`` gets flat pieces, of one element where an argument has but one.
+    ``work`` gets flat pieces, of one element where an argument has but one.  With ``told``, what
+    is done and how much of it are shown where somebody watches and there are several pieces.
     """
     shape = together(*arrays)
     size = math.prod(shape)
     flat = [a.reshape(1) if a.size == 1 else np.broadcast_to(a, shape).reshape(-1) for a in arrays]
     found = np.empty((0, size))
-    for begin in range(0, max(size, 1), _BLOCK):
-        part = slice(begin, begin + _BLOCK)
+    for begin in _shown_on_terminal(range(0, max(size, 1), block), told):
+        part = slice(begin, begin + block)
         rows = work(*(a if a.size == 1 else a[part] for a in flat))
         if not begin:
             found = np.empty((len(rows), size))
         for row, values in zip(found, rows, strict=True):
             row[part] = values
     return found.reshape(len(found), *shape)
+
+
+def _shown_on_terminal(begins: range, told: str | None) -> Iterable[int]:
+    """The same numbers, with a progress bar on a terminal."""
+    if told is None or len(begins) < 4 or not sys.stderr.isatty():
+        return begins
+    from rich.console import Console
+    from rich.progress import track
+
+    return track(begins, told, console=Console(stderr=True), transient=True)

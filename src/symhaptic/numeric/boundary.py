@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device
 from symhaptic.numeric.stability import SHEETS
@@ -119,6 +120,7 @@ def end(x: Device, steps: Array) -> tuple[Array, Array]:
         return 2 * both - line, line - both
 
 
+@kept(alpha=float, beta=float)
 def stability_boundary(
     theta: ArrayLike,
     gamma: ArrayLike,

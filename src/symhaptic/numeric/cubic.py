@@ -16,7 +16,8 @@ Terms = Sequence[Array]
 """Coefficients, constant term first."""
 
 
-def _value(k: Terms, y: Array) -> Array:
+def value(k: Terms, y: Array) -> Array:
+    """The polynomial at y."""
     return ((k[3] * y + k[2]) * y + k[1]) * y + k[0]
 
 
@@ -42,7 +43,7 @@ def _newton(k: Terms, low: Array, high: Array, rises: NDArray[np.bool_]) -> Arra
         now = y[left]
         some = [c[left] for c in k]
         slope = (3 * some[3] * now + 2 * some[2]) * now + some[1]
-        step = _value(some, now) / np.where(slope == 0, np.inf, slope)
+        step = value(some, now) / np.where(slope == 0, np.inf, slope)
         new = np.clip(now - step, low[left], high[left])
         y[left] = new
         left = left[np.where(down[left], new < now, new > now)]
@@ -54,7 +55,7 @@ def _between(
 ) -> tuple[Array, NDArray[np.bool_], NDArray[np.bool_]]:
     """For each of four pieces: the root, whether the cubic rises there, whether it is there."""
     cuts = _cuts(k, low, high)
-    values = np.stack([at_low, *(_value(k, cut) for cut in cuts[1:-1]), at_high])
+    values = np.stack([at_low, *(value(k, cut) for cut in cuts[1:-1]), at_high])
     there = ((values[:-1] < 0) != (values[1:] < 0)) & (cuts[1:] > cuts[:-1])
     rises = values[:-1] < values[1:]
     found = np.zeros(there.shape)
@@ -78,7 +79,7 @@ def roots(
     flat = [np.broadcast_to(c, shape).reshape(-1) for c in given]
     near, own, far, (center, beyond) = flat[:4], flat[4:8], flat[8:12], flat[12:]
     none, one, two = np.zeros_like(center), center / 2, beyond / 2
-    at_one, at_two = _value(own, -one), _value(own, two)
+    at_one, at_two = value(own, -one), value(own, two)
     y, rises, there = _between(near, none, one, near[0], at_one)
     off, rises_own, there_own = _between(own, -one, two, at_one, at_two)
     rest, falls, there_far = _between(far, none, two, far[0], at_two)

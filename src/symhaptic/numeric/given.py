@@ -77,9 +77,9 @@ class Given:
             found = work(*(np.asarray(v, dtype=np.float64) for v in values))
             return tuple(np.asarray(row, dtype=first.dtype) for row in found)
 
-        return jax.pure_callback(
-            rows_of, (like,) * results, *self.values, vmap_method="broadcast_all"
-        )
+        # of one shape: `jax.vmap` puts its axes in front of those that each argument has
+        spread = (self.xp.broadcast_to(v, like.shape) for v in self.values)
+        return jax.pure_callback(rows_of, (like,) * results, *spread, vmap_method="broadcast_all")
 
     def own(self, row: Array) -> Any:
         """A NumPy array in the library, on the device and, of floats, in the precision of these."""

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import kept
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given
 
@@ -33,6 +34,7 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
     return xp.where(alpha < 0, math.inf, scale * need)
 
 
+@kept(margin=float)
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Array:
@@ -61,6 +63,7 @@ def passivity_margin(
     return given.each(margin)  # type: ignore[no-any-return]
 
 
+@kept(is_passive=bool)
 def is_passive(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> NDArray[np.bool_]:
@@ -86,6 +89,7 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
     return haptic.rated(xp, lead, wall[0]), haptic.rated(xp, lead, wall[1])
 
 
+@kept(alpha=float, beta=float)
 def passivity_boundary(
     omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> tuple[Array, Array]:
@@ -119,6 +123,7 @@ def passivity_boundary(
     return given(partial(walls, given.xp))  # type: ignore[no-any-return]
 
 
+@kept(Extremum, alpha=float, beta=float, theta=float)
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 

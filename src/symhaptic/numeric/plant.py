@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
 
 _NEAR = 4.0
@@ -149,6 +150,15 @@ def _held(x: _Motion) -> tuple[Array, Array, Array, Array]:
     return (together + apart) / 2, (together - apart) / 2, together, apart
 
 
+def impulse(gamma: Array, delta: Array, time: Array) -> Array:
+    """The device's displacement ``time`` periods after a unit impulse."""
+    x = _motion(gamma * time**2, delta * time)
+    with np.errstate(invalid="ignore"):
+        creep = np.exp(-2 * x.minus) * _exprel(-2 * x.root)
+    swing = np.exp(-x.delta / 2) * np.sinc(np.where(x.swings, x.root, 0.0) / np.pi)
+    return np.asarray(time * np.where(x.swings, swing, creep))
+
+
 def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     """The plant behind a delay of ``part`` periods, 0 <= part < 1, which lets the hold act late.
 
@@ -187,6 +197,7 @@ def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:
     return np.asarray(free & (np.abs(np.sin(swing)) <= 4e-16 * swing))
 
 
+@kept(n1=float, n0=float, a=float, e=float)
 def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array, Array]:
     """Exact discrete equivalent of the device behind a zero-order hold: n1, n0, a, e.
 

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import kept, numbers_only
 from symhaptic.numeric.crossings import Crossing, Wall, crossings, surplus, wall
 from symhaptic.numeric.cubic import Terms
 from symhaptic.numeric.given import Given, to_numpy
@@ -53,12 +54,29 @@ def phase(x: Device, v: Wall, c: Crossing) -> Angle:
     Each factor, turned by a power of z, keeps to one half plane: the angle of A/z, of M/z and of
     the wall is an arctangent that never jumps.
     """
-    sine = 2 * np.sqrt(c.y * c.rest)  # parts are those at the angle times 4
-    below = _angle(-2 * (1 + x.e) * c.off, x.loss * sine)
+    a, m, w = below(x, c), above(x, c), force(v, c)
+    return Angle(m.halves + w.halves - a.halves, m.rest + w.rest - a.rest)
+
+
+def _sine(c: Crossing) -> Array:
+    """4 sin(theta): the real parts beside it are those at the angle times 4."""
+    return 2 * np.sqrt(c.y * c.rest)
+
+
+def below(x: Device, c: Crossing) -> Angle:
+    """The angle of A/z."""
+    return _angle(-2 * (1 + x.e) * c.off, x.loss * _sine(c))
+
+
+def above(x: Device, c: Crossing) -> Angle:
+    """The angle of M/z."""
     middle = x.numerator_at_one * c.rest - x.numerator_at_minus_one * c.y
-    above = _angle(middle, (x.m2 - x.m0) * sine)
-    force = _angle(v.alpha * c.rest - v.at_minus_one * c.y, v.slope * sine)
-    return Angle(above.halves + force.halves - below.halves, above.rest + force.rest - below.rest)
+    return _angle(middle, (x.m2 - x.m0) * _sine(c))
+
+
+def force(v: Wall, c: Crossing) -> Angle:
+    """The angle of the wall."""
+    return _angle(v.alpha * c.rest - v.at_minus_one * c.y, v.slope * _sine(c))
 
 
 def theta(c: Crossing) -> Angle:
@@ -139,6 +157,7 @@ def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array) 
     return np.asarray(arguments.in_blocks(work, alpha, beta, delay, *plant)[0])
 
 
+@kept(unstable_roots=int)
 def unstable_roots(
     alpha: ArrayLike,
     beta: ArrayLike,
@@ -153,6 +172,9 @@ def unstable_roots(
     in periods, whole or fractional (exact, by the modified z-transform); arrays broadcast.  With
     ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A root
     within rounding of the circle may be counted on either side.  NaN gives -1.
+
+    Inside ``jax.jit`` every branch is compiled, which takes XLA up to minutes; outside of it
+    nothing is.  ``torch.compile`` breaks its graph here.
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant or delay.
 
@@ -187,6 +209,7 @@ def _outside_and_stable(given: Given, sheet: str) -> Any:
     return given.by_numpy(work, 2)
 
 
+@kept(is_stable=bool)
 def is_stable(
     alpha: ArrayLike,
     beta: ArrayLike,
@@ -209,6 +232,7 @@ def is_stable(
     return _outside_and_stable(given, sheet)[1] == 1  # type: ignore[no-any-return]
 
 
+@numbers_only
 def characteristic_polynomial(
     alpha: float, beta: float, gamma: float, delta: float, delay: int
 ) -> Array:

@@ -9,6 +9,7 @@ from fractions import Fraction
 from numbers import Real
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
+from symhaptic.quantities import decimal
 from symhaptic.simplest.at_damping import at_damping, error_of_line
 from symhaptic.simplest.cost import Cost, Model, cost, error
 from symhaptic.simplest.plants import NOTHING, Box, Interval, NotCovered
@@ -63,7 +64,7 @@ def simplest(scene: Scene, rtol: float, over: Mapping[str, Range | None]) -> Sim
     ranges = {name: _interval(name, value) for name, value in over.items() if value is not None}
     box, there = _box(scene, ranges)
     parts = replace(scene.parts, **{name: there[name] for name in WITHOUT})
-    delay = decimal(scene.delay or 0) / decimal(scene.sampling_period)
+    delay = scene.periods
     models = _models(parts)
     costs = dict.fromkeys(models, math.inf) | {FULL: 0.0}
     reasons: dict[str, str] = {}
@@ -125,11 +126,6 @@ def _box(scene: Scene, ranges: Mapping[str, Interval]) -> tuple[Box, dict[str, b
         ends = [end * period**power / m for end in inside or NOTHING for m in mass]
         box.append(Interval(min(ends), max(ends)))
     return tuple(box), there
-
-
-def decimal(value: float) -> Fraction:
-    """The decimal that a number prints as: 0.0003 is three ten-thousandths."""
-    return Fraction(value) if isinstance(value, int | Fraction) else Fraction(repr(float(value)))
 
 
 def _point(value: float) -> Interval:

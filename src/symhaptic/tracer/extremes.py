@@ -11,6 +11,7 @@ from scipy.optimize.elementwise import find_root
 from symhaptic.numeric import arguments, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.boundary import end, point, tangent
+from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given
@@ -30,6 +31,11 @@ _STIFFEST = 9.8
 """Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
 
 
+_FARTHEST = 1e60
+"""Where no force reaches the device, the boundary is at infinity."""
+
+
+@kept(Extremum, alpha=float, beta=float, theta=float)
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Extremum:
@@ -112,3 +118,30 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Arra
 
 def _rise(theta: Array, steps: Array, *numbers: Array) -> Array:
     return tangent(Device(*numbers), theta, steps)[0]
+
+
+def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extremum:
+    """The largest stiffness of a stable wall with a given damping, and the angle of its roots.
+
+    At one damping the count of unstable roots can change only where the explicit boundary or a
+    line of a real root has this damping; between neighbours of these it is told in the middle.
+    NaN where no stiffness makes it stable.
+    """
+    nothing = Extremum(*np.array([np.nan, beta, np.nan]))
+    if stuck(np.asarray(gamma), np.asarray(delta)):
+        return nothing
+    loop = Loop(gamma, delta, delay)
+    theta = loop.meets(lambda _, damping: damping - beta)
+    line = [] if loop.line is None else [loop.line - 2 * beta]
+    walls = np.concatenate([loop.curve(theta)[:, 0], [-gamma], line])
+    angles = np.concatenate([theta, [0.0], [np.pi] * len(line)])
+    near = np.abs(walls) < _FARTHEST
+    walls, angles = walls[near], angles[near]
+    order = np.argsort(walls)
+    walls, angles = walls[order], angles[order]
+    middle = (walls[1:] + walls[:-1]) / 2
+    good = stability.is_stable(middle, beta, gamma, delta, delay) & (walls[1:] > walls[:-1])
+    if not np.any(good):
+        return nothing
+    last = int(np.flatnonzero(good)[-1]) + 1
+    return Extremum(walls[last], np.asarray(beta), angles[last])

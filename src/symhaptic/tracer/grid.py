@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import numbers_only
 from symhaptic.numeric.plant import discretize
 
 _ENTRIES = 4_000_000
@@ -71,6 +72,7 @@ def _rational(delay: float | Fraction) -> Fraction:
     return late
 
 
+@numbers_only
 def grid_boundary(
     gamma: float,
     delta: float,

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import numbers_only
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.stability import SHEETS, is_stable
 from symhaptic.tracer.arcs import Loop, flips
@@ -83,6 +84,7 @@ class Region(Shape):
         return is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)
 
 
+@numbers_only
 def stable_region(
     gamma: float, delta: float, delay: float, sheet: str = "exact", tolerance: float = 1e-6
 ) -> Region:

@@ -11,6 +11,7 @@ import shapely
 
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.containers import numbers_only
 from symhaptic.numeric.stability import SHEETS
 from symhaptic.tracer.region import Region, stable_region
 from symhaptic.tracer.shape import Shape
@@ -37,6 +38,7 @@ class RobustRegion(Shape):
     """Estimate of how far the outline may be off."""
 
 
+@numbers_only
 def robust_region(
     delta: float, delay: float, sheet: str = "exact", tolerance: float = 1e-3
 ) -> RobustRegion:

@@ -1,0 +1,71 @@
+"""Single numbers in SI units, as somebody wrote them."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from numbers import Real
+from typing import Any
+
+
+def number(name: str, value: Any, unit: str, least: str = "") -> float:
+    """The value in ``unit`` as a float64; a quantity of Pint's is converted.
+
+    Raises :class:`ValueError` for what is no finite number, or less than ``least`` says
+    (``">= 0"``, ``"> 0"`` or nothing), and for units that cannot be converted.
+    """
+    given = value
+    if type(value).__module__.split(".")[0] == "pint":
+        value = _converted(name, value, unit)
+    real = isinstance(value, Real) and not isinstance(value, bool)
+    found = _float64(value) if real else math.nan
+    low = (least and found < 0) or (least == "> 0" and found == 0)
+    if low or not math.isfinite(found):
+        allowed = f"finite numbers {least}".strip()
+        raise ValueError(f"{name}: {shown(given)} is not allowed; {allowed} are")
+    return found
+
+
+def _float64(value: Any) -> float:
+    """Of a number with fewer digits, the decimal that it prints as; infinite beyond all."""
+    try:
+        return float(value) if isinstance(value, int | Fraction) else float(str(value))
+    except OverflowError:
+        return math.inf
+
+
+def _converted(name: str, quantity: Any, unit: str) -> Any:
+    """Its number in ``unit``, or where ``unit`` is none, that of a quantity without dimension."""
+    registry = quantity._REGISTRY
+    wanted = registry.Unit(unit)
+    if not quantity.is_compatible_with(wanted):
+        allowed = f"what converts to {unit} is" if unit else "a number without dimension is"
+        raise ValueError(f"{name}: {shown(quantity)} is not allowed; {allowed}")
+    return quantity.to(wanted).magnitude
+
+
+def dimensionless(name: str, quantity: Any) -> Any:
+    """The numbers of a quantity of Pint's without dimension; :class:`ValueError` for others."""
+    return _converted(name, quantity, "")
+
+
+def shown(value: object) -> str:
+    """The value on one line that fits a message."""
+    try:
+        text = " ".join(repr(value).split())
+    except ValueError:  # too many digits
+        return "an integer of thousands of digits"
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def decimal(value: float) -> Fraction:
+    """The decimal that a number prints as: 0.0003 is 3/10000."""
+    return Fraction(value) if isinstance(value, int | Fraction) else Fraction(repr(float(value)))
+
+
+def nearest(value: Fraction) -> float:
+    """The nearest float64; infinite beyond all of them."""
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf
