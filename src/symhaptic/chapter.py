@@ -293,6 +293,8 @@ class Page(Record):
             read(line)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
+        if id in self.own:
+            raise FalseStep(f"{id} is stated twice")
         if claim is not None:
             self.claimed[id] = lambda printed: claim
         self.own[id] = Statement(id, self.name, says, printed)

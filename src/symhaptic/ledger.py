@@ -12,8 +12,13 @@ from typing import Any
 from symhaptic.consequences import CONSEQUENCES
 from symhaptic.latex import latex
 from symhaptic.library import Chapter, run
+from symhaptic.notation.proposition import Proposition
 from symhaptic.paper import STATEMENTS, Statement
-from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.theorems.judge import Judged
+from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
+from symhaptic.record import Settled
 
 GENERATED = "written by `symhaptic report`; do not edit"
 
@@ -28,6 +33,10 @@ class Entry:
     seconds: float
     own: bool = False
     """Whether it is a user's statement rather than the paper's."""
+    judged: Judged | None = None
+    """The theorems on which it is settled; sent to another process they are derived there anew."""
+    claim: Proposition | None = None
+    """What a statement of one's own claims."""
 
     @property
     def consequence(self) -> str | None:
@@ -63,12 +72,47 @@ class Entry:
 def of_chapter(chapter: Chapter) -> list[Entry]:
     """The statements that a chapter settles, or states without settling them."""
     found = {
-        id: Entry(s.statement, s.verdict, chapter.source, s.seconds, own=id not in STATEMENTS)
+        id: Entry(
+            s.statement,
+            s.verdict,
+            chapter.source,
+            s.seconds,
+            own=id not in STATEMENTS,
+            judged=s.settlement.judged,
+            claim=_own_claim(s),
+        )
         for id, s in chapter.page.settled.items()
     }
     for id, statement in chapter.page.own.items():
         found.setdefault(id, Entry(statement, UNSETTLED, chapter.source, 0.0, own=True))
     return list(found.values())
+
+
+def _own_claim(settled: Settled) -> Proposition | None:
+    claim = settled.settlement.claim
+    if claim is None or settled.statement.id in STATEMENTS:
+        return None
+    return claim(settled.statement.printed)
+
+
+def judged_again(entry: Entry) -> str | None:
+    """What is wrong with the verdict that another process gives by theorems, if anything is.
+
+    The theorems were derived again when they arrived; here they are held against what the
+    statement claims.
+    """
+    judged, statement = entry.judged, entry.statement
+    if judged is None:
+        return None
+    known, claim = STATEMENTS.get(statement.id), entry.claim
+    claimed = CLAIMED.get(statement.id) if known else None if claim is None else lambda _: claim
+    try:
+        found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
+    except Unfounded as wrong:
+        return f"{statement.id}: {wrong}"
+    if (found.kind, found.condition) != (entry.verdict.kind, entry.verdict.condition):
+        return f"{statement.id}: judged again it is {found.kind}"
+    return None
 
 
 def of_derivation(path: Path) -> list[Entry]:
@@ -87,8 +131,31 @@ def _corrected(verdict: Verdict) -> str | None:
     return verdict.corrected_latex
 
 
+def twice(settled: Iterable[Entry]) -> list[str]:
+    """Statements that two derivations settle: one line each, which names both.
+
+    A user's chapter may settle a statement of the paper again; its verdict then counts beside that
+    of ours, see :func:`surprises`.
+    """
+    places: dict[str, list[str]] = {}
+    for entry in settled:
+        places.setdefault(entry.statement.id, []).append(entry.derivation or "")
+    lines = []
+    for id, files in places.items():
+        theirs = [f for f in files if not f.startswith("derivations/")]
+        if len(files) > 1 and (id not in STATEMENTS or len(theirs) != 1 or len(files) > 2):
+            lines.append(f"{id}: settled twice, in {' and '.join(files)}")
+    return lines
+
+
+def covered(settled: Iterable[Entry], shown: Iterable[Entry]) -> list[Entry]:
+    """Verdicts that another one of the same statement hides from a ledger."""
+    visible = {entry.statement.id: entry for entry in shown}
+    return [e for e in settled if visible.get(e.statement.id, e) is not e]
+
+
 def ledger(settled: Iterable[Entry]) -> list[Entry]:
-    """Every statement of the paper in its order, then the users' own; the last verdict counts."""
+    """Every statement of the paper in its order, then the users' own; the last verdict is shown."""
     found = {entry.statement.id: entry for entry in settled}
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
     return entries + [entry for entry in found.values() if entry.own]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import sys
 import time
+import traceback
 from dataclasses import dataclass
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, TracebackType
 
 from symhaptic.chapter import Page
 from symhaptic.proof.recheck import confirm
@@ -93,6 +95,35 @@ def run(path: Path) -> Chapter:
     return Chapter(path, title, introduction.strip(), page, time.perf_counter() - begin)
 
 
+def looked_at(path: Path) -> Path:
+    """The path itself; raises :class:`BadChapter` for a file that cannot be a chapter.
+
+    Nothing of it is run: it must parse, have a docstring and define ``derive``.
+    """
+    try:
+        tree = ast.parse(found(path).read_text(encoding="utf-8"), str(path))
+    except SyntaxError as wrong:
+        raise BadChapter(f"{path}:{wrong.lineno}: {wrong.msg}") from None
+    except UnicodeDecodeError as wrong:
+        raise BadChapter(f"{path}: not a text in UTF-8 ({wrong.reason})") from None
+    names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    names |= {
+        a.asname or a.name for n in tree.body if isinstance(n, ast.ImportFrom) for a in n.names
+    }
+    names |= {
+        t.id
+        for n in tree.body
+        if isinstance(n, ast.Assign)
+        for t in n.targets
+        if isinstance(t, ast.Name)
+    }
+    if "derive" not in names:
+        raise BadChapter(f"{path}: has no function derive(page)")
+    if not (ast.get_docstring(tree) or "").strip():
+        raise BadChapter(f"{path}: has no docstring; its first line is the chapter's title")
+    return path
+
+
 def found(path: Path) -> Path:
     """The path itself; raises :class:`BadChapter` where no file is."""
     if not path.is_file():
@@ -122,11 +153,18 @@ class _SomebodyElses:
         self.stdout, sys.stdout = sys.stdout, sys.stderr
 
     def __exit__(
-        self, kind: type[BaseException] | None, wrong: BaseException | None, _: object
+        self,
+        kind: type[BaseException] | None,
+        wrong: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         sys.stdout = self.stdout
         if kind is None or not issubclass(kind, (Exception, SystemExit)):
             return
         line = " ".join(str(wrong).split()) or "no message"
         own = kind.__module__.startswith("symhaptic")
-        raise BadChapter(f"{self.path}: {line if own else f'{kind.__name__}: {line}'}") from wrong
+        at = [
+            n for frame, n in traceback.walk_tb(trace) if frame.f_code.co_filename == str(self.path)
+        ]
+        place = f"{self.path}:{at[-1]}" if at else str(self.path)
+        raise BadChapter(f"{place}: {line if own else f'{kind.__name__}: {line}'}") from wrong

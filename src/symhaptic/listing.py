@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from xml.etree import ElementTree as ET
@@ -39,7 +40,13 @@ def under_way(path: Path) -> str:
     return (ids[0] + (f" and {len(ids) - 1} more" if ids[1:] else "")) if ids else path.stem
 
 
-def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
+def text(
+    entries: list[Entry],
+    surprises: list[str],
+    strict: bool,
+    errors: Sequence[str] = (),
+    elapsed: float | None = None,
+) -> str:
     """One line a statement, then what differs from the committed ledger, then the counts."""
     width = max((len(e.statement.id) for e in entries), default=0)
     lines = []
@@ -52,6 +59,7 @@ def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
             detail = f"{detail}  [{entry.derivation}]".strip()
         lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
     lines += [f"DIFFERS  {line}" for line in surprises]
+    lines += [f"FAILED   {line}" for line in errors]
     plural = "" if len(entries) == 1 else "s"
     lines.append(f"{len(entries)} statement{plural}: {counted(entries)}")
     argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
@@ -64,18 +72,35 @@ def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
     return "\n".join(lines) + "\n"
 
 
-def json_text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
-    """The JSON form of the ledger."""
+def json_text(
+    entries: list[Entry],
+    surprises: list[str],
+    strict: bool,
+    errors: Sequence[str] = (),
+    elapsed: float | None = None,
+) -> str:
+    """The JSON form of the ledger; chapters that ended in an error are listed beside."""
     data = {
         "package": "symhaptic",
         "version": __version__,
         "statements": [entry.as_json() for entry in entries],
-    }
+    } | ({"errors": list(errors)} if errors else {})
     return json.dumps(data, indent=1) + "\n"
 
 
-def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
-    """Each statement as a test case: a failure where its verdict is not the committed one."""
+def junit(
+    entries: list[Entry],
+    surprises: list[str],
+    strict: bool,
+    errors: Sequence[str] = (),
+    elapsed: float | None = None,
+) -> str:
+    """Each statement as a test case: a failure where its verdict is not the committed one.
+
+    A chapter that ends in an error is a test case, too.  The time of a case is what its chapter
+    took for it, in its own process; that of the suite is what passed on the clock, for several
+    chapters run side by side.
+    """
     failed = {line.partition(":")[0]: line for line in surprises}
     suite = ET.Element("testsuite", name="symhaptic verify")
     failures = skipped = 0
@@ -102,12 +127,17 @@ def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
         failures += 1
         case = ET.SubElement(suite, "testcase", name=id, classname="missing")
         ET.SubElement(case, "failure", message=failed[id])
+    for line in errors:
+        place, _, message = line.partition(": ")
+        case = ET.SubElement(suite, "testcase", name=place, classname="derivation")
+        ET.SubElement(case, "error", message=message)
+    seconds = sum(e.seconds for e in entries) if elapsed is None else elapsed
     suite.attrib |= {
         "tests": str(len(suite)),
         "failures": str(failures),
         "skipped": str(skipped),
-        "errors": "0",
-        "time": f"{sum(e.seconds for e in entries):.3f}",
+        "errors": str(len(errors)),
+        "time": f"{seconds:.3f}",
     }
     ET.indent(suite)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, "unicode") + "\n"

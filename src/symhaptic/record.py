@@ -87,6 +87,8 @@ class Record:
     def _record(
         self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
     ) -> Verdict:
+        if statement.id in self.settled:
+            raise FalseStep(f"{statement.id} is settled twice")
         verdict = settlement.decide(statement.printed)
         now = time.perf_counter()
         seconds, self._since = now - self._since, now

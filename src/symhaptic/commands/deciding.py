@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -37,24 +38,22 @@ Derivations = Annotated[
 ]
 
 
-def settled(paths: list[Path], workers: int) -> list[Entry]:
-    """The statements that derivations settle."""
+def settled(paths: list[Path], workers: int) -> tuple[list[Entry], list[str]]:
+    """The statements that derivations settle, and what went wrong."""
     from symhaptic import parallel
-    from symhaptic.library import BadChapter
 
-    try:
-        with progress(len(paths)) as told:
-            return parallel.settled(paths, workers, told)
-    except BadChapter as wrong:
-        refuse(f"--derivation {wrong}")
+    with progress(len(paths)) as told:
+        outcomes = parallel.settled(paths, workers, told)
+    errors = [outcome.error for outcome in outcomes if outcome.error is not None]
+    return [entry for outcome in outcomes for entry in outcome.entries], errors
 
 
 def own_chapters(paths: list[Path] | None) -> list[Path]:
-    """A user's chapters, which must be there before the others are run."""
-    from symhaptic.library import BadChapter, found
+    """A user's chapters, which are looked at before any is run."""
+    from symhaptic.library import BadChapter, looked_at
 
     try:
-        return [found(path) for path in paths or []]
+        return [looked_at(path) for path in paths or []]
     except BadChapter as wrong:
         refuse(f"--derivation {wrong}")
 
@@ -92,25 +91,33 @@ def verify(
     for id in wanted if not own else []:
         if id not in known:
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
-    paths = listing.needed(wanted, library.shipped()) + own
-    entries = ledger.ledger(settled(paths, workers or parallel.workers()))
+    begin = time.perf_counter()
+    paths = own + listing.needed(wanted, library.shipped())
+    raw, errors = settled(paths, workers or parallel.workers())
+    raw.sort(key=lambda entry: (entry.derivation or "").startswith("derivations/"), reverse=True)
+    entries = ledger.ledger(raw)
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:
             if id not in names:
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted)]
-    surprises = ledger.surprises(entries, known, whole=not wanted)
+    surprises = ledger.twice(raw)
+    surprises += filter(None, map(ledger.judged_again, raw))
+    surprises += ledger.surprises([*entries, *ledger.covered(raw, entries)], known, not wanted)
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     text = {
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,
         ListFormat.junit: listing.junit,
-    }[format](entries, surprises, strict)
+    }[format](entries, surprises, strict, errors, time.perf_counter() - begin)
     if output is None:
         typer.echo(text, nl=False)
     else:
         write(listing.replace, output, text)
+    if errors:
+        more = f"; and {len(errors) - 1} more" if errors[1:] else ""
+        refuse(f"--derivation {errors[0]}{more}")
     if surprises or (strict and undecided):
         raise typer.Exit(1)
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import wraps
+from importlib import import_module
 from typing import Any, ParamSpec, TypeAlias
 
 from sympy import Expr, Symbol
@@ -73,7 +74,7 @@ class Theorem:
         raise AttributeError("a theorem does not change")
 
     def __reduce__(self) -> Any:
-        return _derived, (self._rule, *self._given)
+        return _arrived, (self._rule, *self._given)
 
     @property
     def rule(self) -> str:
@@ -118,6 +119,13 @@ def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...
         if type(theorem) is not Theorem:
             raise NotShown("what looks like a theorem is none")
     return Theorem(_TOKEN, _RULES[name](*args, **dict(named)), name, (args, named))
+
+
+def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
+    """A theorem from another process, derived here anew."""
+    for module in _HOMES:
+        import_module(module)
+    return _derived(name, args, named)
 
 
 def _written(part: Any) -> Any:
