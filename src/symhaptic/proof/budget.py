@@ -1,4 +1,4 @@
-"""How much work may be done for one question: counted in steps, so that the answer is repeatable."""
+"""How much work one question may cost: counted in steps, so that the answer is repeatable."""
 
 from __future__ import annotations
 

@@ -15,9 +15,11 @@ from symhaptic.proof.ball import Value, value_at
 from symhaptic.proof.names import renamed, shared
 from symhaptic.proof.normal import Field
 from symhaptic.proof.points import Point, points
-from symhaptic.proof.refute import defines_one, differ, told_apart
+from symhaptic.proof.refute import defines_one, told_apart
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, misfit, parts
+
+__all__ = ["Comparison", "Form", "compare", "equal", "field_name", "named", "parts"]
 
 
 @dataclass(frozen=True)

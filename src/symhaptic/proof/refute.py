@@ -17,7 +17,7 @@ from symhaptic.proof.budget import spend
 from symhaptic.proof.names import admissible
 from symhaptic.proof.points import Point, points
 from symhaptic.proof.program import Uncheckable, known, program, value
-from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.rewriting import Unsupported, is_complex
 
 _BITS = (64, 256, 1024, 4096)
 
@@ -37,15 +37,21 @@ def told_apart(left: Expr, right: Expr) -> tuple[Point, tuple[Value, Value]] | N
 
 
 def defines_one(left: Expr, right: Expr) -> bool:
-    """Whether both are equations for one symbol or unknown function, which stands left only."""
+    """Whether both are equations for one thing, which stands left only.
+
+    It is a symbol, an unknown function, or a rational function of a complex symbol.
+    """
     kinds = (sp.Eq, sp.Ne)
-    return (
-        isinstance(left, kinds)
-        and isinstance(right, kinds)
-        and left.lhs == right.lhs
-        and isinstance(left.lhs, (sp.Symbol, AppliedUndef))
-        and not (left.rhs.has(left.lhs) or right.rhs.has(left.lhs))
-    )
+    if not (isinstance(left, kinds) and isinstance(right, kinds) and left.lhs == right.lhs):
+        return False
+    defined = left.lhs
+    things = [defined] if isinstance(defined, (sp.Symbol, AppliedUndef)) else _variables(defined)
+    return any(not (left.rhs.has(thing) or right.rhs.has(thing)) for thing in things)
+
+
+def _variables(expr: Expr) -> list[Expr]:
+    """The complex symbols of which it is a rational function."""
+    return [s for s in expr.free_symbols if is_complex(s) and expr.is_rational_function(s)]
 
 
 def _differing(
@@ -61,7 +67,7 @@ def _differing(
         values = differ(left, right, point)
         if values is None or None in values:
             continue
-        if defined is not None and not any(_may_have(defined, v) for v in values):
+        if defined is not None and not any(_may_have(defined, v, point) for v in values):
             continue
         try:
             if confirmed(left, right, point, values):
@@ -93,18 +99,20 @@ def _line(function: type[Expr]) -> tuple[sp.Dummy, sp.Dummy]:
     return sp.Dummy(f"{function.__name__}_0"), sp.Dummy(f"{function.__name__}_1")
 
 
-def _may_have(thing: Expr, number: Value) -> bool:
-    """Whether what is defined can be this number."""
+def _may_have(thing: Expr, number: Value, at: Point) -> bool:
+    """Whether what is defined can be this number or, rational in a complex symbol, all but one."""
     if not isinstance(number, Expr) or isinstance(thing, AppliedUndef):
         return True
-    entry = SYMBOLS.get(thing.name)
+    if not isinstance(thing, sp.Symbol):
+        return any(sp.cancel(thing.xreplace(at)).has(s) for s in _variables(thing))
     if len(thing.assumptions0) > 1:
         return admissible(thing, number)
-    if entry is not None and entry.domain == "complex":
+    if is_complex(thing):
         return True
     there = ball(number)
     if not there.imag.contains(0):
         return False
+    entry = SYMBOLS.get(thing.name)
     return entry is None or entry.domain == "real" or not bool(there.real < 0)
 
 

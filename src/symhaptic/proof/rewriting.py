@@ -55,7 +55,7 @@ def _check_mirrored(expr: Expr, real: AbstractSet[Expr]) -> None:
     if expr.is_Rational or expr in (sp.I, sp.pi, sp.E):
         return
     if expr.is_Symbol:
-        if expr not in real and _may_be_complex(expr):
+        if expr not in real and is_complex(expr):
             raise Unsupported(f"the conjugate of an expression in {expr}, which is complex")
         return
     if expr.is_Pow:
@@ -70,7 +70,8 @@ def _check_mirrored(expr: Expr, real: AbstractSet[Expr]) -> None:
         _check_mirrored(arg, real)
 
 
-def _may_be_complex(symbol: Expr) -> bool:
+def is_complex(symbol: Expr) -> bool:
+    """Whether a symbol need not be real, by what is assumed of it or by the paper's notation."""
     entry = SYMBOLS.get(symbol.name)
     if symbol.is_real is not None:
         return not symbol.is_real

@@ -98,12 +98,8 @@ def rule(build: Callable[_P, Fact]) -> Callable[_P, Fact]:
 
 def assume(expr: Expr, strict: bool = True) -> Fact:
     """An assumption: part of the domain, not a claim."""
-    return Fact(
-        sp.sympify(expr, strict=True),
-        strict,
-        "assumed",
-        frozenset([(sp.sympify(expr, strict=True), strict)]),
-    )
+    known = sp.sympify(expr, strict=True)
+    return Fact(known, strict, "assumed", frozenset([(known, strict)]))
 
 
 @rule
