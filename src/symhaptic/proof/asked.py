@@ -60,7 +60,7 @@ def exact(caller: str, name: str, number: Any) -> Expr:
         kind = ValueError if number is None or isinstance(number, (list, tuple)) else TypeError
         raise kind(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
     found = sp.sympify(number, strict=True)
-    if not isinstance(found, Expr):
+    if not isinstance(found, Expr) or isinstance(found, sp.Lambda):
         raise TypeError(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
     if found.has(sp.Float):
         raise ValueError(

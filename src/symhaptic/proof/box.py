@@ -152,7 +152,7 @@ def _search(
             cuts += str(across)
             halves = _halved(piece, across, middle[across])
             pieces += [(half, depth + 1) for half in reversed(halves)]
-    return Positive(expr, dict(box), cuts, _BITS, given)
+    return Positive(expr, dict(box), cuts, _BITS, given, defined)
 
 
 def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> Largest:
@@ -173,8 +173,8 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
         value, slopes = _values(expr, box, given, work), _slopes(expr, box, given, work)
         near = ball(sp.sympify(radius, strict=True), None, _BITS).real / 2
         best, where = arb("-inf"), [_middle(interval) for interval in _whole(box)]
-        heap: list[tuple[float, int, Piece]] = []
-        pieces, count = [_whole(box)], 0
+        heap: list[tuple[float, int, int, Piece]] = []
+        pieces, count, depth = [_whole(box)], 0, 0
         while True:
             for piece in pieces:
                 middle = [_middle(interval) for interval in piece]
@@ -188,12 +188,14 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
                     above = above.min((there + _away(piece, middle, slopes)).upper())
                 if not above <= best + near:
                     count += 1
-                    heappush(heap, (-float(above), count, piece))
+                    first = -float(above) if above.is_finite() else -float("inf")
+                    heappush(heap, (first, count, depth, piece))
             if not heap:
                 break
-            if count >= _PIECES:
-                raise NotShown(f"{expr}: no maximum after {_PIECES} pieces")
-            _, _, piece = heappop(heap)
+            _, _, depth, piece = heappop(heap)
+            if count >= _PIECES or depth >= _DEPTH * len(piece):
+                raise NotShown(f"{expr}: no maximum after {count} pieces")
+            depth += 1
             middle = [_middle(interval) for interval in piece]
             across = _best(piece, middle, value)
             pieces = _halved(piece, across, middle[across])
