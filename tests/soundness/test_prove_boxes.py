@@ -1,4 +1,4 @@
-"""An inequality is enclosed only where both sides are defined and real, and never without a check."""
+"""An inequality is enclosed only where both sides are defined and real, and never unchecked."""
 
 import pytest
 import sympy as sp
