@@ -119,6 +119,8 @@ def test_what_is_no_formula_is_refused_in_a_line(nonsense):
         (True, x > 0),
         (x, x > 0),
         (1.5, x),
+        (sp.Symbol("i", infinite=True) + 1, sp.Symbol("i", infinite=True)),
+        (x / sp.Symbol("o", zero=True), 2 * x / sp.Symbol("o", zero=True)),
         (1j, I),
     ],
     ids=lambda form: type(form).__name__,
@@ -133,6 +135,22 @@ def test_what_is_nested_too_deeply_is_undecided():
         deep = sp.sin(deep, evaluate=False)
     assert prove(deep, x).kind == Kind.UNDECIDED
     assert prove(sp.Lt(deep, 2, evaluate=False), {x: (0, 1)}).kind == Kind.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    "expr", [sp.oo, sp.zoo, sp.nan, sp.acos(2), sp.EulerGamma, 1 / sp.Function("f")(1), sp.log(0)]
+)
+def test_what_has_no_ball_is_named(expr):
+    with pytest.raises(ValueError, match=r"^enclose: expr: "):
+        enclose(expr)
+    with pytest.raises(ValueError, match=r"^enclose_maximum: expr: "):
+        enclose_maximum(expr + x, {x: (0, 1)}, digits=2)
+
+
+@pytest.mark.parametrize(("expr", "ends"), [(1 / x, (0, 1)), (sp.tan(x), (0, 2))])
+def test_what_has_no_largest_value_is_named(expr, ends):
+    with pytest.raises(ValueError, match=r"^enclose_maximum: expr: "):
+        enclose_maximum(expr, {x: ends}, digits=2)
 
 
 def test_a_prime_number_of_parts_of_a_turn_is_no_work():

@@ -66,7 +66,7 @@ def test_a_verdict_that_is_not_confirmed_is_undecided(monkeypatch):
     monkeypatch.setattr("symhaptic.proof.prove.recheck", lambda certificate: False)
     assert prove(exp(x) > x, {x: (0, 1)}).kind == Kind.UNDECIDED
     monkeypatch.setattr("symhaptic.proof.box.recheck", lambda certificate: False)
-    with pytest.raises(NotShown, match="not confirmed"):
+    with pytest.raises(ValueError, match="not confirmed"):
         enclose_maximum(x, {x: (0, 1)}, digits=2)
 
 

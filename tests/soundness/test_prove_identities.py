@@ -178,6 +178,25 @@ def test_unknown_functions_do_not_meet_symbols_of_the_same_name():
     assert prove(f(x), line).kind == Kind.REFUTED
 
 
+def test_a_function_keeps_what_is_assumed_of_it():
+    positive = Function("f", positive=True)
+    assert prove(positive(x), sp.Abs(f(x))).kind == Kind.UNDECIDED
+    assert "f_0" not in (prove(positive(x), -1).counterexample or {})
+
+
+def test_dummies_of_one_name_are_two():
+    one, other = sp.Dummy("x"), sp.Dummy("x", positive=True)
+    verdict = prove(one, other)
+    assert verdict.kind == Kind.REFUTED
+    assert set(verdict.counterexample) == {"x", "x_2"}
+
+
+def test_truths_are_compared():
+    assert prove(Eq(x, x), True)
+    assert not prove(Eq(x, x), False)
+    assert not prove(x > 0, True)
+
+
 def test_numbers_of_two_kinds_are_compared():
     assert prove(Rational(1, 2), sp.S.Half)
     assert prove(1, 1)

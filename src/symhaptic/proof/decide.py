@@ -155,5 +155,15 @@ def _told_apart(left: Expr, right: Expr) -> Comparison:
 
 
 def named(point: Mapping[Expr, Expr] | None) -> dict[str, str] | None:
-    """A point with plain names and exact numbers as text."""
-    return None if point is None else {s.name: str(v) for s, v in point.items()}
+    """A point with plain names and exact numbers as text; of two dummies one is marked.
+
+    >>> named({sp.Dummy("x"): sp.S.Half, sp.Dummy("x"): sp.S.One})
+    {'x': '1/2', 'x_2': '1'}
+    """
+    if point is None:
+        return None
+    found: dict[str, str] = {}
+    for symbol, number in point.items():
+        names = (f"{symbol.name}_{k}" if k > 1 else symbol.name for k in itertools.count(1))
+        found[next(name for name in names if name not in found)] = str(number)
+    return found

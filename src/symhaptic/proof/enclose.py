@@ -12,8 +12,9 @@ from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Largest
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.program import program
-from symhaptic.proof.rewriting import Undefined
+from symhaptic.proof.program import Uncheckable, program
+from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.sign import NotShown
 
 _LIMIT = 100_000
 """Most digits that may be asked for."""
@@ -35,12 +36,12 @@ def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
     expr = exact("enclose", "expr", expr)
     if expr.free_symbols or not expr.is_commutative or expr.is_Matrix:
         raise ValueError(f"enclose: expr: {expr} is no constant; a number without symbols is")
-    if not isinstance(digits, int) or not 1 <= digits <= _LIMIT:
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _LIMIT:
         raise ValueError(f"enclose: digits: {digits!r} is not allowed; 1 to {_LIMIT} are")
     try:
         return _enclosed(expr, digits)
-    except Exhausted as spent:
-        raise ValueError(f"enclose: expr: {expr} is undecided: {spent}") from spent
+    except (Exhausted, Unsupported, Uncheckable) as wrong:
+        raise ValueError(f"enclose: expr: {expr} is undecided: {wrong}") from wrong
     except RecursionError as deep:
         raise ValueError("enclose: expr is nested too deeply") from deep
 
@@ -87,6 +88,11 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6) -> Largest:
     """
     expr = exact("enclose_maximum", "expr", expr)
     inside, (expr,) = box_of("enclose_maximum", box, expr)
-    if not isinstance(digits, int) or not 0 <= digits <= 15:
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 0 <= digits <= 15:
         raise ValueError(f"enclose_maximum: digits: {digits!r} is not allowed; 0 to 15 are")
-    return boxes.maximum(expr, inside, sp.Rational(1, 10**digits))
+    try:
+        return boxes.maximum(expr, inside, sp.Rational(1, 10**digits))
+    except (NotShown, Unsupported, Uncheckable) as wrong:
+        raise ValueError(f"enclose_maximum: expr: {wrong}") from wrong
+    except RecursionError as deep:
+        raise ValueError("enclose_maximum: expr is nested too deeply") from deep

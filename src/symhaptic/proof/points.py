@@ -55,6 +55,8 @@ def points(*exprs: Expr) -> Iterator[Point]:
     """Rational points of the domain, simple ones first, always in the same order."""
     symbols = sorted({s for e in exprs for s in e.free_symbols}, key=str)
     lists = [choices(symbol) for symbol in symbols]
+    if not all(lists):
+        return
     # first a generic point with different values, then all combinations
     order = itertools.chain(
         (

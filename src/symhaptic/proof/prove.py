@@ -75,7 +75,11 @@ def _same(lhs: Form, rhs: Form) -> Verdict:
     if not result.equal:
         return Verdict(Kind.REFUTED, result.method, counterexample=named(result.point))
     for pair in zip(parts(left), parts(right), strict=True):
-        if not defined_somewhere(renamed(form, names) for form in pair):
+        try:
+            defined = defined_somewhere(renamed(form, names) for form in pair)
+        except Uncheckable as unknown:
+            return Verdict(Kind.UNDECIDED, str(unknown))
+        if not defined:
             return Verdict(Kind.UNDECIDED, "no point is found at which both sides are defined")
     return Verdict(Kind.PROVED, result.method)
 

@@ -79,7 +79,7 @@ def _differing(
 
 def _with_lines(expr: Expr) -> Expr:
     if isinstance(expr, AppliedUndef):
-        if len(expr.assumptions0) > 1:
+        if set(getattr(expr.func, "_kwargs", {})) - {"commutative"}:
             raise Unsupported(f"{expr}, of which something is assumed")
         first, second = _line(expr.func)
         return first + second * sum(_with_lines(a) for a in expr.args)
@@ -159,8 +159,8 @@ def defined_somewhere(forms: Iterable[Expr]) -> bool:
     >>> defined_somewhere([1/x]), defined_somewhere([1/sp.Add(x, -x, evaluate=False)])
     (True, False)
     """
-    relations = (form.args if isinstance(form, Relational) else (form,) for form in forms)
-    sides = [_without_unknown(side) for pair in relations for side in pair]
+    each = (form.args if isinstance(form, Relational) else (form,) for form in forms)
+    sides = [_without_unknown(side) for pair in each for side in pair if isinstance(side, Expr)]
     size = sum(1 for side in sides for _ in sp.preorder_traversal(side))
     for point in points(*sides):
         spend(10 * size)
