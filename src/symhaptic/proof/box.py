@@ -213,8 +213,6 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     unbound = expr.free_symbols - set(box)
     if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
-    if given and set(box) & set(given.meanings):
-        raise NotShown("a symbol of the box is given a meaning as well")
     if len(box) > _SYMBOLS:
         raise NotShown(f"a box of {len(box)} symbols; at most {_SYMBOLS} are allowed")
     complex_parts = expr.has(sp.I)
@@ -226,7 +224,10 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     def value(at: Sequence[arb]) -> arb:
         work.spend(size)
         values = dict(zip(box, map(acb, at), strict=True))
-        found = ball(expr, {**values, **(given(values) if given else {})}, _BITS)
+        further = given(values) if given else {}
+        if not further.keys().isdisjoint(values):
+            raise NotShown("a symbol of the box is given a meaning as well")
+        found = ball(expr, {**values, **further}, _BITS)
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
         return found.real if real and found.is_finite() else arb("nan")
 
