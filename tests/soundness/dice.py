@@ -149,6 +149,26 @@ def pair(dice: random.Random):
     return left, right, names
 
 
+def relations(dice: random.Random):
+    """Two relations that may say the same, and their symbols."""
+    names = letters(dice)
+    kinds = [sp.Eq, sp.Ne, sp.Lt, sp.Le, sp.Gt, sp.Ge]
+    kind = dice.choice(kinds)
+    sides = [expression(dice, names, dice.randint(0, 2)) for _ in range(2)]
+    others = [changed(dice, side) if dice.random() < 0.5 else side for side in sides]
+    scale, shift = dice.choice([1, 1, 2, -1, Rational(1, 3)]), leaf(dice, [*names, 0])
+    others = [scale * other + shift for other in others]
+    other_kind = kind
+    if dice.random() < 0.5:
+        others.reverse()
+        turned = {sp.Lt: sp.Gt, sp.Gt: sp.Lt, sp.Le: sp.Ge, sp.Ge: sp.Le}
+        other_kind = turned.get(kind, kind)
+    if dice.random() < 0.2:
+        other_kind = dice.choice(kinds)
+    left, right = kind(*sides, evaluate=False), other_kind(*others, evaluate=False)
+    return left, right, names
+
+
 def number(dice: random.Random, symbol):
     """A number that a symbol may be."""
     for _ in range(200):

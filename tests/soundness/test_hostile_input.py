@@ -1,5 +1,6 @@
 """Text is never run, nonsense is refused in a line, and no question takes for ever."""
 
+import numpy
 import pytest
 import sympy as sp
 from sympy import And, I, Lambda, Piecewise, Rational, cos, exp, pi, sin, sqrt
@@ -65,6 +66,7 @@ SELF = {1: 2}
         lambda: x,
         sp.Eq(sp.Matrix([1]), sp.Matrix([[1, 2]]), evaluate=False),
         sp.Dict({x: 1}),
+        numpy.array([1, 2]),
     ],
     ids=lambda nonsense: type(nonsense).__name__,
 )

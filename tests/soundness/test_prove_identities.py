@@ -178,6 +178,13 @@ def test_unknown_functions_do_not_meet_symbols_of_the_same_name():
     assert prove(f(x), line).kind == Kind.REFUTED
 
 
+def test_two_numbers_for_one_symbol_are_told_apart_at_one_of_them():
+    assert prove(Eq(x, 1), Eq(x, 2)).counterexample == {"x": "1"}
+    negative = sp.Symbol("x", negative=True)
+    assert prove(Eq(negative, 1), Eq(negative, -2)).counterexample == {"x": "-2"}
+    assert prove(Eq(negative, 1), Eq(negative, 2)).kind != Kind.REFUTED  # neither holds
+
+
 def test_a_function_keeps_what_is_assumed_of_it():
     positive = Function("f", positive=True)
     assert prove(positive(x), sp.Abs(f(x))).kind == Kind.UNDECIDED

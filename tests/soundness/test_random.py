@@ -56,7 +56,7 @@ def allowed(point, symbols):
 
 def judge_identity(seed):
     dice = random.Random(seed)
-    left, right, _ = made.pair(dice)
+    left, right, _ = (made.relations if seed % 5 == 0 else made.pair)(dice)
     if left.has(sp.zoo, sp.nan, sp.oo) or right.has(sp.zoo, sp.nan, sp.oo):
         return "no formula"
     symbols = left.free_symbols | right.free_symbols
@@ -82,6 +82,8 @@ def judge_identity(seed):
     if verdict.kind == Kind.REFUTED:
         point = verdict.counterexample
         allowed(point, symbols)
+        if not {s.name for s in symbols} <= set(point):
+            return "refuted, a definition"
         at = {name: judge.value(sp.sympify(text), {}) for name, text in point.items()}
         try:
             same = judge.alike(left, right, at, line_of(point))

@@ -33,7 +33,15 @@ def told_apart(left: Expr, right: Expr) -> tuple[Point, tuple[Value, Value]] | N
     {x: 1}
     """
     found = _differing(left.rhs, right.rhs, left.lhs) if defines_one(left, right) else None
+    if found and not found[0] and isinstance(left.lhs, sp.Symbol):
+        return _solved(left.lhs, found[1])
     return found or _differing(left, right)
+
+
+def _solved(symbol: Expr, numbers: tuple[Value, Value]) -> tuple[Point, tuple[Value, Value]] | None:
+    """Where nothing else has to be chosen, one of the two numbers that a symbol is said to be."""
+    number = next(n for n in numbers if _may_have(symbol, n, {}))
+    return ({symbol: number}, numbers) if isinstance(number, Expr) else None
 
 
 def defines_one(left: Expr, right: Expr) -> bool:
