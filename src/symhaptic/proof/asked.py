@@ -10,6 +10,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Box
@@ -42,9 +43,7 @@ def form_of(caller: str, form: Any, depth: int = 0) -> Form:
     if isinstance(form, Relational):
         if all(isinstance(side, Expr) and not side.is_Matrix for side in form.args):
             return form
-    elif form in (sp.true, sp.false) or (
-        isinstance(form, Expr) and not isinstance(form, sp.Lambda)
-    ):
+    elif isinstance(form, (Expr, BooleanAtom)) and not isinstance(form, sp.Lambda):
         return form
     raise TypeError(
         f"{caller}: {form!r} is no formula; SymPy expressions, relations and "
