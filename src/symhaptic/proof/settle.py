@@ -19,8 +19,10 @@ from symhaptic.proof.ball import Value, value_at
 from symhaptic.proof.checks import Check
 from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import decimals, holds, measured, rounding
-from symhaptic.proof.decide import Form, compare, differ, equal, named, parts
+from symhaptic.proof.decide import compare, equal, named
 from symhaptic.proof.points import Point
+from symhaptic.proof.refute import differ
+from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of

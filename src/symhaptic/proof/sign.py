@@ -98,7 +98,8 @@ def rule(build: Callable[_P, Fact]) -> Callable[_P, Fact]:
 
 def assume(expr: Expr, strict: bool = True) -> Fact:
     """An assumption: part of the domain, not a claim."""
-    return Fact(sp.sympify(expr), strict, "assumed", frozenset([(sp.sympify(expr), strict)]))
+    known = sp.sympify(expr, strict=True)
+    return Fact(known, strict, "assumed", frozenset([(known, strict)]))
 
 
 @rule
@@ -106,7 +107,7 @@ def number(expr: Expr) -> Fact:
     """A positive number, shown by a ball."""
     if sign(expr) != 1:
         raise NotShown(f"{expr} is not positive")
-    return Fact(sp.sympify(expr), True, "a positive number")
+    return Fact(sp.sympify(expr, strict=True), True, "a positive number")
 
 
 class Interval:
@@ -153,15 +154,15 @@ def combined(expr: Expr, *products: Product) -> Fact:
                 positive = positive and factor.strict
                 rests |= factor.rests
             else:
-                number = sp.sympify(factor)
+                number = sp.sympify(factor, strict=True)
                 if not (number.is_Rational and number > 0):
                     raise NotShown(f"{factor} is not a positive rational")
                 value *= number
         total += value
         strict = strict or positive
-    if not is_zero(sp.sympify(expr) - total):
+    if not is_zero(sp.sympify(expr, strict=True) - total):
         raise NotShown(f"{expr} is not {total}")
-    return Fact(sp.sympify(expr), strict, "a sum of products of positive terms", rests)
+    return Fact(sp.sympify(expr, strict=True), strict, "a sum of products of positive terms", rests)
 
 
 @rule
