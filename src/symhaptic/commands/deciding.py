@@ -97,6 +97,8 @@ def verify(
     raw.sort(key=lambda entry: (entry.derivation or "").startswith("derivations/"), reverse=True)
     entries = ledger.ledger(raw)
     if wanted:
+        if errors and set(wanted) - {e.statement.id for e in entries}:
+            refuse(f"--derivation {errors[0]}")
         names = {e.statement.id: e for e in entries}
         for id in wanted:
             if id not in names:

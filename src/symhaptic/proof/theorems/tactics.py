@@ -114,6 +114,7 @@ def fact(claim: Proposition) -> Theorem:
 
 def example(values: Terms, given: Sequence[Any], *theorems: Theorem) -> Case:
     """A point at which all of these hold; what is no relation of numbers is among the theorems."""
+    values = {s: sp.sympify(v) for s, v in values.items()}
     known = {t.conclusion: t for t in theorems}
     there = [proposition(g).at(values) for g in given]
     parts = [known[p] if p in known else fact(p) for p in there]
@@ -129,8 +130,11 @@ def counterexample(
     but: Any = None,
 ) -> Case:
     """A point at which a claim fails and so does one condition, while the others hold."""
-    _, given, _ = taken_apart(claim)
+    values = {s: sp.sympify(v) for s, v in values.items()}
+    _, given, then = taken_apart(claim)
     extra = [] if but is None else [_denial(proposition(but).at(values))]
+    if isinstance(then, Relation) and not then.at(values).free:
+        extra.append(_denial(then.at(values)))
     return example(values, [*given, *map(proposition, holds), *extra], *theorems)
 
 
