@@ -4,6 +4,7 @@
 import functools
 import math
 import sys
+from typing import NamedTuple
 
 import numpy
 from array_api_compat import (
@@ -18,6 +19,24 @@ from array_api_compat import (
 
 BLOCK = 25_000
 """Elements of NumPy arrays worked on at a time: few calls, and each branch fits the caches."""
+
+
+class Limits(NamedTuple):
+    """What an argument may be at most."""
+
+    size: float
+    periods: float
+    angle: float
+    """The last float before pi."""
+
+
+DOUBLE = Limits(1e+70, 1000000000000000.0, 3.141592653589793)
+SINGLE = Limits(100000000.0, 1000000.0, 3.141592502593994)
+
+
+def limits(xp, x):
+    """Those of the precision of an array."""
+    return SINGLE if x.dtype == xp.float32 else DOUBLE
 
 
 def by_value(function):
@@ -85,20 +104,33 @@ def elementwise(xp, work, *values):
 
     It gets flat ones, of one element where there is but one, unless numbers cannot be looked at.
     """
+    return _broadcast(xp, functools.partial(_without_nan, xp, work), values)
+
+
+def guarded(xp, work, inside, count, outside, *values):
+    """The same where all values are ``inside``, elsewhere ``count`` results that are ``outside``.
+
+    ``work`` gets no value that is outside.
+    """
+    return _broadcast(xp, functools.partial(_inside, xp, work, inside, count, outside), values)
+
+
+def _broadcast(xp, work, values):
+    """All results of ``work`` on flat pieces of the arrays, in the shape that they broadcast to."""
     shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))
     if deferred(values[0]):
-        results = _without_nan(xp, work, values)
+        results = work(values)
         results = [xp.broadcast_to(r, shape) for r in results]
         return results[0] if len(results) == 1 else tuple(results)
     size = math.prod(shape)
     flat = [xp.reshape(_stretched(xp, v, shape), (-1,)) for v in values]
     if size <= BLOCK or not is_numpy_array(values[0]):
-        found = [xp.broadcast_to(r, (size,)) for r in _without_nan(xp, work, flat)]
+        found = [xp.broadcast_to(r, (size,)) for r in work(flat)]
     else:
         found = None
         for begin in range(0, size, BLOCK):
             part = slice(begin, begin + BLOCK)
-            rows = _without_nan(xp, work, [v if v.shape[0] == 1 else v[part] for v in flat])
+            rows = work([v if v.shape[0] == 1 else v[part] for v in flat])
             if found is None:
                 found = [numpy.empty(size, r.dtype) for r in rows]
             for whole, row in zip(found, rows, strict=True):
@@ -120,6 +152,23 @@ def _without_nan(xp, work, values):
         return [r if is_array_api_obj(r) else xp.full_like(values[0], r) for r in results]
     nan = xp.full_like(values[0], math.nan)
     return [xp.where(unknown, nan, r) for r in results]
+
+
+def _inside(xp, work, inside, count, outside, values):
+    """All results of ``work``, and the one for outside where a value is not inside."""
+    known = inside(*values)
+    if deferred(known):
+        found = _rows(xp, values[0], work(*(xp.where(known, v, 0.5) for v in values)))
+        return [xp.where(known, r, xp.full_like(r, outside)) for r in found]
+    if bool(xp.all(known)):
+        return _rows(xp, values[0], work(*values))
+    (at,), (none,) = xp.nonzero(known), xp.nonzero(~known)
+    kind = xp.bool if outside is False else values[0].dtype
+    nothing = [xp.full(none.shape, outside, dtype=kind, device=device(known))] * count
+    if at.shape[0] == 0:
+        return nothing
+    found = _rows(xp, values[0][:1], work(*_some(xp, at, values)))
+    return _together(xp, known.shape[0], [(at, found), (none, nothing)])
 
 
 def select(xp, condition, yes, yes_values, no, no_values):
@@ -496,7 +545,8 @@ def fall_series_single(xp, gamma, delta):
         low6 = lost20 - lost19 + lost18 + lost17
         return low6 + total19
 
-    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no, (delta, gamma))
+    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no,
+        (delta, gamma))
 
 
 def fall_series(xp, gamma, delta):
@@ -689,7 +739,8 @@ def fall_series(xp, gamma, delta):
         low6 = lost20 - lost19 + lost18 + lost17
         return low6 + total19
 
-    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no, (delta, gamma))
+    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no,
+        (delta, gamma))
 
 
 def rise_series_single(xp, h, w):
@@ -865,7 +916,9 @@ def sin_series(xp, w):
 
 
 def fall_rise_swing(xp, gamma, delta):
-    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the device in a period; a, the sum of the sampled device's poles"""
+    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
+    moves the device in a period; a, the sum of the sampled device's poles
+    """
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -942,7 +995,8 @@ def fall_rise_swing(xp, gamma, delta):
             fall_low5 = lost282 - lost292
             total30 = (total292*total292)
             total292_halves = halves(xp, total292)
-            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves,
+                total292_halves)
             rest7 = rise_series(xp, half2, total2)
             total292 = rest7 + 0.5
             back18 = total292 - rest7
@@ -1048,7 +1102,8 @@ def fall_rise_swing(xp, gamma, delta):
                 odd_low2 = lost23
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, total2))
 
             total24 = half*odd
             half_halves = halves(xp, half)
@@ -1069,7 +1124,10 @@ def fall_rise_swing(xp, gamma, delta):
             total25 = envelope*total26
             envelope_halves = halves(xp, envelope)
             total26_halves = halves(xp, total26)
-            lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total26_halves)
+            lost26 = (
+                envelope*(lost24 - even_low2 + lost25 + lost26) +
+                product_error(total25, envelope_halves, total26_halves)
+            )
             total26 = total25/stiff
             left16 = total25 - stiff*total26
             total26_halves = halves(xp, total26)
@@ -1085,7 +1143,10 @@ def fall_rise_swing(xp, gamma, delta):
             lost25 = one3 + two3
             total24 = envelope*total25
             total25_halves = halves(xp, total25)
-            lost25 = envelope*(even_low2 + lost24 + lost25) + product_error(total24, envelope_halves, total25_halves)
+            lost25 = (
+                envelope*(even_low2 + lost24 + lost25) +
+                product_error(total24, envelope_halves, total25_halves)
+            )
             total25 = 1.0 - total24
             back16 = total25 - 1.0
             lost24 = -back16 - total24
@@ -1103,7 +1164,8 @@ def fall_rise_swing(xp, gamma, delta):
             swing_of = 2.0*lost25 + 2.0*total25
             return fall_of, rise_of, swing_of
 
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
 
         return fall_of, rise_of, swing_of
 
@@ -1189,7 +1251,8 @@ def fall_rise_swing(xp, gamma, delta):
             fall_low5 = lost282 - lost292
             total30 = (total292*total292)
             total292_halves = halves(xp, total292)
-            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves,
+                total292_halves)
             rest7 = rise_series(xp, half2, total2)
             total292 = rest7 + 0.5
             back3 = total292 - rest7
@@ -1212,7 +1275,8 @@ def fall_rise_swing(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -1244,7 +1308,10 @@ def fall_rise_swing(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -1271,7 +1338,9 @@ def fall_rise_swing(xp, gamma, delta):
             total232 = fall_*total30
             fall__halves = halves(xp, fall_)
             total30_halves = halves(xp, total30)
-            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total30_halves)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total30_halves)
+            )
             creep2 = fall_low2*total30 + lost222 + total232
             fall_of = lost3*total29 + lost30 + total36
             rise_of = lost282*total292 + lost292 + total342
@@ -1309,7 +1378,8 @@ def fall_rise_swing(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -1342,7 +1412,9 @@ def fall_rise_swing(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -1355,7 +1427,10 @@ def fall_rise_swing(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -1388,7 +1463,9 @@ def fall_rise_swing(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             total16 = fall2*mean
             fall2_halves = halves(xp, fall2)
@@ -1432,18 +1509,23 @@ def fall_rise_swing(xp, gamma, delta):
             lost222 = fall2 - back3
             total232 = fall_*total16
             total16_halves = halves(xp, total16)
-            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            )
             creep2 = fall_low2*total16 + lost222 + total232
             fall_of = creep_
             rise_of = lost3 + total17
             swing_of = creep2
             return fall_of, rise_of, swing_of
 
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
 
         return fall_of, rise_of, swing_of
 
-    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2),
+        no, (delta, gamma, half, lost, total2))
 
     return fall_of, rise_of, swing_of
 
@@ -1555,7 +1637,8 @@ def fall(xp, gamma, delta):
                 odd_low2 = lost23
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, total2))
 
             total24 = half*odd
             half_halves = halves(xp, half)
@@ -1576,7 +1659,10 @@ def fall(xp, gamma, delta):
             total25 = envelope*total24
             envelope_halves = halves(xp, envelope)
             total24_halves = halves(xp, total24)
-            lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total24_halves)
+            lost26 = (
+                envelope*(lost24 - even_low2 + lost25 + lost26) +
+                product_error(total25, envelope_halves, total24_halves)
+            )
             total24 = total25/stiff
             left16 = total25 - stiff*total24
             total24_halves = halves(xp, total24)
@@ -1586,7 +1672,8 @@ def fall(xp, gamma, delta):
             lost26 = left16/stiff
             return lost26 + total24
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, total, total2))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, total, total2))
 
     def no(delta, gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -1665,7 +1752,8 @@ def fall(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -1698,7 +1786,9 @@ def fall(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -1710,7 +1800,10 @@ def fall(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -1743,7 +1836,9 @@ def fall(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             total16 = fall2*mean
             fall2_halves = halves(xp, fall2)
@@ -1768,9 +1863,11 @@ def fall(xp, gamma, delta):
             creep_ = fall_low2*total16 + lost2 + total17
             return creep_
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, root, size, total, total2, total3))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no,
+        (delta, gamma, half, rest, total, total2))
 
 
 def rise(xp, gamma, delta):
@@ -1878,7 +1975,8 @@ def rise(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, total2))
 
             total23 = half*odd
             half_halves = halves(xp, half)
@@ -1893,7 +1991,10 @@ def rise(xp, gamma, delta):
             total23 = envelope*total24
             envelope_halves = halves(xp, envelope)
             total24_halves = halves(xp, total24)
-            lost24 = envelope*(even_low2 + lost23 + lost24) + product_error(total23, envelope_halves, total24_halves)
+            lost24 = (
+                envelope*(even_low2 + lost23 + lost24) +
+                product_error(total23, envelope_halves, total24_halves)
+            )
             total24 = 1.0 - total23
             back2 = total24 - 1.0
             lost23 = -back2 - total23
@@ -1906,7 +2007,8 @@ def rise(xp, gamma, delta):
             lost23 = left16/stiff
             return lost23 + total23
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, total, total2))
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, total, total2))
 
     def no(gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -1983,7 +2085,8 @@ def rise(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -2016,7 +2119,9 @@ def rise(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -2028,7 +2133,10 @@ def rise(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 mean2 = total11
                 return mean2, mean_low3
 
@@ -2071,9 +2179,11 @@ def rise(xp, gamma, delta):
             lost2 = left/whole
             return lost2 + total16
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, root, size, total, total2, total3))
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no, (gamma, half, rest, total, total2))
+    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no,
+        (gamma, half, rest, total, total2))
 
 
 def together_series_single(xp, h, w):
@@ -2308,7 +2418,8 @@ def swing_together(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (root, root_low))
 
             total102 = envelope*even
             even_halves = halves(xp, even)
@@ -2317,7 +2428,8 @@ def swing_together(xp, gamma, delta):
             together_of = 4.0*lost102 + 4.0*total92
             return swing_of, together_of
 
-        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no, (gamma, half, lost2, total2))
+        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no,
+            (gamma, half, lost2, total2))
 
         return swing_of, together_of
 
@@ -2370,7 +2482,8 @@ def swing_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -2402,7 +2515,10 @@ def swing_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -2429,7 +2545,9 @@ def swing_together(xp, gamma, delta):
             total23 = fall_*total30
             fall__halves = halves(xp, fall_)
             total30_halves = halves(xp, total30)
-            lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total30_halves)
+            lost22 = (
+                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total30_halves)
+            )
             creep_ = fall_low2*total30 + lost22 + total23
             swing_of = creep_
             together_of = 2.0*lost3 + 2.0*total31
@@ -2466,7 +2584,8 @@ def swing_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -2499,7 +2618,9 @@ def swing_together(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -2512,7 +2633,10 @@ def swing_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -2563,11 +2687,14 @@ def swing_together(xp, gamma, delta):
             together_of = lost3 + total22
             return swing_of, together_of
 
-        swing_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
+        swing_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
 
         return swing_of, together_of
 
-    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no, (gamma, half, lost, total2))
+    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no,
+        (gamma, half, lost, total2))
 
     return swing_of, together_of
 
@@ -2672,7 +2799,10 @@ def decay(xp, x):
 
 
 def apart_fall_kick_kick_low_rise(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how far a unit force moves the device in a period"""
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta);
+    displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how
+    far a unit force moves the device in a period
+    """
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -2726,7 +2856,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low5 = lost29 - lost30
                 total27 = (total30*total30)
                 total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
+                    total30_halves)
                 total30 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
@@ -2762,7 +2893,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low5 = lost283 - lost292
                 total30 = (total292*total292)
                 total292_halves = halves(xp, total292)
-                lost283 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                lost283 = (
+                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
+                    total292_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total292 = rest5 + 0.5
                 back17 = total292 - rest5
@@ -2810,7 +2944,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     odd_low2 = lost22
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, total2))
 
                 total30 = envelope*odd
                 odd_halves = halves(xp, odd)
@@ -2888,7 +3023,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     odd_low2 = lost22
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, total2))
 
                 total27 = half*odd
                 half_halves = halves(xp, half)
@@ -2910,7 +3046,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 lost262 = one4 + two4
                 total252 = envelope*total262
                 total262_halves = halves(xp, total262)
-                lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                lost262 = (
+                    envelope*(lost23 - even_low2 + lost252 + lost262) +
+                    product_error(total252, envelope_halves, total262_halves)
+                )
                 total262 = total252/stiff
                 left16 = total252 - stiff*total262
                 total262_halves = halves(xp, total262)
@@ -2929,7 +3068,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 lost252 = one4 + two4
                 total27 = envelope*total24
                 total24_halves = halves(xp, total24)
-                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total27, envelope_halves, total24_halves)
+                lost252 = (
+                    envelope*(even_low2 + lost23 + lost252) +
+                    product_error(total27, envelope_halves, total24_halves)
+                )
                 total24 = 1.0 - total27
                 back17 = total24 - 1.0
                 lost23 = -back17 - total27
@@ -2946,7 +3088,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 rise_of = lost23 + total27
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (gamma, half, lost2, total2))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -3003,7 +3148,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, total2))
 
             total23 = half*odd
             half_halves = halves(xp, half)
@@ -3039,7 +3185,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             lost262 = one3 + two3
             total25 = envelope*total262
             total262_halves = halves(xp, total262)
-            lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total25, envelope_halves, total262_halves)
+            lost262 = (
+                envelope*(lost23 - even_low2 + lost252 + lost262) +
+                product_error(total25, envelope_halves, total262_halves)
+            )
             total262 = total25/stiff
             left13 = total25 - stiff*total262
             total262_halves = halves(xp, total262)
@@ -3057,7 +3206,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             lost252 = one3 + two3
             total23 = envelope*total24
             total24_halves = halves(xp, total24)
-            lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total23, envelope_halves, total24_halves)
+            lost252 = (
+                envelope*(even_low2 + lost23 + lost252) +
+                product_error(total23, envelope_halves, total24_halves)
+            )
             total24 = 1.0 - total23
             back16 = total24 - 1.0
             lost23 = -back16 - total23
@@ -3074,7 +3226,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             rise_of = lost23 + total23
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
 
         return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -3138,7 +3293,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low5 = lost29 - lost30
                 total27 = (total30*total30)
                 total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
+                    total30_halves)
                 total30 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
@@ -3174,7 +3330,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low5 = lost283 - lost292
                 total30 = (total292*total292)
                 total292_halves = halves(xp, total292)
-                lost283 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                lost283 = (
+                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
+                    total292_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total292 = rest5 + 0.5
                 back3 = total292 - rest5
@@ -3197,7 +3356,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -3229,7 +3390,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     mean2 = total11
                     return mean2, mean_low3
 
@@ -3251,7 +3415,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     mean_low4 = lost14
                     return mean2, mean_low4
 
-                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
 
                 total30 = fall_*mean2
                 fall__halves = halves(xp, fall_)
@@ -3311,7 +3476,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -3344,7 +3511,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     mean_low2 = lost8
                     return fall_, fall_low2, mean, mean_low2
 
-                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
 
 
                 def yes(root, root_low):
@@ -3357,11 +3526,15 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -3390,7 +3563,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     mean_low4 = lost14
                     return fall2, fall_low4, mean2, mean_low4
 
-                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
 
                 total27 = fall2*mean
                 fall2_halves = halves(xp, fall2)
@@ -3439,7 +3614,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 rise_of = lost173 + total172
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -3475,7 +3653,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -3508,7 +3687,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
 
@@ -3522,7 +3703,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -3555,7 +3739,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -3619,17 +3805,25 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             rise_of = lost17 + total17
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
 
         return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-    apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
 
     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
 
 def apart_fall_nyquist_rise_together(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a + e; n1, how far a unit force moves the device in a period; n1 + n0"""
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a +
+    e; n1, how far a unit force moves the device in a period; n1 + n0
+    """
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -3683,7 +3877,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low5 = lost29 - lost30
                 total27 = (total30*total30)
                 total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
+                    total30_halves)
                 total30 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
@@ -3720,7 +3915,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low5 = lost284 - lost293
                 total30 = (total292*total292)
                 total292_halves = halves(xp, total292)
-                lost284 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                lost284 = (
+                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
+                    total292_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total292 = rest5 + 0.5
                 back17 = total292 - rest5
@@ -3741,7 +3939,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost304 = one4 + two4
                 total314 = envelope*total30
                 total30_halves = halves(xp, total30)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total30_halves)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
+                    total30_halves)
 
                 def yes(square2):
                     given3 = square2
@@ -3763,7 +3962,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 total30 = even*twice2
 
-                def yes(delta, even, lost2, lost28, lost314, lost322, lost34, lost342, lost36, square2, total2, total263, total28, total314, total332, total342, total35, total36, twice2):
+                def yes(delta, even, lost2, lost28, lost314, lost322, lost34, lost342, lost36,
+                    square2, total2, total263, total28, total314, total332, total342, total35,
+                    total36, twice2):
                     e = xp.exp(-delta)
                     total253 = e + 1.0
                     back182 = total253 - 1.0
@@ -3799,11 +4000,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, total2))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost28 + total28
                     fall_of = lost34*total35 + lost36 + total36
                     nyquist_of = lost253 + lost263 + lost273 + total273
@@ -3811,7 +4014,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost28, lost314, lost322, lost34, lost342, lost36, total2, total28, total314, total332, total342, total35, total36):
+                def no(envelope, half, lost2, lost28, lost314, lost322, lost34, lost342, lost36,
+                    total2, total28, total314, total332, total342, total35, total36):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -3840,7 +4044,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest33 = total102 - back82
@@ -3855,7 +4060,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total30 > 0.0, yes, (delta, even, lost2, lost27, lost304, lost284, lost29, lost293, lost30, square2, total2, total30, total28, total314, total292, total342, total27, total36, twice2), no, (envelope, half, lost2, lost27, lost304, lost284, lost29, lost293, lost30, total2, total28, total314, total292, total342, total27, total36))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total30 > 0.0, yes, (delta, even, lost2, lost27, lost304, lost284,
+                    lost29, lost293, lost30, square2, total2, total30, total28, total314,
+                    total292, total342, total27, total36, twice2), no,
+                    (envelope, half, lost2, lost27, lost304, lost284, lost29, lost293, lost30,
+                    total2, total28, total314, total292, total342, total27, total36))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -3884,7 +4095,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost304 = one4 + two4
                 total314 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total27_halves)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
+                    total27_halves)
 
                 def yes(lost2, square2):
                     given3 = square2
@@ -3933,7 +4145,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     odd_low2 = lost22
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, total2))
 
                 total27 = half*odd
                 half_halves = halves(xp, half)
@@ -3953,7 +4166,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost262 = one4 + two4
                 total252 = envelope*total262
                 total262_halves = halves(xp, total262)
-                lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                lost262 = (
+                    envelope*(lost23 - even_low2 + lost252 + lost262) +
+                    product_error(total252, envelope_halves, total262_halves)
+                )
                 total262 = total252/stiff
                 left16 = total252 - stiff*total262
                 total262_halves = halves(xp, total262)
@@ -3970,7 +4186,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost252 = one4 + two4
                 total27 = envelope*total242
                 total242_halves = halves(xp, total242)
-                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total27, envelope_halves, total242_halves)
+                lost252 = (
+                    envelope*(even_low2 + lost23 + lost252) +
+                    product_error(total27, envelope_halves, total242_halves)
+                )
                 total242 = 1.0 - total27
                 back17 = total242 - 1.0
                 lost23 = -back17 - total27
@@ -3981,14 +4200,16 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 left16 = left16 - lost252 + lost23
                 lost23 = left16/stiff
 
-                def yes(delta, even, even_low2, lost274, lost28, lost282, lost314, total263, total274, total28, total282, total314, twice2):
+                def yes(delta, even, even_low2, lost274, lost28, lost282, lost314, total263,
+                    total274, total28, total282, total314, twice2):
                     e = xp.exp(-delta)
                     total253 = e + 1.0
                     back182 = total253 - 1.0
                     lost253 = e - back182
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     total273 = total253 + total263
                     back182 = total273 - total253
                     lost273 = total263 - back182
@@ -3999,7 +4220,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost274, lost28, lost282, lost314, total2, total274, total28, total282, total314):
+                def no(envelope, half, lost2, lost274, lost28, lost282, lost314, total2, total274,
+                    total28, total282, total314):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -4028,7 +4250,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest33 = total102 - back82
@@ -4043,11 +4266,19 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 2.0*lost314 + 2.0*total314
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total252 > 0.0, yes, (delta, even, even_low2, lost23, lost27, lost262, lost304, total252, total27, total28, total262, total314, twice2), no, (envelope, half, lost2, lost23, lost27, lost262, lost304, total2, total27, total28, total262, total314))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total252 > 0.0, yes, (delta, even, even_low2, lost23, lost27,
+                    lost262, lost304, total252, total27, total28, total262, total314, twice2),
+                    no, (envelope, half, lost2, lost23, lost27, lost262, lost304, total2,
+                    total27, total28, total262, total314))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (delta, gamma, half, lost2, total2))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -4139,7 +4370,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, even_low2, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (root, root_low))
 
             total103 = half*odd
             half_halves = halves(xp, half)
@@ -4173,7 +4405,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             lost262 = one25 + two25
             total25 = envelope*total262
             total262_halves = halves(xp, total262)
-            lost262 = envelope*(lost93 - even_low2 + lost24 + lost262) + product_error(total25, envelope_halves, total262_halves)
+            lost262 = (
+                envelope*(lost93 - even_low2 + lost24 + lost262) +
+                product_error(total25, envelope_halves, total262_halves)
+            )
             total262 = total25/stiff
             left = total25 - stiff*total262
             total262_halves = halves(xp, total262)
@@ -4189,7 +4424,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             lost24 = one25 + two25
             total103 = envelope*total242
             total242_halves = halves(xp, total242)
-            lost24 = envelope*(even_low2 + lost93 + lost24) + product_error(total103, envelope_halves, total242_halves)
+            lost24 = (
+                envelope*(even_low2 + lost93 + lost24) +
+                product_error(total103, envelope_halves, total242_halves)
+            )
             total242 = 1.0 - total103
             back83 = total242 - 1.0
             lost93 = -back83 - total103
@@ -4200,7 +4438,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             left = left - lost24 + lost93
             lost93 = left/stiff
 
-            def yes(delta, even, even_low2, lost132, lost26, lost274, lost282, total132, total26, total263, total274, total282, twice2):
+            def yes(delta, even, even_low2, lost132, lost26, lost274, lost282, total132, total26,
+                total263, total274, total282, twice2):
                 e = xp.exp(-delta)
                 total253 = e + 1.0
                 back182 = total253 - 1.0
@@ -4218,7 +4457,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 together_of = 4.0*lost132 + 4.0*total132
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            def no(envelope, grown, lost132, lost26, lost274, lost282, root_low, sin_of, total132, total26, total274, total282, wave):
+            def no(envelope, grown, lost132, lost26, lost274, lost282, root_low, sin_of, total132,
+                total26, total274, total282, wave):
                 back72 = 0.5*root_low*sin_of
                 total92 = wave - back72
                 back82 = total92 - wave
@@ -4248,11 +4488,19 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 together_of = 4.0*lost132 + 4.0*total132
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total25 > 0.0, yes, (delta, even, even_low2, lost103, lost25, lost93, lost262, total93, total24, total25, total103, total262, twice2), no, (envelope, grown, lost103, lost25, lost93, lost262, root_low, sin_of, total93, total24, total103, total262, wave))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, total25 > 0.0, yes, (delta, even, even_low2, lost103, lost25, lost93,
+                lost262, total93, total24, total25, total103, total262, twice2), no,
+                (envelope, grown, lost103, lost25, lost93, lost262, root_low, sin_of, total93,
+                total24, total103, total262, wave))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -4316,7 +4564,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low5 = lost29 - lost30
                 total27 = (total30*total30)
                 total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves, total30_halves)
+                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
+                    total30_halves)
                 total30 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
@@ -4352,7 +4601,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low5 = lost284 - lost293
                 total30 = (total292*total292)
                 total292_halves = halves(xp, total292)
-                lost284 = 2.0*fall_low5*total292 + product_error(total30, total292_halves, total292_halves)
+                lost284 = (
+                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
+                    total292_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total292 = rest5 + 0.5
                 back3 = total292 - rest5
@@ -4373,7 +4625,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost304 = one4 + two4
                 total314 = envelope*total30
                 total30_halves = halves(xp, total30)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total30_halves)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
+                    total30_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -4385,7 +4638,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -4420,11 +4675,15 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -4439,7 +4698,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     fall_low4 = sunk_low2
                     return fall2, fall_low4
 
-                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
 
                 fast = fall_*fall2
                 fall__halves = halves(xp, fall_)
@@ -4452,7 +4712,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total312 = total30*total302
                 total30_halves = halves(xp, total30)
                 total302_halves = halves(xp, total302)
-                lost292 = total30*(lost292 + low3) + product_error(total312, total30_halves, total302_halves)
+                lost292 = (
+                    total30*(lost292 + low3) + product_error(total312, total30_halves,
+                    total302_halves)
+                )
                 apart_of = lost3 + total28
                 fall_of = lost29*total27 + lost30 + total36
                 nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
@@ -4501,7 +4764,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost304 = one4 + two4
                 total314 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves, total27_halves)
+                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
+                    total27_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -4513,7 +4777,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -4546,7 +4812,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     mean_low2 = lost8
                     return fall_, fall_low2, mean, mean_low2
 
-                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
 
                 total27 = fall_ + 1.0
                 back3 = total27 - 1.0
@@ -4562,11 +4830,15 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -4595,7 +4867,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     mean_low4 = lost14
                     return fall2, fall_low4, mean2, mean_low4
 
-                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
 
                 fast = fall_*fall2
                 total162 = fall2*mean
@@ -4627,7 +4901,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total162 = total27*total172
                 total27_halves = halves(xp, total27)
                 total172_halves = halves(xp, total172)
-                lost162 = total27*(lost162 + low3) + product_error(total162, total27_halves, total172_halves)
+                lost162 = (
+                    total27*(lost162 + low3) + product_error(total162, total27_halves,
+                    total172_halves)
+                )
                 total27 = fall_*mean2
                 mean2_halves = halves(xp, mean2)
                 lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
@@ -4651,7 +4928,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 together_of = 2.0*lost304 + 2.0*total314
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -4687,7 +4967,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -4720,7 +5001,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
             total283 = fall_ + 1.0
@@ -4737,7 +5020,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -4770,7 +5056,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -4817,7 +5105,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             total16 = total283*total17
             total283_halves = halves(xp, total283)
             total17_halves = halves(xp, total17)
-            lost18 = total283*(lost18 + low3) + product_error(total16, total283_halves, total17_halves)
+            lost18 = (
+                total283*(lost18 + low3) + product_error(total16, total283_halves, total17_halves)
+            )
             total283 = fall_*mean2
             lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
             pulled_low = fall_low2*mean2 + lost17
@@ -4853,11 +5143,17 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             together_of = lost16 + total173
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
 
     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -4929,21 +5225,25 @@ def cubic_root(xp, k0, k1, k2, k3, low, high, rise_):
         next_moves = xp.where(down*(y - new) > 0.0, xp.full_like(down, 1.0), 0.0)
         return next_y, next_moves
 
-    y, moves = repeat(xp, 100, over, step, (xp.where(down > 0.0, high, low), 1.0), (down, high, k0, k1, k2, k3, low))
+    y, moves = repeat(xp, 100, over, step, (xp.where(down > 0.0, high, low), 1.0),
+        (down, high, k0, k1, k2, k3, low))
     return y
 
 
-def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d):
+def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
+    together_, apart_, center, beyond, d):
     """what the crossing on a piece, if there is one, adds"""
 
-    def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low, n1, slope, together_, zone):
+    def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss,
+        low, n1, slope, together_, zone):
         x = cubic_root(xp, k0, k1, k2, k3, low, high, at_high - at_low)
         case1 = zone == 1.0
         case2 = zone == 0.0
         y = xp.where(case2, x, xp.where(case1, center + x, 4.0 - x))
         rest = xp.where(case2, 4.0 - x, xp.where(case1, beyond - x, x))
 
-        def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope, together_, x, y, zone):
+        def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
+            together_, x, y, zone):
             off = xp.where(zone == 0.0, x - center, xp.where(zone == 1.0, x, beyond - x))
             at = xp.where(0.0 > y, 0.0, y)
             still = xp.where(0.0 > rest, 0.0, rest)
@@ -4964,31 +5264,44 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             halves3 = xp.where(case3, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
             turned3 = xp.atan2(xp.where(case3, -y2, y2), xp.abs(x2))
             case4 = at > 2.0
-            half = xp.atan2(xp.where(case4, square_root(xp, still), square_root(xp, at)), xp.where(case4, square_root(xp, at), square_root(xp, still)))
+            half = xp.atan2(xp.where(case4, square_root(xp, still), square_root(xp, at)),
+                xp.where(case4, square_root(xp, at), square_root(xp, still)))
             late = d + 2.0
             halves3 = halves2 - halves_ + halves3 - xp.where(case4, late, 0.0)
-            share = 0.5*(turned2 - late*xp.where(case4, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
+            share = (
+                0.5*(turned2 - late*xp.where(case4, -2.0*half, 2.0*half) - turned + turned3)/
+                3.141592653589793
+            )
             even = xp.floor(0.5*halves3)
             left = 0.5*halves3 - even
-            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
-            rises = xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
+            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0,
+                xp.floor(left + share + 0.5))
+            rises = (
+                xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
+                xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
+            )
             turned3 = -2.0*rises*turns
             return turned3
 
         def no(rest):
             return 0.0
 
-        turned4 = select(xp, (rest > 0.0) & (y > 0.0), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope, together_, x, y, zone), no, (rest,))
+        turned4 = select(xp, (rest > 0.0) & (y > 0.0), yes,
+            (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
+            together_, x, y, zone), no, (rest,))
 
         return turned4
 
     def no(at_high):
         return 0.0
 
-    return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) & (high > low), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low, n1, slope, together_, zone), no, (at_high,))
+    return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
+        (high > low), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1,
+        k2, k3, loss, low, n1, slope, together_, zone), no, (at_high,))
 
 
-def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d):
+def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
+    together_, apart_, center, beyond, d):
     """what the crossings between two points add to the count"""
     disc = (k2*k2) - 3.0*k1*k3
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
@@ -5024,10 +5337,14 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     height = first*(first*(first*k3 + k2) + k1) + k0
     height2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
     height3 = k0 + last*(k1 + last*(k2 + k3*last))
-    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, height, height2, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope, far,
+        n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, height, height2, zone, alpha,
+        slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha,
+        slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha,
+        slope, far, n1, loss, together_, apart_, center, beyond, d)
     return found
 
 
@@ -5076,9 +5393,25 @@ def late_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together_
     before = own0 - one*(own1 - one*(own2 - one*own3))
     after = own0 + two*(own1 + two*(own2 + own3*two))
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-    end = xp.where(wall_far > 0.0, side, 0.0) - d + xp.where(apart_ > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) - 3.0
-    total = xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0, after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3, xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d) + zone_turns(xp, own0, own1, own2, own3, -one, two, before, after, xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d)
-    return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+    end = (
+        xp.where(wall_far > 0.0, side, 0.0) - d +
+        xp.where(apart_ > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) -
+        3.0
+    )
+    total = (
+        xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
+        (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side),
+        0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0,
+        after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together_,
+        apart_, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3,
+        xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha, slope,
+        wall_far, across, loss, together_, apart_, middle, rest, d) +
+        zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
+        xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together_, apart_,
+        middle, rest, d)
+    )
+    return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) |
+        (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
 
 
 def some_part(xp, d):
@@ -5090,7 +5423,10 @@ def some_part(xp, d):
 def stable_single(xp, roots, alpha, beta, gamma, delta):
     """The same in single precision."""
     swing_ = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) & (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) & (~((delta < 5.960464477539062e-07) & (gamma > 1.0) & (swing_ >= 4194304.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+    return xp.where((alpha > -gamma) & (roots == 0.0) &
+        (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
+        (~((delta < 5.960464477539062e-07) & (gamma > 1.0) &
+        (swing_ >= 4194304.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
@@ -5098,10 +5434,18 @@ def stable(xp, roots, alpha, beta, gamma, delta):
     if roots.dtype == xp.float32:
         return stable_single(xp, roots, alpha, beta, gamma, delta)
     swing_ = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) & (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) & (~((delta < 1.1102230246251565e-15) & (gamma > 1.0) & (swing_ >= 2251799813685248.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+    return xp.where((alpha > -gamma) & (roots == 0.0) &
+        (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
+        (~((delta < 1.1102230246251565e-15) & (gamma > 1.0) &
+        (swing_ >= 2251799813685248.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
 
 
-def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together_, apart_):
+def whole_part(xp, d):
+    """whole periods of a delay"""
+    return xp.floor(d)
+
+
+def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together_, apart_):
     """roots outside the unit circle"""
     e = 1.0 - loss
     slope = alpha + beta
@@ -5138,7 +5482,10 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     product3 = 4.0*far0*square
     size3 = square4 + xp.abs(product3)
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-    end = xp.where(wall_far > 0.0, side, 0.0) - d + xp.where(apart_ > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
+    end = (
+        xp.where(wall_far > 0.0, side, 0.0) - d +
+        xp.where(apart_ > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
+    )
 
     def yes(product2, square3):
         disc2 = square3 - product2
@@ -5154,14 +5501,17 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             disc = square2 - product
             return disc
 
-        disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no, (product, square2))
+        disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no,
+            (product, square2))
 
         return disc4
 
-    disc4 = select(xp, (size >= size2) & (size2 <= size3), yes, (product2, square3), no, (product, product3, size, size2, size3, square2, square4))
+    disc4 = select(xp, (size >= size2) & (size2 <= size3), yes, (product2, square3), no,
+        (product, product3, size, size2, size3, square2, square4))
 
 
-    def yes(alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far):
+    def yes(alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0,
+        own1, own2, slope, square, together_, wall_far):
 
         def yes(disc4, near0, near1, square):
             positive = disc4
@@ -5223,7 +5573,8 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             high = one
             return low, high
 
-        low, high = select(xp, near1 >= 0.0, yes, (disc4, near0, near1, square), no, (disc4, near0, near1, square))
+        low, high = select(xp, near1 >= 0.0, yes, (disc4, near0, near1, square), no,
+            (disc4, near0, near1, square))
 
 
         def yes(disc4, far0, far1, square):
@@ -5286,12 +5637,14 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             high3 = one3
             return low3, high3
 
-        low3, high3 = select(xp, far1 >= 0.0, yes, (disc4, far0, far1, square), no, (disc4, far0, far1, square))
+        low3, high3 = select(xp, far1 >= 0.0, yes, (disc4, far0, far1, square), no,
+            (disc4, far0, far1, square))
 
         edge = xp.where(high3 > low, low, high3)
         edge2 = xp.where(high < low3, high, low3)
 
-        def yes(alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far):
+        def yes(alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1,
+            own2, slope, together_, wall_far):
             late = d + 2.0
 
             def yes(disc4, own1, own2):
@@ -5356,23 +5709,31 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             halves3 = xp.where(case5, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
             turned3 = xp.atan2(xp.where(case5, -y, y), xp.abs(x))
             case6 = at > 2.0
-            half = xp.atan2(xp.where(case6, square_root(xp, still), square_root(xp, at)), xp.where(case6, square_root(xp, at), square_root(xp, still)))
+            half = xp.atan2(xp.where(case6, square_root(xp, still), square_root(xp, at)),
+                xp.where(case6, square_root(xp, at), square_root(xp, still)))
             halves3 = halves2 - halves_ + halves3 - xp.where(case6, late, 0.0)
-            share = 0.5*(turned2 - late*xp.where(case6, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
+            share = (
+                0.5*(turned2 - late*xp.where(case6, -2.0*half, 2.0*half) - turned + turned3)/
+                3.141592653589793
+            )
             even = xp.floor(0.5*halves3)
             left = 0.5*halves3 - even
-            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
+            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0,
+                xp.floor(left + share + 0.5))
             found = 2.0*turns
             return found
 
         def no(edge):
             return 0.0
 
-        found = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far), no, (edge,))
+        found = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes,
+            (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1,
+            own2, slope, together_, wall_far), no, (edge,))
 
         total = found
 
-        def yes(alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far):
+        def yes(alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0,
+            own1, own2, slope, together_, wall_far):
             late2 = d + 2.0
 
             def yes(disc4, own0, own1):
@@ -5437,19 +5798,24 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             halves7 = xp.where(case5, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
             turned6 = xp.atan2(xp.where(case5, -y4, y4), xp.abs(x4))
             case6 = at4 > 2.0
-            half2 = xp.atan2(xp.where(case6, square_root(xp, still4), square_root(xp, at4)), xp.where(case6, square_root(xp, at4), square_root(xp, still4)))
+            half2 = xp.atan2(xp.where(case6, square_root(xp, still4), square_root(xp, at4)),
+                xp.where(case6, square_root(xp, at4), square_root(xp, still4)))
             halves7 = halves6 - halves5 + halves7 - xp.where(case6, late2, 0.0)
-            share2 = 0.5*(turned5 - late2*xp.where(case6, -2.0*half2, 2.0*half2) - turned4 + turned6)/3.141592653589793
+            share2 = 0.5*(turned5 - late2*xp.where(case6, -2.0*half2, 2.0*half2) - turned4 +
+                turned6)/3.141592653589793
             even2 = xp.floor(0.5*halves7)
             left2 = 0.5*halves7 - even2
-            turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0, xp.floor(left2 + share2 + 0.5))
+            turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0,
+                xp.floor(left2 + share2 + 0.5))
             found2 = -2.0*turns2
             return found2
 
         def no(edge2):
             return 0.0
 
-        found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far), no, (edge2,))
+        found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes,
+            (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1,
+            own2, slope, together_, wall_far), no, (edge2,))
 
         total = found2 + total
         return total
@@ -5457,19 +5823,20 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     def no(disc4):
         return 0.0
 
-    total3 = select(xp, disc4 >= 0.0, yes, (alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far), no, (disc4,))
+    total3 = select(xp, disc4 >= 0.0, yes,
+        (alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0,
+        own1, own2, slope, square, together_, wall_far), no, (disc4,))
 
-    total4 = total3 + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-    return total4 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
-
-
-def whole_part(xp, d):
-    """whole periods of a delay"""
-    return xp.floor(d)
+    total4 = total3 + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
+        (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
+    return total4 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) |
+        (far0 < 0.0), end, 0.0)
 
 
 def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
-    """the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)"""
+    """the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2
+    j psi)
+    """
     t = xp.tan(psi)
     square = (t*t)
     t_halves = halves(xp, t)
@@ -5581,7 +5948,8 @@ def apart_nyquist_together(xp, gamma, delta):
 
             total27 = even*twice2
 
-            def yes(delta, even, lost2, lost28, lost312, square2, total2, total262, total28, total312, twice2):
+            def yes(delta, even, lost2, lost28, lost312, square2, total2, total262, total28,
+                total312, twice2):
                 e = xp.exp(-delta)
                 total252 = e + 1.0
                 back18 = total252 - 1.0
@@ -5669,7 +6037,11 @@ def apart_nyquist_together(xp, gamma, delta):
                 together_of = 2.0*lost312 + 2.0*total312
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost302, square2, total2, total27, total28, total312, twice2), no, (envelope, half, lost2, lost27, lost302, total2, total28, total312))
+            apart_of, nyquist_of, together_of = (
+                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost302, square2,
+                total2, total27, total28, total312, twice2), no,
+                (envelope, half, lost2, lost27, lost302, total2, total28, total312))
+            )
 
             return apart_of, nyquist_of, together_of
 
@@ -5755,7 +6127,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, odd, odd_low2
 
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (root, root_low))
 
             total103 = envelope*odd
             odd_halves = halves(xp, odd)
@@ -5774,7 +6147,8 @@ def apart_nyquist_together(xp, gamma, delta):
             lost25 = left/stiff
             total25 = even*twice2
 
-            def yes(delta, even, lost132, lost2, lost26, root, root_low, square2, total132, total26, total262, twice2):
+            def yes(delta, even, lost132, lost2, lost26, root, root_low, square2, total132,
+                total26, total262, twice2):
                 e = xp.exp(-delta)
                 total252 = e + 1.0
                 back18 = total252 - 1.0
@@ -5839,11 +6213,16 @@ def apart_nyquist_together(xp, gamma, delta):
                 together_of = 4.0*lost132 + 4.0*total132
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total25 > 0.0, yes, (delta, even, lost103, lost2, lost25, root, root_low, square2, total93, total103, total25, twice2), no, (envelope, grown, lost103, lost25, root_low, sin_of, total93, total103, wave))
+            apart_of, nyquist_of, together_of = (
+                select(xp, total25 > 0.0, yes, (delta, even, lost103, lost2, lost25, root,
+                root_low, square2, total93, total103, total25, twice2), no,
+                (envelope, grown, lost103, lost25, root_low, sin_of, total93, total103, wave))
+            )
 
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
 
         return apart_of, nyquist_of, together_of
 
@@ -5906,7 +6285,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -5941,7 +6321,10 @@ def apart_nyquist_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -5973,7 +6356,8 @@ def apart_nyquist_together(xp, gamma, delta):
             total31 = total27*total30
             total27_halves = halves(xp, total27)
             total30_halves = halves(xp, total30)
-            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves, total30_halves)
+            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves,
+                total30_halves)
             apart_of = lost3 + total28
             nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
             together_of = 2.0*lost302 + 2.0*total312
@@ -6011,7 +6395,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -6044,7 +6429,9 @@ def apart_nyquist_together(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
             total282 = fall_ + 1.0
@@ -6061,7 +6448,10 @@ def apart_nyquist_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -6094,7 +6484,9 @@ def apart_nyquist_together(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -6123,7 +6515,9 @@ def apart_nyquist_together(xp, gamma, delta):
             total17 = total282*total16
             total282_halves = halves(xp, total282)
             total16_halves = halves(xp, total16)
-            lost18 = total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            lost18 = (
+                total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            )
             total282 = 1.0 - fast
             back3 = total282 - 1.0
             lost17 = -back3 - fast
@@ -6142,11 +6536,14 @@ def apart_nyquist_together(xp, gamma, delta):
             together_of = lost17 + total282
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (delta, gamma, half, lost2, root, size, total3))
 
         return apart_of, nyquist_of, together_of
 
-    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes,
+        (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
 
     return apart_of, nyquist_of, together_of
 
@@ -6188,7 +6585,10 @@ def cos_next_sin_next_single(xp, k, x):
     two = missed*x - back
     lost4 = one + two
     number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-    low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+    low = (
+        lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+        product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+    )
     missed_halves = halves(xp, missed)
     low = low + product_error(missed*x, missed_halves, x_halves)
     wave = xp.sin(total2)
@@ -6209,7 +6609,8 @@ def cos_next_sin_next_single(xp, k, x):
         value2 = sine
         return value, value2
 
-    value, value2 = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+    value, value2 = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+        (low, still, wave))
 
     cos_next_of = xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value, value)
     sin_next_of = xp.where(turn_ >= 2.0, -value2, value2)
@@ -6274,7 +6675,10 @@ def cos_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -6290,7 +6694,8 @@ def cos_next_single(xp, k, x):
             value = cosine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return -value
 
@@ -6327,7 +6732,10 @@ def cos_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -6343,11 +6751,13 @@ def cos_next_single(xp, k, x):
             value = cosine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return value
 
-    return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
+    return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x),
+        no, (angle, count, k, quarters, turn_, x))
 
 
 def cos_next(xp, k, x):
@@ -6487,10 +6897,23 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
     t18 = apart_*t11
     t19 = at_one*t5
     k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
-    k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
-    k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
-    k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
-    k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    k2 = last*(32.0*at_minus_one*t3 + last*
+        (64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*
+        t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+    k3 = (
+        last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
+        (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
+        t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
+        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+    )
+    k4 = (
+        last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*
+        (t6*t3 + t15*(at_minus_one + t13) + t19)
+    )
+    k5 = (
+        last*(t16*t17 + t8*(t6*together_ - t18)) + together_*
+        (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    )
 
     def over(count, found, k, k2, k3, k4, k5):
         return (count > 24.0) | (found > 0.0)
@@ -6506,7 +6929,8 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
 
     def yes(count, k, k2, k3, k4, k5):
         high = 0.041666666666666664*3.141592653589793*count
-        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*high, 0.041666666666666664*3.141592653589793*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*
+            high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
         def yes(low2):
@@ -6524,7 +6948,11 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
             def no(above, below, high2, k, k2, k3, k4, k5, low2):
 
                 def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 2.384185791015625e-07*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
                 def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
                     span = c - b
@@ -6533,7 +6961,8 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -6545,7 +6974,10 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     other = fa/three
                     last2 = fb/two
                     guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                    edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
@@ -6560,11 +6992,13 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, below, high2, k, k2, k3, k4, k5, low2))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, below, high2, k, k2, k3, k4, k5, low2))
 
             return root
 
@@ -6602,10 +7036,23 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
     t18 = apart_*t11
     t19 = at_one*t5
     k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
-    k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
-    k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
-    k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
-    k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    k2 = last*(32.0*at_minus_one*t3 + last*
+        (64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*
+        t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+    k3 = (
+        last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
+        (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
+        t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
+        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+    )
+    k4 = (
+        last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*
+        (t6*t3 + t15*(at_minus_one + t13) + t19)
+    )
+    k5 = (
+        last*(t16*t17 + t8*(t6*together_ - t18)) + together_*
+        (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    )
 
     def over(count, found, k, k2, k3, k4, k5):
         return (count > 24.0) | (found > 0.0)
@@ -6621,7 +7068,8 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
 
     def yes(count, k, k2, k3, k4, k5):
         high = 0.041666666666666664*3.141592653589793*count
-        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*high, 0.041666666666666664*3.141592653589793*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*
+            high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
         def yes(low2):
@@ -6639,7 +7087,11 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
             def no(above, below, high2, k, k2, k3, k4, k5, low2):
 
                 def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 4.440892098500626e-16*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
                 def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
                     span = c - b
@@ -6648,7 +7100,8 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -6660,7 +7113,10 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     other = fa/three
                     last2 = fb/two
                     guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                    edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
@@ -6675,11 +7131,13 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, below, high2, k, k2, k3, k4, k5, low2))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, below, high2, k, k2, k3, k4, k5, low2))
 
             return root
 
@@ -6733,7 +7191,10 @@ def sin_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -6749,7 +7210,8 @@ def sin_next_single(xp, k, x):
             value = sine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return -value
 
@@ -6786,7 +7248,10 @@ def sin_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -6802,11 +7267,13 @@ def sin_next_single(xp, k, x):
             value = sine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return value
 
-    return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
+    return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no,
+        (angle, count, k, quarters, turn_, x))
 
 
 def sin_next(xp, k, x):
@@ -6846,7 +7313,11 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     t6 = (t10*t10) + t16*t6
     t18 = t15*t6
     t5 = t5 + 1.0
-    return (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*(t7 + together_))) - t4*(0.5*t18 + t5*(t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
+    return (
+        (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*
+        (t7 + together_))) - t4*(0.5*t18 + t5*
+        (t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
+    )
 
 
 def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
@@ -6857,17 +7328,20 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
         return (count > 24.0) | (found > 0.0)
 
     def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss,
+            together_, apart_, across)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0),
+        (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
 
     def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
         high = 0.041666666666666664*count*turn_
-        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
+            0.041666666666666664*turn_*(count - 1.0))
         above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
         def yes(low2):
@@ -6876,25 +7350,34 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
 
         def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
             high2 = high
-            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_,
+                across)
 
             def yes(high2):
                 root = high2
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_):
 
-                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 2.384185791015625e-07*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
-                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
                     span = c - b
                     rise_ = fc - fb
                     whole = xp.where(span == 0.0, 1.0, span)
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -6906,12 +7389,16 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
                     other = fa/three
                     last = fb/two
                     guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                    edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
                     new = a + share*width
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
+                        apart_, across)
                     case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                     next_b = xp.where(case2, b, a)
                     next_fb = xp.where(case2, fb, fa)
@@ -6921,22 +7408,28 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below),
+                    (across, apart_, at_minus_one, at_one, l, loss, together_))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_))
 
             return root
 
-        root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+        root = select(xp, above <= 0.0, yes, (low,), no,
+            (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
 
         return root
 
     def no(found):
         return xp.nan
 
-    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss,
+        together_, turn_), no, (found,))
 
 
 def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
@@ -6949,17 +7442,20 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
         return (count > 24.0) | (found > 0.0)
 
     def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss,
+            together_, apart_, across)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0),
+        (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
 
     def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
         high = 0.041666666666666664*count*turn_
-        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
+            0.041666666666666664*turn_*(count - 1.0))
         above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
         def yes(low2):
@@ -6968,25 +7464,34 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
 
         def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
             high2 = high
-            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_,
+                across)
 
             def yes(high2):
                 root = high2
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_):
 
-                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 4.440892098500626e-16*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
-                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
                     span = c - b
                     rise_ = fc - fb
                     whole = xp.where(span == 0.0, 1.0, span)
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -6998,12 +7503,16 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                     other = fa/three
                     last = fb/two
                     guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                    edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
                     new = a + share*width
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
+                        apart_, across)
                     case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                     next_b = xp.where(case2, b, a)
                     next_fb = xp.where(case2, fb, fa)
@@ -7013,22 +7522,28 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below),
+                    (across, apart_, at_minus_one, at_one, l, loss, together_))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_))
 
             return root
 
-        root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+        root = select(xp, above <= 0.0, yes, (low,), no,
+            (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
 
         return root
 
     def no(found):
         return xp.nan
 
-    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss,
+        together_, turn_), no, (found,))
 
 
 def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
@@ -7039,7 +7554,8 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
     t3 = 2.0*together_
     t4 = (together_*together_)
     k2 = t3*((apart_*apart_)*at_one + together_*(at_minus_one*(t + t2) + loss*t))
-    k3 = together_*(at_minus_one*t4 + at_one*(t4 + ((-apart_ - t2)*(-apart_ - t2))) + loss*t3*(2.0*together_ - apart_))
+    k3 = together_*(at_minus_one*t4 + at_one*(t4 + ((-apart_ - t2)*(-apart_ - t2))) + loss*t3*
+        (2.0*together_ - apart_))
 
     def yes(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
@@ -7070,7 +7586,8 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
     return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
 
 
-def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
+def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
+    together_, apart_):
     """The same in single precision."""
 
     def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
@@ -7090,11 +7607,13 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
                 theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_),
+                no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no,
+            (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
 
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
@@ -7115,37 +7634,51 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         def yes(d):
             return 1.0
 
-        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
+        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
+            t14, together_):
             damping = t14
-            inside = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
+            inside_ = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
 
-            def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def yes(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_):
+                outside = whole_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def no(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_):
+                outside = late_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+            outside = select(xp, part == 0.0, yes,
+                (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_),
+                no, (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_))
 
-            good = stable(xp, outside, inside, damping, gamma, delta)
+            good = stable(xp, outside, inside_, damping, gamma, delta)
             return good
 
-        good = select(xp, (delta > 0.0) & (gamma > -stiffness) & (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no, (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7, together_))
+        good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
+            (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
+            (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
+            together_))
 
         return xp.where(good > 0.0, theta, xp.nan)
 
     def no(d):
         return xp.nan
 
-    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) & (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_), no, (d,))
+    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
+        (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
+        part, together_), no, (d,))
 
 
-def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
+def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
+    together_, apart_):
     """the angle of the wall of largest stable stiffness, or NaN"""
     if gamma.dtype == xp.float32:
-        return stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_)
+        return stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one,
+            at_minus_one, loss, together_, apart_)
 
     def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
         across = xp.where(part == 0.0, first, first - last)
@@ -7164,11 +7697,13 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
                 theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_),
+                no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no,
+            (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
 
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
@@ -7189,31 +7724,43 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         def yes(d):
             return 1.0
 
-        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
+        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
+            t14, together_):
             damping = t14
-            inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
+            inside_ = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
 
-            def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def yes(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_):
+                outside = whole_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def no(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_):
+                outside = late_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+            outside = select(xp, part == 0.0, yes,
+                (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_),
+                no, (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_))
 
-            good = stable(xp, outside, inside, damping, gamma, delta)
+            good = stable(xp, outside, inside_, damping, gamma, delta)
             return good
 
-        good = select(xp, (delta > 0.0) & (gamma > -stiffness) & (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no, (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7, together_))
+        good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
+            (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
+            (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
+            together_))
 
         return xp.where(good > 0.0, theta, xp.nan)
 
     def no(d):
         return xp.nan
 
-    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) & (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_), no, (d,))
+    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
+        (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
+        part, together_), no, (d,))
 
 
 def gap_single(xp, x):
@@ -7286,16 +7833,26 @@ def need(xp, alpha, beta, l, epsilon, psi):
     """the damping that the wall needs at the angle 2 psi"""
 
     def yes(alpha, beta, l, psi):
-        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
+        early = (
+            0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
+            cos_next(xp, l, 2.0*psi)
+        )
         return early
 
     def no(alpha, beta, epsilon, l, psi):
-        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
-        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
-        root = square_root(xp, epsilon*(1.0 - epsilon)*((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(xp.sin(psi)*xp.sin(psi))) + (n*n))
+        early = (
+            0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
+            cos_next(xp, l, 2.0*psi)
+        )
+        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) -
+            beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
+        root = square_root(xp, epsilon*(1.0 - epsilon)*
+            ((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*
+            (xp.sin(psi)*xp.sin(psi))) + (n*n))
         return 0.5*n + 0.5*root
 
-    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no, (alpha, beta, epsilon, l, psi))
+    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no,
+        (alpha, beta, epsilon, l, psi))
 
 
 def chord(xp, k, x):
@@ -7329,7 +7886,10 @@ def rising(xp, alpha, beta, l, epsilon, psi):
     t4 = t4 + 4.0
     early = t3*(t5*t5)*sinc(xp, psi*t5) - t2*chord(xp, l, t)
     steep = early + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - early - t2*chord(xp, l + 1.0, t))
-    return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*need(xp, alpha, beta, l, epsilon, psi)
+    return (
+        2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*
+        need(xp, alpha, beta, l, epsilon, psi)
+    )
 
 
 def steepness(xp, alpha, beta, l, epsilon, psi):
@@ -7337,11 +7897,18 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
 
     def yes(alpha, beta, l, psi):
         t = 2.0*l + 2.0
-        early = (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/(sinc(xp, psi)*sinc(xp, psi))
+        early = (
+            (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/
+            (sinc(xp, psi)*sinc(xp, psi))
+        )
         return early
 
     def no(alpha, beta, epsilon, l, psi):
-        phase = psi*(2.0*l + 2.0) + xp.atan2(alpha*xp.cos(psi), (alpha + 2.0*beta)*xp.sin(psi)) + xp.atan2(epsilon*xp.sin(2.0*psi), epsilon*xp.cos(2.0*psi) - epsilon + 1.0) - 3.141592653589793
+        phase = (
+            psi*(2.0*l + 2.0) + xp.atan2(alpha*xp.cos(psi), (alpha + 2.0*beta)*xp.sin(psi)) +
+            xp.atan2(epsilon*xp.sin(2.0*psi), epsilon*xp.cos(2.0*psi) - epsilon + 1.0) -
+            3.141592653589793
+        )
 
         def yes(alpha, beta, epsilon, l, psi):
             rising_ = rising(xp, alpha, beta, l, epsilon, psi)
@@ -7351,9 +7918,11 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
             rising_ = rising(xp, alpha, beta, l, epsilon, psi)
             return rising_
 
-        return select(xp, phase > 0.0, yes, (alpha, beta, epsilon, l, psi), no, (alpha, beta, epsilon, l, psi))
+        return select(xp, phase > 0.0, yes, (alpha, beta, epsilon, l, psi), no,
+            (alpha, beta, epsilon, l, psi))
 
-    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no, (alpha, beta, epsilon, l, psi))
+    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no,
+        (alpha, beta, epsilon, l, psi))
 
 
 def worst_angle_single(xp, alpha, beta, l, epsilon):
@@ -7378,7 +7947,11 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
         def no(above, below, damping, epsilon, high, l, stiffness):
 
             def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 7.62939453125e-06*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
                 span = c - b
@@ -7387,7 +7960,8 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
                 place = (a - b)/whole2
                 whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole2
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -7399,7 +7973,9 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
-                edge = 7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                edge = (
+                    7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -7414,11 +7990,13 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, damping, epsilon, high, l, stiffness))
+        root = select(xp, below >= 0.0, yes, (high,), no,
+            (above, below, damping, epsilon, high, l, stiffness))
 
         return root
 
@@ -7451,7 +8029,11 @@ def worst_angle(xp, alpha, beta, l, epsilon):
         def no(above, below, damping, epsilon, high, l, stiffness):
 
             def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 4.656612873077393e-10*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
                 span = c - b
@@ -7460,7 +8042,8 @@ def worst_angle(xp, alpha, beta, l, epsilon):
                 place = (a - b)/whole2
                 whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole2
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -7472,7 +8055,10 @@ def worst_angle(xp, alpha, beta, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
-                edge = 4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                edge = (
+                    4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole2)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -7487,11 +8073,13 @@ def worst_angle(xp, alpha, beta, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, damping, epsilon, high, l, stiffness))
+        root = select(xp, below >= 0.0, yes, (high,), no,
+            (above, below, damping, epsilon, high, l, stiffness))
 
         return root
 
@@ -7597,7 +8185,11 @@ def turn_single(xp, psi, l, epsilon):
     t14 = t12*t5
     t15 = t13*t14
     t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    above = (
+        -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*
+        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
+        square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    )
 
     def yes(above):
         return 0.0
@@ -7611,24 +8203,36 @@ def turn_single(xp, psi, l, epsilon):
         t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
         t27 = wave5
         t32 = epsilon*(t27 - wave6)
-        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
+        below = (
+            -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
+            (0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
+            ((t32 - t27)*(t32 - t27))))
+        )
 
         def yes(below):
             return 0.5*3.141592653589793
 
-        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9):
 
-            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 2.384185791015625e-07*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
-            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
                 span = c - b
                 rise_ = fc - fb
                 whole = xp.where(span == 0.0, 1.0, span)
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -7640,7 +8244,10 @@ def turn_single(xp, psi, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -7661,7 +8268,13 @@ def turn_single(xp, psi, l, epsilon):
                 t46 = t37*t44
                 t47 = t45*t46
                 t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                value = (
+                    -2.0*t38*t39*wave8*(t33 + t37) -
+                    (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*
+                    (0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*
+                    square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
+                    (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -7671,15 +8284,21 @@ def turn_single(xp, psi, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
+                (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
+                wave7, wave8, wave9))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+        root = select(xp, below >= 0.0, yes, (below,), no,
+            (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9))
 
         return root
 
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+    root = select(xp, above <= 0.0, yes, (above,), no,
+        (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
     return root
 
@@ -7711,7 +8330,11 @@ def turn(xp, psi, l, epsilon):
     t14 = t12*t5
     t15 = t13*t14
     t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    above = (
+        -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*
+        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
+        square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    )
 
     def yes(above):
         return 0.0
@@ -7725,24 +8348,36 @@ def turn(xp, psi, l, epsilon):
         t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
         t27 = wave5
         t32 = epsilon*(t27 - wave6)
-        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
+        below = (
+            -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
+            (0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
+            ((t32 - t27)*(t32 - t27))))
+        )
 
         def yes(below):
             return 0.5*3.141592653589793
 
-        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9):
 
-            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 4.440892098500626e-16*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
-            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
                 span = c - b
                 rise_ = fc - fb
                 whole = xp.where(span == 0.0, 1.0, span)
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -7754,7 +8389,10 @@ def turn(xp, psi, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -7775,7 +8413,13 @@ def turn(xp, psi, l, epsilon):
                 t46 = t37*t44
                 t47 = t45*t46
                 t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                value = (
+                    -2.0*t38*t39*wave8*(t33 + t37) -
+                    (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*
+                    (0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*
+                    square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
+                    (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -7785,15 +8429,21 @@ def turn(xp, psi, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
+                (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
+                wave7, wave8, wave9))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+        root = select(xp, below >= 0.0, yes, (below,), no,
+            (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9))
 
         return root
 
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+    root = select(xp, above <= 0.0, yes, (above,), no,
+        (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
     return root
 
@@ -7811,7 +8461,11 @@ def passive_angle_single(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = (
+        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) +
+        cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
+        (xp.sin(low)*xp.sin(low))
+    )
 
     def yes(low):
         root = low
@@ -7823,7 +8477,11 @@ def passive_angle_single(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = (
+            need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) +
+            cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*
+            (xp.sin(high)*xp.sin(high))
+        )
 
         def yes(high):
             root = high
@@ -7832,7 +8490,11 @@ def passive_angle_single(xp, l, epsilon):
         def no(above, below, epsilon, high, l, low):
 
             def over(b, fb, a, fa, c, fc, epsilon, l):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 2.384185791015625e-07*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, epsilon, l):
                 span = c - b
@@ -7841,7 +8503,8 @@ def passive_angle_single(xp, l, epsilon):
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -7853,7 +8516,10 @@ def passive_angle_single(xp, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -7862,7 +8528,11 @@ def passive_angle_single(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = (
+                    need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) +
+                    cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*
+                    (xp.sin(new)*xp.sin(new))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -7872,7 +8542,8 @@ def passive_angle_single(xp, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low, above, high, below, high, below), (epsilon, l))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (low, above, high, below, high, below), (epsilon, l))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
@@ -7894,7 +8565,11 @@ def passive_angle(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = (
+        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) +
+        cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
+        (xp.sin(low)*xp.sin(low))
+    )
 
     def yes(low):
         root = low
@@ -7906,7 +8581,11 @@ def passive_angle(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = (
+            need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) +
+            cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*
+            (xp.sin(high)*xp.sin(high))
+        )
 
         def yes(high):
             root = high
@@ -7915,7 +8594,11 @@ def passive_angle(xp, l, epsilon):
         def no(above, below, epsilon, high, l, low):
 
             def over(b, fb, a, fa, c, fc, epsilon, l):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 4.440892098500626e-16*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, epsilon, l):
                 span = c - b
@@ -7924,7 +8607,8 @@ def passive_angle(xp, l, epsilon):
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -7936,7 +8620,10 @@ def passive_angle(xp, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -7945,7 +8632,11 @@ def passive_angle(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = (
+                    need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) +
+                    cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*
+                    (xp.sin(new)*xp.sin(new))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -7955,7 +8646,8 @@ def passive_angle(xp, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low, above, high, below, high, below), (epsilon, l))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (low, above, high, below, high, below), (epsilon, l))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
@@ -7975,32 +8667,43 @@ def discretize(gamma, delta):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     Domain: gamma >= 0, delta >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70.
     """
     xp, gamma, delta = arrays(gamma, delta)
+    most = limits(xp, gamma)
 
     def work(gamma, delta):
         fall_of, rise_of, swing_of = fall_rise_swing(xp, gamma, delta)
         return rise_of, fall_of, swing_of, xp.exp(-delta)
 
-    return elementwise(xp, work, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    return guarded(xp, work, inside, 4, math.nan, gamma, delta)
 
 
 @by_value
 def discretize_late(gamma, delta, epsilon):
-    """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m.
+    """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2
 
+    - a z + e)) in units of T^2/m.
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     epsilon: rest of a delay, a fraction of a period [1]
     Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
+    NaN outside, and where an argument is NaN or larger than 1e70.
     """
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
+    most = limits(xp, gamma)
 
     def plant(gamma, delta):
         swing_of, together_of = swing_together(xp, gamma, delta)
         return swing_of, together_of
 
-    swing_of, together_of = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    swing_of, together_of = guarded(xp, plant, inside, 2, math.nan, gamma, delta)
 
     def work(gamma, delta, epsilon, swing_of, together_of):
         t0 = 1.0 - epsilon
@@ -8013,54 +8716,166 @@ def discretize_late(gamma, delta, epsilon):
         t4 = fall_of*t4*xp.exp(-t0)
         return t1, together_of - t1 - t4, t4, swing_of, xp.exp(-delta)
 
-    return elementwise(xp, work, gamma, delta, epsilon, swing_of, together_of)
+    def inside(gamma, delta, epsilon, swing_of, together_of):
+        return (
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((epsilon < 1.0) & (epsilon >= 0.0)) & ~xp.isnan(swing_of)
+        )
+
+    return guarded(xp, work, inside, 5, math.nan, gamma, delta, epsilon, swing_of, together_of)
 
 
 @by_value
 def is_stable(alpha, beta, gamma, delta, d):
-    """roots outside the unit circle, and 1 where the loop is stable, else 0.
+    """whether all characteristic roots lie inside the unit circle.
 
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded.
+    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
+    multiple of pi, rounded.
+    False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
+    most = limits(xp, alpha)
 
     def plant(gamma, delta):
-        apart_of, fall_of, nyquist_of, rise_of, together_of = apart_fall_nyquist_rise_together(xp, gamma, delta)
+        apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
+            apart_fall_nyquist_rise_together(xp, gamma, delta)
+        )
         t1 = gamma*together_of
         t3 = delta*decay(xp, delta)
-        return apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3
+        return apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3
 
-    apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3 = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
 
-    def work(alpha, beta, gamma, delta, d, apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3):
+    apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3 = (
+        guarded(xp, plant, inside, 7, math.nan, gamma, delta)
+    )
 
-        def yes(alpha, apart_of, beta, d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t3, together_of):
-            t4 = unstable_roots(xp, alpha, beta, d, rise_of, fall_of, t1, nyquist_of, t3, together_of, apart_of*delta)
-            return t4, stable(xp, t4, alpha, beta, gamma, delta)
+    def work(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+
+        def yes(alpha, apart_of, beta, d, delta, fall_of2, gamma, nyquist_of, rise_of3, t1, t3,
+            together_of):
+            return stable(xp, whole_roots(xp, alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of,
+                t3, together_of, apart_of*delta), alpha, beta, gamma, delta) != 0.0
 
         def no(alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of):
-            t5 = some_part(xp, d)
-            t6 = 1.0 - t5
-            t7 = (t6*t6)
-            t8 = gamma*t7
-            t9 = delta*t6
-            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of2 = apart_fall_kick_kick_low_rise(xp, t8, t9)
-            t11 = (t5*t5)
-            t12 = gamma*t11
-            t13 = delta*t5
-            apart_of2, fall_of2, kick_of, kick_low_of, rise_of3 = apart_fall_kick_kick_low_rise(xp, t12, t13)
-            t14 = fall_of2*t11
-            t14 = late_roots(xp, alpha, beta, whole_part(xp, d), rise_of2*t7, t14*xp.exp(-t9), t1, nyquist_of, t3, together_of, late_apart(xp, t5, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*delta*(t6*t6*t6), apart_of2*delta*(t5*t5*t5), fall_of3*t7*(kick_of*t13 + rise_of3*t12) + rise_of2*rise_of3*t11*t8 - t14*t9*decay(xp, t9)))
-            return t14, stable(xp, t14, alpha, beta, gamma, delta)
+            t4 = some_part(xp, d)
+            t5 = 1.0 - t4
+            t6 = (t5*t5)
+            t7 = gamma*t6
+            t8 = delta*t5
+            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of = (
+                apart_fall_kick_kick_low_rise(xp, t7, t8)
+            )
+            t10 = (t4*t4)
+            t11 = gamma*t10
+            t12 = delta*t4
+            apart_of2, fall_of, kick_of, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t11, t12)
+            )
+            t13 = fall_of*t10
+            return stable(xp, late_roots(xp, alpha, beta, whole_part(xp, d), rise_of*t6, t13*
+                xp.exp(-t8), t1, nyquist_of, t3, together_of,
+                late_apart(xp, t4, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*delta*
+                (t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*(kick_of*t12 + rise_of2*t11) +
+                rise_of*rise_of2*t10*t7 - t13*t8*decay(xp, t8))), alpha, beta, gamma, delta) != 0.0
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_of, beta, d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t3, together_of), no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (alpha, apart_of, beta, d, delta, fall_of2, gamma, nyquist_of, rise_of3, t1, t3,
+            together_of), no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
 
-    return elementwise(xp, work, alpha, beta, gamma, delta, d, apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3)
+    def inside(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+        return (
+            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(apart_of)
+        )
+
+    return guarded(xp, work, inside, 1, False, alpha, beta, gamma, delta, d, apart_of, fall_of2,
+        nyquist_of, rise_of3, together_of, t1, t3)
+
+
+@by_value
+def unstable_roots(alpha, beta, gamma, delta, d):
+    """number of characteristic roots outside the unit circle.
+
+    alpha: virtual stiffness, K T^2/m [1]
+    beta: virtual damping, B T/m [1]
+    gamma: physical stiffness, k T^2/m [1]
+    delta: physical damping, b T/m [1]
+    d: delay in sampling periods, t_d/T [1]
+    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
+    multiple of pi, rounded.
+    -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    """
+    xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
+    most = limits(xp, alpha)
+
+    def plant(gamma, delta):
+        apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
+            apart_fall_nyquist_rise_together(xp, gamma, delta)
+        )
+        t1 = gamma*together_of
+        t3 = delta*decay(xp, delta)
+        return apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3
+
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3 = (
+        guarded(xp, plant, inside, 7, math.nan, gamma, delta)
+    )
+
+    def work(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+
+        def yes(alpha, apart_of, beta, d, delta, fall_of2, nyquist_of, rise_of3, t1, t3,
+            together_of):
+            return whole_roots(xp, alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of, t3,
+                together_of, apart_of*delta)
+
+        def no(alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of):
+            t4 = some_part(xp, d)
+            t5 = 1.0 - t4
+            t6 = (t5*t5)
+            t7 = gamma*t6
+            t8 = delta*t5
+            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of = (
+                apart_fall_kick_kick_low_rise(xp, t7, t8)
+            )
+            t10 = (t4*t4)
+            t11 = gamma*t10
+            t12 = delta*t4
+            apart_of2, fall_of, kick_of, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t11, t12)
+            )
+            t13 = fall_of*t10
+            return late_roots(xp, alpha, beta, whole_part(xp, d), rise_of*t6, t13*xp.exp(-t8), t1,
+                nyquist_of, t3, together_of, late_apart(xp, t4, kick_of2, kick_low_of2, kick_of,
+                kick_low_of, apart_of3*delta*(t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*
+                (kick_of*t12 + rise_of2*t11) + rise_of*rise_of2*t10*t7 - t13*t8*decay(xp, t8)))
+
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (alpha, apart_of, beta, d, delta, fall_of2, nyquist_of, rise_of3, t1, t3, together_of),
+            no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
+
+    def inside(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+        return (
+            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(apart_of)
+        )
+
+    return guarded(xp, work, inside, 1, -1, alpha, beta, gamma, delta, d, apart_of, fall_of2,
+        nyquist_of, rise_of3, together_of, t1, t3)
 
 
 @by_value
@@ -8072,8 +8887,10 @@ def stability_boundary(theta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
+    most = limits(xp, theta)
 
     def plant(gamma, delta):
         apart_of, nyquist_of, together_of = apart_nyquist_together(xp, gamma, delta)
@@ -8083,7 +8900,10 @@ def stability_boundary(theta, gamma, delta, d):
         t7 = t6 + together_of
         return nyquist_of, together_of, t3, t5, t6, t7
 
-    nyquist_of, together_of, t3, t5, t6, t7 = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    nyquist_of, together_of, t3, t5, t6, t7 = guarded(xp, plant, inside, 6, math.nan, gamma, delta)
 
     def work(theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7):
 
@@ -8107,36 +8927,60 @@ def stability_boundary(theta, gamma, delta, d):
             t18 = (t17*t17)
             t19 = gamma*t18
             t20 = delta*t17
-            apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2 = apart_fall_kick_kick_low_rise(xp, t19, t20)
+            apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t19, t20)
+            )
             t21 = (t16*t16)
             t22 = gamma*t21
             t23 = delta*t16
-            apart_of3, fall_of, kick_of, kick_low_of2, rise_of = apart_fall_kick_kick_low_rise(xp, t22, t23)
+            apart_of3, fall_of, kick_of, kick_low_of2, rise_of = (
+                apart_fall_kick_kick_low_rise(xp, t22, t23)
+            )
             t25 = fall_of*t21
-            t23 = late_apart(xp, t16, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*(t17*t17*t17), apart_of3*delta*(t16*t16*t16), fall_of2*t18*(kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(xp, t20))
+            t23 = late_apart(xp, t16, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
+                (t17*t17*t17), apart_of3*delta*(t16*t16*t16), fall_of2*t18*
+                (kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(xp, t20))
             t25 = 2.0*rise_of2*t18 - 2.0*t25*xp.exp(-t20)
-            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t23, t25)
+            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t23,
+                t25)
             t20 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2
             return ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t20, -t20/t13
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, nyquist_of, t3, t5, t6, t7, theta, together_of), no, (d, delta, gamma, nyquist_of, t3, t5, theta, together_of))
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (d, nyquist_of, t3, t5, t6, t7, theta, together_of), no,
+            (d, delta, gamma, nyquist_of, t3, t5, theta, together_of))
 
-    return elementwise(xp, work, theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7)
+    def inside(theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7):
+        return (
+            ((theta <= most.angle) & (theta > 0.0)) & ((gamma <= most.size) & (gamma >= 0.0)) &
+            ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0)) &
+            ~xp.isnan(nyquist_of)
+        )
+
+    return guarded(xp, work, inside, 2, math.nan, theta, gamma, delta, d, nyquist_of, together_of,
+        t3, t5, t6, t7)
 
 
 @by_value
 def max_stable_stiffness(gamma, delta, d):
-    """the wall of largest stable stiffness, a limit that is not stable itself, and the angle theta = omega T of its roots on the unit circle.
+    """the wall of largest stable stiffness, a limit that is not stable itself, and the angle
 
+    theta = omega T of its roots on the unit circle.
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.
+    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1,
+    no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is
+    stable.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
+    most = limits(xp, gamma)
 
     def plant(gamma, delta):
-        apart_of, fall_of, nyquist_of, rise_of, together_of = apart_fall_nyquist_rise_together(xp, gamma, delta)
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            apart_fall_nyquist_rise_together(xp, gamma, delta)
+        )
         t1 = gamma*together_of
         t3 = delta*decay(xp, delta)
         t4 = apart_of*delta
@@ -8144,12 +8988,18 @@ def max_stable_stiffness(gamma, delta, d):
         t16 = 2.0*t3
         return fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16
 
-    fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16 = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16 = (
+        guarded(xp, plant, inside, 9, math.nan, gamma, delta)
+    )
 
     def work(gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16):
 
         def yes(d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of):
-            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_of, fall_of, t1, nyquist_of, t3, together_of, t4)
+            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_of, fall_of, t1,
+                nyquist_of, t3, together_of, t4)
             cos_next_of, sin_next_of = cos_next_sin_next(xp, d, t5)
             t7 = 0.5*t5
             t8 = xp.sin(t7)
@@ -8173,16 +9023,23 @@ def max_stable_stiffness(gamma, delta, d):
             t25 = (t24*t24)
             t26 = gamma*t25
             t27 = delta*t24
-            apart_of2, fall_of3, kick_of2, kick_low_of, rise_of2 = apart_fall_kick_kick_low_rise(xp, t26, t27)
+            apart_of2, fall_of3, kick_of2, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t26, t27)
+            )
             t29 = rise_of2*t25
             t30 = (t23*t23)
             t31 = gamma*t30
             t32 = delta*t23
-            apart_of3, fall_of2, kick_of, kick_low_of2, rise_of3 = apart_fall_kick_kick_low_rise(xp, t31, t32)
+            apart_of3, fall_of2, kick_of, kick_low_of2, rise_of3 = (
+                apart_fall_kick_kick_low_rise(xp, t31, t32)
+            )
             t33 = fall_of2*t30
             t34 = t33*xp.exp(-t27)
-            t33 = late_apart(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*(t24*t24*t24), apart_of3*delta*(t23*t23*t23), fall_of3*t25*(kick_of*t32 + rise_of3*t31) + rise_of2*rise_of3*t26*t30 - t27*t33*decay(xp, t27))
-            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3, together_of, t33)
+            t33 = late_apart(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
+                (t24*t24*t24), apart_of3*delta*(t23*t23*t23), fall_of3*t25*
+                (kick_of*t32 + rise_of3*t31) + rise_of2*rise_of3*t26*t30 - t27*t33*decay(xp, t27))
+            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3,
+                together_of, t33)
             cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t22, t23)
             t32 = 0.5*t23
             t31 = xp.sin(t32)
@@ -8200,23 +9057,35 @@ def max_stable_stiffness(gamma, delta, d):
             t27 = -sin_next_of2*t26*t29/xp.sin(t23) - 0.5*t25*t33
             return sin_next_of2*t31*t32*t26*t25 - 2.0*t30*t27 - t29*t33, t27, t23
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of), no, (d, delta, gamma, nyquist_of, t1, t16, t3, together_of))
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of), no,
+            (d, delta, gamma, nyquist_of, t1, t16, t3, together_of))
 
-    return elementwise(xp, work, gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16)
+    def inside(gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16):
+        return (
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(fall_of)
+        )
+
+    return guarded(xp, work, inside, 3, math.nan, gamma, delta, d, fall_of, nyquist_of, rise_of,
+        together_of, t1, t3, t4, t10, t16)
 
 
 @by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is passive where it is positive at every angle.
+    """physical damping minus the damping that the wall needs at the angle theta = omega T; the
 
+    wall is passive where it is positive at every angle.
     theta: angle on the unit circle, omega T [1]
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, alpha, beta, delta, d = arrays(theta, alpha, beta, delta, d)
+    most = limits(xp, theta)
 
     def work(theta, alpha, beta, delta, d):
         t0 = 0.5*theta
@@ -8224,25 +9093,41 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
         sin_next_of = sin_next(xp, 2.0*d, t0)
         return beta*cos_next_of - 0.5*alpha*sin_next_of/xp.sin(t0) + delta
 
-    return elementwise(xp, work, theta, alpha, beta, delta, d)
+    def inside(theta, alpha, beta, delta, d):
+        return (
+            ((theta <= most.angle) & (theta > 0.0)) & (xp.abs(alpha) <= most.size) &
+            (xp.abs(beta) <= most.size) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 1, math.nan, theta, alpha, beta, delta, d)
 
 
 @by_value
 def passivity_margin(alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at its worst angle; the wall is passive where it is not negative.
+    """physical damping minus the damping that the wall needs at its worst angle; the wall is
 
+    passive where it is not negative.
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0, -inf for alpha < 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, delta, d = arrays(alpha, beta, delta, d)
+    most = limits(xp, alpha)
 
     def work(alpha, beta, delta, d):
         return delta - largest_need(xp, alpha, beta, d)
 
-    return elementwise(xp, work, alpha, beta, delta, d)
+    def inside(alpha, beta, delta, d):
+        return (
+            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
+            ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 1, math.nan, alpha, beta, delta, d)
 
 
 @by_value
@@ -8252,9 +9137,12 @@ def passivity_boundary(theta, delta, d):
     theta: angle on the unit circle, omega T [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: 0 < theta < pi, delta >= 0, d >= 0, theta <= pi/(d + 1), beyond which it bounds nothing, behind a fraction of a period it ends before, where alpha is 0.
+    Domain: 0 < theta < pi, delta >= 0, d >= 0, theta <= pi/(d + 1), beyond which it bounds
+    nothing, behind a fraction of a period it ends before, where alpha is 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, delta, d = arrays(theta, delta, d)
+    most = limits(xp, theta)
 
     def work(theta, delta, d):
 
@@ -8279,12 +9167,19 @@ def passivity_boundary(theta, delta, d):
             t3 = between(xp, t5, straight(xp, t8, t10, t3, t1), straight(xp, t8, t10, t4, t1))
             t14 = xp.sin(t1)
             t1 = xp.cos(t1)
-            t1 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*(4.0*(t14*t14)*(t6*t6) + (t1*t1)*(t7*t7)/(t4*t4))))
+            t1 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*
+                (4.0*(t14*t14)*(t6*t6) + (t1*t1)*(t7*t7)/(t4*t4))))
             return t1*t8, t10*t1
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
-    return elementwise(xp, work, theta, delta, d)
+    def inside(theta, delta, d):
+        return (
+            ((theta <= most.angle) & (theta > 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 2, math.nan, theta, delta, d)
 
 
 @by_value
@@ -8294,8 +9189,10 @@ def max_passive_stiffness(delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, delta, d = arrays(delta, d)
+    most = limits(xp, delta)
 
     def work(delta, d):
 
@@ -8319,12 +9216,16 @@ def max_passive_stiffness(delta, d):
             t3 = between(xp, t5, straight(xp, t9, t11, t3, t12), straight(xp, t9, t11, t4, t12))
             t15 = xp.sin(t12)
             t12 = xp.cos(t12)
-            t12 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*(4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4))))
+            t12 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*
+                (4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4))))
             return t12*t9, t11*t12, t6
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 
-    return elementwise(xp, work, delta, d)
+    def inside(delta, d):
+        return ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0))
+
+    return guarded(xp, work, inside, 3, math.nan, delta, d)
 
 
 @by_value
@@ -8335,10 +9236,18 @@ def linear_limit(beta, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, beta, delta, d = arrays(beta, delta, d)
+    most = limits(xp, beta)
 
     def work(beta, delta, d):
         return (beta + delta)/(d + 0.5)
 
-    return elementwise(xp, work, beta, delta, d)
+    def inside(beta, delta, d):
+        return (
+            (xp.abs(beta) <= most.size) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 1, math.nan, beta, delta, d)
