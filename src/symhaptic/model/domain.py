@@ -37,7 +37,7 @@ def domain(symbols: tuple[Symbol, ...], *more: str) -> tuple[str, ...]:
 def within(symbol: Symbol) -> Boolean:
     """What is true of an argument inside its range, and false for NaN and infinities.
 
-    >>> within(gamma)
-    (gamma <= LARGEST) & (gamma >= 0)
+    >>> within(alpha)
+    Abs(alpha) <= LARGEST
     """
     return _RANGES[symbol][1]
