@@ -915,10 +915,8 @@ def sin_series(xp, w):
     return b6 + b7*w
 
 
-def fall_rise_swing(xp, gamma, delta):
-    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
-    moves the device in a period; a, the sum of the sampled device's poles
-    """
+def fall_rise_swing_single(xp, gamma, delta):
+    """The same in single precision."""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -939,75 +937,75 @@ def fall_rise_swing(xp, gamma, delta):
         def yes(delta, gamma, half, lost2, total2):
             square2 = total2
             envelope = xp.exp(-half)
-            given4 = 0.5*half
-            total29 = 1.0 - 0.5*given4
-            back18 = total29 - 1.0
-            lost29 = -back18 - 0.5*given4
-            decay_series_of3 = decay_series(xp, given4)
-            curved4 = decay_series_of3*(given4*given4)
-            total30 = curved4 + total29
-            back18 = total30 - total29
-            lost30 = curved4 - back18
-            mean_low5 = lost29 + lost30
-            total29 = given4*total30
-            given4_halves = halves(xp, given4)
-            total30_halves = halves(xp, total30)
-            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
-            total30 = 1.0 - total29
-            back18 = total30 - 1.0
-            lost29 = -back18 - total29
-            fall_low5 = lost29 - lost30
-            total29 = (total30*total30)
-            total30_halves = halves(xp, total30)
-            lost29 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
-            total30 = (total29*total29)
-            total29_halves = halves(xp, total29)
-            lost29 = 2.0*lost29*total29 + product_error(total30, total29_halves, total29_halves)
-            rest6 = fall_series(xp, gamma, delta)
-            total29 = rest6 + 0.5
-            back18 = total29 - rest6
-            rest7 = total29 - back18
-            one5 = rest6 - rest7
-            two5 = 0.5 - back18
-            lost30 = one5 + two5
-            total36 = total30*total29
-            total30_halves = halves(xp, total30)
-            total29_halves = halves(xp, total29)
-            lost30 = lost30*total30 + product_error(total36, total30_halves, total29_halves)
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back32 = total54 - 1.0
+            lost54 = -back32 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total55 = curved5 + total54
+            back32 = total55 - total54
+            lost55 = curved5 - back32
+            mean_low6 = lost54 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back32 = total55 - 1.0
+            lost54 = -back32 - total54
+            fall_low6 = lost54 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back32 = total54 - rest15
+            rest16 = total54 - back32
+            one14 = rest15 - rest16
+            two14 = 0.5 - back32
+            lost55 = one14 + two14
+            total61 = total55*total54
+            total55_halves = halves(xp, total55)
+            total54_halves = halves(xp, total54)
+            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
             half2 = half
-            given4 = 0.5*half2
-            total30 = 1.0 - 0.5*given4
-            back18 = total30 - 1.0
-            lost282 = -back18 - 0.5*given4
-            decay_series_of3 = decay_series(xp, given4)
-            curved4 = decay_series_of3*(given4*given4)
-            total292 = curved4 + total30
-            back18 = total292 - total30
-            lost292 = curved4 - back18
-            mean_low5 = lost282 + lost292
-            total30 = given4*total292
-            given4_halves = halves(xp, given4)
-            total292_halves = halves(xp, total292)
-            lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
-            total292 = 1.0 - total30
-            back18 = total292 - 1.0
-            lost282 = -back18 - total30
-            fall_low5 = lost282 - lost292
-            total30 = (total292*total292)
-            total292_halves = halves(xp, total292)
-            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves,
-                total292_halves)
-            rest7 = rise_series(xp, half2, total2)
-            total292 = rest7 + 0.5
-            back18 = total292 - rest7
-            rest6 = total292 - back18
-            one5 = rest7 - rest6
-            two5 = 0.5 - back18
-            lost292 = one5 + two5
-            total342 = total30*total292
-            total30_halves = halves(xp, total30)
-            total292_halves = halves(xp, total292)
-            lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
+            given5 = 0.5*half2
+            total55 = 1.0 - 0.5*given5
+            back32 = total55 - 1.0
+            lost532 = -back32 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total542 = curved5 + total55
+            back32 = total542 - total55
+            lost542 = curved5 - back32
+            mean_low6 = lost532 + lost542
+            total55 = given5*total542
+            given5_halves = halves(xp, given5)
+            total542_halves = halves(xp, total542)
+            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+            total542 = 1.0 - total55
+            back32 = total542 - 1.0
+            lost532 = -back32 - total55
+            fall_low6 = lost532 - lost542
+            total55 = (total542*total542)
+            total542_halves = halves(xp, total542)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
+            rest16 = rise_series(xp, half2, total2)
+            total542 = rest16 + 0.5
+            back32 = total542 - rest16
+            rest15 = total542 - back32
+            one14 = rest16 - rest15
+            two14 = 0.5 - back32
+            lost542 = one14 + two14
+            total592 = total55*total542
+            total55_halves = halves(xp, total55)
+            total542_halves = halves(xp, total542)
+            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
 
             def yes(lost2, square2):
                 given3 = square2
@@ -1041,16 +1039,18 @@ def fall_rise_swing(xp, gamma, delta):
 
             even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
-            total30 = envelope*even
+            total55 = envelope*even
             envelope_halves = halves(xp, envelope)
             even_halves = halves(xp, even)
-            lost212 = envelope*even_low2 + product_error(total30, envelope_halves, even_halves)
-            fall_of = lost29*total29 + lost30 + total36
-            rise_of = lost282*total292 + lost292 + total342
-            swing_of = 2.0*lost212 + 2.0*total30
+            lost212 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
+            fall_of = lost54*total54 + lost55 + total61
+            rise_of = lost532*total542 + lost542 + total592
+            swing_of = 2.0*lost212 + 2.0*total55
             return fall_of, rise_of, swing_of
 
         def no(gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
             square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
@@ -1066,19 +1066,10 @@ def fall_rise_swing(xp, gamma, delta):
                 back13 = total21 - total20
                 lost21 = curved3 - back13
                 even_low = 0.5*lost2 + lost20 + lost21
-                sin_series_of = sin_series(xp, given3)
-                bent = given3*sin_series_of
-                total20 = bent + 1.0
-                back13 = total20 - 1.0
-                lost21 = bent - back13
-                odd_low = 0.16666666666666666*lost2 + lost21
                 even = total21
-                odd = total20
-                return even, even_low, odd, odd_low
+                return even, even_low
 
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
+            def no(lost2, root, size):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -1088,80 +1079,311 @@ def fall_rise_swing(xp, gamma, delta):
                 root_low = 0.5*left/whole
                 sine = xp.sin(root)
                 cosine = xp.cos(root)
-                some = root
-                total23 = sine/some
-                left = sine - some*total23
-                total23_halves = halves(xp, total23)
-                some_halves = halves(xp, some)
-                left = left - product_error(total23*some, total23_halves, some_halves)
-                left = cosine*root_low + left - root_low*total23
-                lost23 = left/some
                 even = cosine
                 even_low2 = -root_low*sine
-                odd = total23
-                odd_low2 = lost23
-                return even, even_low2, odd, odd_low2
+                return even, even_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, total2))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
-            total24 = half*odd
-            half_halves = halves(xp, half)
-            odd_halves = halves(xp, odd)
-            lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-            total25 = total24 - even
-            back16 = total25 - total24
-            rest4 = total25 - back16
-            one3 = total24 - rest4
-            two3 = -back16 - even
-            lost25 = one3 + two3
-            total26 = envelope + total25
-            back16 = total26 - total25
-            rest4 = total26 - back16
-            one3 = total25 - rest4
-            two3 = envelope - back16
-            lost26 = one3 + two3
-            total25 = envelope*total26
+            total212 = envelope*even
             envelope_halves = halves(xp, envelope)
-            total26_halves = halves(xp, total26)
-            lost26 = (
-                envelope*(lost24 - even_low2 + lost25 + lost26) +
-                product_error(total25, envelope_halves, total26_halves)
-            )
-            total26 = total25/stiff
-            left16 = total25 - stiff*total26
-            total26_halves = halves(xp, total26)
-            stiff_halves = halves(xp, stiff)
-            left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
-            left16 = left16 + lost26
-            lost26 = left16/stiff
-            total25 = even + total24
-            back16 = total25 - even
-            rest4 = total25 - back16
-            one3 = even - rest4
-            two3 = total24 - back16
-            lost25 = one3 + two3
-            total24 = envelope*total25
-            total25_halves = halves(xp, total25)
-            lost25 = (
-                envelope*(even_low2 + lost24 + lost25) +
-                product_error(total24, envelope_halves, total25_halves)
-            )
-            total25 = 1.0 - total24
-            back16 = total25 - 1.0
-            lost24 = -back16 - total24
-            total24 = total25/stiff
-            left16 = total25 - stiff*total24
-            total24_halves = halves(xp, total24)
-            left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-            left16 = left16 - lost25 + lost24
-            lost24 = left16/stiff
-            total25 = envelope*even
             even_halves = halves(xp, even)
-            lost25 = envelope*even_low2 + product_error(total25, envelope_halves, even_halves)
-            fall_of = lost26 + total26
-            rise_of = lost24 + total24
-            swing_of = 2.0*lost25 + 2.0*total25
+            lost212 = envelope*even_low2 + product_error(total212, envelope_halves, even_halves)
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total29 = 39.478416442871094*turns
+            turns_halves = halves(xp, turns)
+            number3_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+            lost29 = product_error(total29, turns_halves, number3_halves)
+            total30 = 1.1614863524300745e-06*turns
+            number4_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+            lost30 = product_error(total30, turns_halves, number4_halves)
+            total31 = -total2 - total29
+            back18 = total2 + total31
+            rest6 = total31 - back18
+            one5 = -rest6 - total2
+            two5 = -back18 - total29
+            lost31 = one5 + two5
+            total29 = total31 - lost29
+            back18 = total29 - total31
+            rest6 = total29 - back18
+            one5 = total31 - rest6
+            two5 = -back18 - lost29
+            lost29 = one5 + two5
+            total31 = total29 - total30
+            back18 = total31 - total29
+            rest6 = total31 - back18
+            one5 = total29 - rest6
+            two5 = -back18 - total30
+            lost33 = one5 + two5
+            total30 = total31 - lost2
+            back18 = total30 - total31
+            rest6 = total30 - back18
+            one5 = total31 - rest6
+            two5 = -back18 - lost2
+            lost34 = one5 + two5
+            low = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
+            total31 = low + total30
+            total29 = 6.2831854820251465*count
+            total37 = root + total29
+            whole3 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole3
+            far = (total38*total38)
+
+            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34,
+                total35, total36, total37, total38, whole3):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back22 = total35 - total34
+                rest10 = total35 - back22
+                one9 = total34 - rest10
+                two9 = low - back22
+                lost35 = one9 + two9
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                back22 = total37 - root
+                rest10 = total37 - back22
+                one9 = root - rest10
+                two9 = total36 - back22
+                lost37 = one9 + two9
+                both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                left = total35 - total38*whole3
+                total38_halves = halves(xp, total38)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
+                left = left - both_low*total38 + lost35
+                lost35 = left/whole3
+                eta = total38
+                eta_low = lost35
+                total39 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                cos_series_of2 = cos_series(xp, -total39)
+                bent2 = cos_series_of2*(total39*total39)
+                total40 = 0.5*total39 - bent2
+                back22 = total40 - 0.5*total39
+                lost37 = -back22 - bent2
+                sin_series_of2 = sin_series(xp, -total39)
+                total41 = 1.0 - sin_series_of2*total39
+                back22 = total41 - 1.0
+                lost36 = -back22 - sin_series_of2*total39
+                lift_low = 0.5*lost35*total41 + lost37
+                total39 = eta*total41
+                total41_halves = halves(xp, total41)
+                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                some2 = root
+                total41 = total39/some2
+                left = total39 - some2*total41
+                total41_halves = halves(xp, total41)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total41*some2, total41_halves, some2_halves)
+                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                lost36 = left/some2
+                given4 = half
+                total39 = 1.0 - 0.5*given4
+                back22 = total39 - 1.0
+                lost37 = -back22 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total45 = curved4 + total39
+                back22 = total45 - total39
+                lost35 = curved4 - back22
+                mean_low5 = lost37 + lost35
+                total39 = given4*total45
+                given4_halves = halves(xp, given4)
+                total45_halves = halves(xp, total45)
+                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                total47 = 1.0 - total39
+                back22 = total47 - 1.0
+                lost37 = -back22 - total39
+                fall_low5 = lost37 - lost35
+                total39 = total45 - total41
+                back22 = total39 - total45
+                rest10 = total39 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total41
+                lost37 = one9 + two9
+                total49 = given4*total39
+                total39_halves = halves(xp, total39)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
+                total39 = total40 - total49
+                back22 = total39 - total40
+                rest10 = total39 - back22
+                one9 = total40 - rest10
+                two9 = -back22 - total49
+                lost35 = one9 + two9
+                low2 = lift_low - lost37 + lost35
+                total49 = low2 + total39
+                back22 = total49 - total39
+                rest10 = total49 - back22
+                one9 = total39 - rest10
+                two9 = low2 - back22
+                lost35 = one9 + two9
+                total39 = total47*total49
+                total47_halves = halves(xp, total47)
+                total49_halves = halves(xp, total49)
+                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                low2 = fall_low5*total49 + lost35
+                total49 = total39/stiff
+                left = total39 - stiff*total49
+                total49_halves = halves(xp, total49)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                left = left + low2
+                lost35 = left/stiff
+                total39 = total41*total47
+                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                total482 = total45 - total39
+                back22 = total482 - total45
+                rest10 = total482 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total39
+                lost37 = one9 + two9
+                low2 = lost37 - fall_low5*total41 - lost36 + mean_low5
+                total41 = given4*total482
+                total482_halves = halves(xp, total482)
+                lost37 = given4*low2 + product_error(total41, given4_halves, total482_halves)
+                total482 = total40*total47
+                total40_halves = halves(xp, total40)
+                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                total47 = total41 + total482
+                back22 = total47 - total41
+                rest10 = total47 - back22
+                one9 = total41 - rest10
+                two9 = total482 - back22
+                lost512 = one9 + two9
+                low2 = fall_low5*total40 + lost37 + lost36 + lost512
+                total40 = total47/stiff
+                left = total47 - stiff*total40
+                total40_halves = halves(xp, total40)
+                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                left = left + low2
+                lost512 = left/stiff
+                fall_of = lost35 + total49
+                rise_of = lost512 + total40
+                swing_of = 2.0*lost212 + 2.0*total212
+                return fall_of, rise_of, swing_of
+
+            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212):
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total22 = bent + 1.0
+                    back15 = total22 - 1.0
+                    lost22 = bent - back15
+                    odd_low = 0.16666666666666666*lost2 + lost22
+                    odd = total22
+                    return odd, odd_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total23 = sine/some
+                    left = sine - some*total23
+                    total23_halves = halves(xp, total23)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total23*some, total23_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total23
+                    lost23 = left/some
+                    odd = total23
+                    odd_low2 = lost23
+                    return odd, odd_low2
+
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
+
+                total24 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+                total25 = total24 - even
+                back16 = total25 - total24
+                rest4 = total25 - back16
+                one3 = total24 - rest4
+                two3 = -back16 - even
+                lost25 = one3 + two3
+                total26 = envelope + total25
+                back16 = total26 - total25
+                rest4 = total26 - back16
+                one3 = total25 - rest4
+                two3 = envelope - back16
+                lost26 = one3 + two3
+                total25 = envelope*total26
+                envelope_halves = halves(xp, envelope)
+                total26_halves = halves(xp, total26)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total26_halves)
+                )
+                total26 = total25/stiff
+                left16 = total25 - stiff*total26
+                total26_halves = halves(xp, total26)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
+                left16 = left16 + lost26
+                lost26 = left16/stiff
+                total25 = even + total24
+                back16 = total25 - even
+                rest4 = total25 - back16
+                one3 = even - rest4
+                two3 = total24 - back16
+                lost25 = one3 + two3
+                total24 = envelope*total25
+                total25_halves = halves(xp, total25)
+                lost25 = (
+                    envelope*(even_low2 + lost24 + lost25) +
+                    product_error(total24, envelope_halves, total25_halves)
+                )
+                total25 = 1.0 - total24
+                back16 = total25 - 1.0
+                lost24 = -back16 - total24
+                total24 = total25/stiff
+                left16 = total25 - stiff*total24
+                total24_halves = halves(xp, total24)
+                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+                left16 = left16 - lost25 + lost24
+                lost24 = left16/stiff
+                fall_of = lost26 + total26
+                rise_of = lost24 + total24
+                swing_of = 2.0*lost212 + 2.0*total212
+                return fall_of, rise_of, swing_of
+
+            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75),
+                yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30,
+                total31, total29, total37, total38, whole3), no,
+                (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212))
+
             return fall_of, rise_of, swing_of
 
         fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
@@ -1195,75 +1417,75 @@ def fall_rise_swing(xp, gamma, delta):
             off = off - p_low*q
             q_low = off/whole
             rate2 = 2.0*root
-            given4 = 0.5*half
-            total29 = 1.0 - 0.5*given4
-            back3 = total29 - 1.0
-            lost3 = -back3 - 0.5*given4
-            decay_series_of3 = decay_series(xp, given4)
-            curved4 = decay_series_of3*(given4*given4)
-            total30 = curved4 + total29
-            back3 = total30 - total29
-            lost30 = curved4 - back3
-            mean_low5 = lost3 + lost30
-            total29 = given4*total30
-            given4_halves = halves(xp, given4)
-            total30_halves = halves(xp, total30)
-            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
-            total30 = 1.0 - total29
-            back3 = total30 - 1.0
-            lost3 = -back3 - total29
-            fall_low5 = lost3 - lost30
-            total29 = (total30*total30)
-            total30_halves = halves(xp, total30)
-            lost3 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
-            total30 = (total29*total29)
-            total29_halves = halves(xp, total29)
-            lost3 = 2.0*lost3*total29 + product_error(total30, total29_halves, total29_halves)
-            rest6 = fall_series(xp, gamma, delta)
-            total29 = rest6 + 0.5
-            back3 = total29 - rest6
-            rest7 = total29 - back3
-            one5 = rest6 - rest7
-            two5 = 0.5 - back3
-            lost30 = one5 + two5
-            total36 = total30*total29
-            total30_halves = halves(xp, total30)
-            total29_halves = halves(xp, total29)
-            lost30 = lost30*total30 + product_error(total36, total30_halves, total29_halves)
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back3 = total54 - 1.0
+            lost3 = -back3 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total55 = curved5 + total54
+            back3 = total55 - total54
+            lost55 = curved5 - back3
+            mean_low6 = lost3 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back3 = total55 - 1.0
+            lost3 = -back3 - total54
+            fall_low6 = lost3 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost3 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost3 = 2.0*lost3*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back3 = total54 - rest15
+            rest16 = total54 - back3
+            one14 = rest15 - rest16
+            two14 = 0.5 - back3
+            lost55 = one14 + two14
+            total61 = total55*total54
+            total55_halves = halves(xp, total55)
+            total54_halves = halves(xp, total54)
+            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
             half2 = half
-            given4 = 0.5*half2
-            total30 = 1.0 - 0.5*given4
-            back3 = total30 - 1.0
-            lost282 = -back3 - 0.5*given4
-            decay_series_of3 = decay_series(xp, given4)
-            curved4 = decay_series_of3*(given4*given4)
-            total292 = curved4 + total30
-            back3 = total292 - total30
-            lost292 = curved4 - back3
-            mean_low5 = lost282 + lost292
-            total30 = given4*total292
-            given4_halves = halves(xp, given4)
-            total292_halves = halves(xp, total292)
-            lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
-            total292 = 1.0 - total30
-            back3 = total292 - 1.0
-            lost282 = -back3 - total30
-            fall_low5 = lost282 - lost292
-            total30 = (total292*total292)
-            total292_halves = halves(xp, total292)
-            lost282 = 2.0*fall_low5*total292 + product_error(total30, total292_halves,
-                total292_halves)
-            rest7 = rise_series(xp, half2, total2)
-            total292 = rest7 + 0.5
-            back3 = total292 - rest7
-            rest6 = total292 - back3
-            one5 = rest7 - rest6
-            two5 = 0.5 - back3
-            lost292 = one5 + two5
-            total342 = total30*total292
-            total30_halves = halves(xp, total30)
-            total292_halves = halves(xp, total292)
-            lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
+            given5 = 0.5*half2
+            total55 = 1.0 - 0.5*given5
+            back3 = total55 - 1.0
+            lost532 = -back3 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total542 = curved5 + total55
+            back3 = total542 - total55
+            lost542 = curved5 - back3
+            mean_low6 = lost532 + lost542
+            total55 = given5*total542
+            given5_halves = halves(xp, given5)
+            total542_halves = halves(xp, total542)
+            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+            total542 = 1.0 - total55
+            back3 = total542 - 1.0
+            lost532 = -back3 - total55
+            fall_low6 = lost532 - lost542
+            total55 = (total542*total542)
+            total542_halves = halves(xp, total542)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
+            rest16 = rise_series(xp, half2, total2)
+            total542 = rest16 + 0.5
+            back3 = total542 - rest16
+            rest15 = total542 - back3
+            one14 = rest16 - rest15
+            two14 = 0.5 - back3
+            lost542 = one14 + two14
+            total592 = total55*total542
+            total55_halves = halves(xp, total55)
+            total542_halves = halves(xp, total542)
+            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
 
             def yes(q, q_low):
                 given = q
@@ -1332,18 +1554,18 @@ def fall_rise_swing(xp, gamma, delta):
 
             fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-            total30 = fall2 + 1.0
-            back3 = total30 - 1.0
+            total55 = fall2 + 1.0
+            back3 = total55 - 1.0
             lost222 = fall2 - back3
-            total232 = fall_*total30
+            total232 = fall_*total55
             fall__halves = halves(xp, fall_)
-            total30_halves = halves(xp, total30)
+            total55_halves = halves(xp, total55)
             lost222 = (
-                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total30_halves)
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
             )
-            creep2 = fall_low2*total30 + lost222 + total232
-            fall_of = lost3*total29 + lost30 + total36
-            rise_of = lost282*total292 + lost292 + total342
+            creep2 = fall_low2*total55 + lost222 + total232
+            fall_of = lost3*total54 + lost55 + total61
+            rise_of = lost532*total542 + lost542 + total592
             swing_of = creep2
             return fall_of, rise_of, swing_of
 
@@ -1530,8 +1752,849 @@ def fall_rise_swing(xp, gamma, delta):
     return fall_of, rise_of, swing_of
 
 
-def fall(xp, gamma, delta):
-    """n0, the same device with its time reversed, times exp(-delta)"""
+def fall_rise_swing(xp, gamma, delta):
+    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
+    moves the device in a period; a, the sum of the sampled device's poles
+    """
+    if gamma.dtype == xp.float32:
+        return fall_rise_swing_single(xp, gamma, delta)
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
+
+    def yes(delta, gamma, half, lost2, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, gamma, half, lost2, total2):
+            square2 = total2
+            envelope = xp.exp(-half)
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back32 = total54 - 1.0
+            lost54 = -back32 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total55 = curved5 + total54
+            back32 = total55 - total54
+            lost55 = curved5 - back32
+            mean_low6 = lost54 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back32 = total55 - 1.0
+            lost54 = -back32 - total54
+            fall_low6 = lost54 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back32 = total54 - rest15
+            rest16 = total54 - back32
+            one14 = rest15 - rest16
+            two14 = 0.5 - back32
+            lost55 = one14 + two14
+            total61 = total55*total54
+            total55_halves = halves(xp, total55)
+            total54_halves = halves(xp, total54)
+            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
+            half2 = half
+            given5 = 0.5*half2
+            total55 = 1.0 - 0.5*given5
+            back32 = total55 - 1.0
+            lost532 = -back32 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total542 = curved5 + total55
+            back32 = total542 - total55
+            lost542 = curved5 - back32
+            mean_low6 = lost532 + lost542
+            total55 = given5*total542
+            given5_halves = halves(xp, given5)
+            total542_halves = halves(xp, total542)
+            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+            total542 = 1.0 - total55
+            back32 = total542 - 1.0
+            lost532 = -back32 - total55
+            fall_low6 = lost532 - lost542
+            total55 = (total542*total542)
+            total542_halves = halves(xp, total542)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
+            rest16 = rise_series(xp, half2, total2)
+            total542 = rest16 + 0.5
+            back32 = total542 - rest16
+            rest15 = total542 - back32
+            one14 = rest16 - rest15
+            two14 = 0.5 - back32
+            lost542 = one14 + two14
+            total592 = total55*total542
+            total55_halves = halves(xp, total55)
+            total542_halves = halves(xp, total542)
+            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+
+            def yes(lost2, square2):
+                given3 = square2
+                total20 = 0.5*given3 + 1.0
+                back13 = total20 - 1.0
+                lost20 = 0.5*given3 - back13
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total21 = curved3 + total20
+                back13 = total21 - total20
+                lost21 = curved3 - back13
+                even_low = 0.5*lost2 + lost20 + lost21
+                even = total21
+                return even, even_low
+
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
+
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+
+            total55 = envelope*even
+            envelope_halves = halves(xp, envelope)
+            even_halves = halves(xp, even)
+            lost212 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
+            fall_of = lost54*total54 + lost55 + total61
+            rise_of = lost532*total542 + lost542 + total592
+            swing_of = 2.0*lost212 + 2.0*total55
+            return fall_of, rise_of, swing_of
+
+        def no(gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            square2 = total2
+            envelope = xp.exp(-half)
+            stiff = gamma
+
+            def yes(lost2, square2):
+                given3 = square2
+                total20 = 0.5*given3 + 1.0
+                back13 = total20 - 1.0
+                lost20 = 0.5*given3 - back13
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total21 = curved3 + total20
+                back13 = total21 - total20
+                lost21 = curved3 - back13
+                even_low = 0.5*lost2 + lost20 + lost21
+                even = total21
+                return even, even_low
+
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
+
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
+
+            total212 = envelope*even
+            envelope_halves = halves(xp, envelope)
+            even_halves = halves(xp, even)
+            lost212 = envelope*even_low2 + product_error(total212, envelope_halves, even_halves)
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total29 = 39.47841760435743*turns
+            turns_halves = halves(xp, turns)
+            number3_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+            lost29 = product_error(total29, turns_halves, number3_halves)
+            total30 = 2.5061182034958845e-15*turns
+            number4_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+            lost30 = product_error(total30, turns_halves, number4_halves)
+            total31 = -total2 - total29
+            back18 = total2 + total31
+            rest6 = total31 - back18
+            one5 = -rest6 - total2
+            two5 = -back18 - total29
+            lost31 = one5 + two5
+            total29 = total31 - lost29
+            back18 = total29 - total31
+            rest6 = total29 - back18
+            one5 = total31 - rest6
+            two5 = -back18 - lost29
+            lost29 = one5 + two5
+            total31 = total29 - total30
+            back18 = total31 - total29
+            rest6 = total31 - back18
+            one5 = total29 - rest6
+            two5 = -back18 - total30
+            lost33 = one5 + two5
+            total30 = total31 - lost2
+            back18 = total30 - total31
+            rest6 = total30 - back18
+            one5 = total31 - rest6
+            two5 = -back18 - lost2
+            lost34 = one5 + two5
+            low = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
+            total31 = low + total30
+            total29 = 6.283185307179586*count
+            total37 = root + total29
+            whole3 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole3
+            far = (total38*total38)
+
+            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34,
+                total35, total36, total37, total38, whole3):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back22 = total35 - total34
+                rest10 = total35 - back22
+                one9 = total34 - rest10
+                two9 = low - back22
+                lost35 = one9 + two9
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                back22 = total37 - root
+                rest10 = total37 - back22
+                one9 = root - rest10
+                two9 = total36 - back22
+                lost37 = one9 + two9
+                both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                left = total35 - total38*whole3
+                total38_halves = halves(xp, total38)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
+                left = left - both_low*total38 + lost35
+                lost35 = left/whole3
+                eta = total38
+                eta_low = lost35
+                total39 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                cos_series_of2 = cos_series(xp, -total39)
+                bent2 = cos_series_of2*(total39*total39)
+                total40 = 0.5*total39 - bent2
+                back22 = total40 - 0.5*total39
+                lost37 = -back22 - bent2
+                sin_series_of2 = sin_series(xp, -total39)
+                total41 = 1.0 - sin_series_of2*total39
+                back22 = total41 - 1.0
+                lost36 = -back22 - sin_series_of2*total39
+                lift_low = 0.5*lost35*total41 + lost37
+                total39 = eta*total41
+                total41_halves = halves(xp, total41)
+                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                some2 = root
+                total41 = total39/some2
+                left = total39 - some2*total41
+                total41_halves = halves(xp, total41)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total41*some2, total41_halves, some2_halves)
+                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                lost36 = left/some2
+                given4 = half
+                total39 = 1.0 - 0.5*given4
+                back22 = total39 - 1.0
+                lost37 = -back22 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total45 = curved4 + total39
+                back22 = total45 - total39
+                lost35 = curved4 - back22
+                mean_low5 = lost37 + lost35
+                total39 = given4*total45
+                given4_halves = halves(xp, given4)
+                total45_halves = halves(xp, total45)
+                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                total47 = 1.0 - total39
+                back22 = total47 - 1.0
+                lost37 = -back22 - total39
+                fall_low5 = lost37 - lost35
+                total39 = total45 - total41
+                back22 = total39 - total45
+                rest10 = total39 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total41
+                lost37 = one9 + two9
+                total49 = given4*total39
+                total39_halves = halves(xp, total39)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
+                total39 = total40 - total49
+                back22 = total39 - total40
+                rest10 = total39 - back22
+                one9 = total40 - rest10
+                two9 = -back22 - total49
+                lost35 = one9 + two9
+                low2 = lift_low - lost37 + lost35
+                total49 = low2 + total39
+                back22 = total49 - total39
+                rest10 = total49 - back22
+                one9 = total39 - rest10
+                two9 = low2 - back22
+                lost35 = one9 + two9
+                total39 = total47*total49
+                total47_halves = halves(xp, total47)
+                total49_halves = halves(xp, total49)
+                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                low2 = fall_low5*total49 + lost35
+                total49 = total39/stiff
+                left = total39 - stiff*total49
+                total49_halves = halves(xp, total49)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                left = left + low2
+                lost35 = left/stiff
+                total39 = total41*total47
+                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                total482 = total45 - total39
+                back22 = total482 - total45
+                rest10 = total482 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total39
+                lost37 = one9 + two9
+                low2 = lost37 - fall_low5*total41 - lost36 + mean_low5
+                total41 = given4*total482
+                total482_halves = halves(xp, total482)
+                lost37 = given4*low2 + product_error(total41, given4_halves, total482_halves)
+                total482 = total40*total47
+                total40_halves = halves(xp, total40)
+                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                total47 = total41 + total482
+                back22 = total47 - total41
+                rest10 = total47 - back22
+                one9 = total41 - rest10
+                two9 = total482 - back22
+                lost512 = one9 + two9
+                low2 = fall_low5*total40 + lost37 + lost36 + lost512
+                total40 = total47/stiff
+                left = total47 - stiff*total40
+                total40_halves = halves(xp, total40)
+                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                left = left + low2
+                lost512 = left/stiff
+                fall_of = lost35 + total49
+                rise_of = lost512 + total40
+                swing_of = 2.0*lost212 + 2.0*total212
+                return fall_of, rise_of, swing_of
+
+            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212):
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total22 = bent + 1.0
+                    back15 = total22 - 1.0
+                    lost22 = bent - back15
+                    odd_low = 0.16666666666666666*lost2 + lost22
+                    odd = total22
+                    return odd, odd_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total23 = sine/some
+                    left = sine - some*total23
+                    total23_halves = halves(xp, total23)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total23*some, total23_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total23
+                    lost23 = left/some
+                    odd = total23
+                    odd_low2 = lost23
+                    return odd, odd_low2
+
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
+
+                total24 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+                total25 = total24 - even
+                back16 = total25 - total24
+                rest4 = total25 - back16
+                one3 = total24 - rest4
+                two3 = -back16 - even
+                lost25 = one3 + two3
+                total26 = envelope + total25
+                back16 = total26 - total25
+                rest4 = total26 - back16
+                one3 = total25 - rest4
+                two3 = envelope - back16
+                lost26 = one3 + two3
+                total25 = envelope*total26
+                envelope_halves = halves(xp, envelope)
+                total26_halves = halves(xp, total26)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total26_halves)
+                )
+                total26 = total25/stiff
+                left16 = total25 - stiff*total26
+                total26_halves = halves(xp, total26)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
+                left16 = left16 + lost26
+                lost26 = left16/stiff
+                total25 = even + total24
+                back16 = total25 - even
+                rest4 = total25 - back16
+                one3 = even - rest4
+                two3 = total24 - back16
+                lost25 = one3 + two3
+                total24 = envelope*total25
+                total25_halves = halves(xp, total25)
+                lost25 = (
+                    envelope*(even_low2 + lost24 + lost25) +
+                    product_error(total24, envelope_halves, total25_halves)
+                )
+                total25 = 1.0 - total24
+                back16 = total25 - 1.0
+                lost24 = -back16 - total24
+                total24 = total25/stiff
+                left16 = total25 - stiff*total24
+                total24_halves = halves(xp, total24)
+                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+                left16 = left16 - lost25 + lost24
+                lost24 = left16/stiff
+                fall_of = lost26 + total26
+                rise_of = lost24 + total24
+                swing_of = 2.0*lost212 + 2.0*total212
+                return fall_of, rise_of, swing_of
+
+            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75),
+                yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30,
+                total31, total29, total37, total38, whole3), no,
+                (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212))
+
+            return fall_of, rise_of, swing_of
+
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+
+        return fall_of, rise_of, swing_of
+
+    def no(delta, gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(delta, gamma, half, lost2, root, size, total2, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back3 = total54 - 1.0
+            lost3 = -back3 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total55 = curved5 + total54
+            back3 = total55 - total54
+            lost55 = curved5 - back3
+            mean_low6 = lost3 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back3 = total55 - 1.0
+            lost3 = -back3 - total54
+            fall_low6 = lost3 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost3 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost3 = 2.0*lost3*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back3 = total54 - rest15
+            rest16 = total54 - back3
+            one14 = rest15 - rest16
+            two14 = 0.5 - back3
+            lost55 = one14 + two14
+            total61 = total55*total54
+            total55_halves = halves(xp, total55)
+            total54_halves = halves(xp, total54)
+            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
+            half2 = half
+            given5 = 0.5*half2
+            total55 = 1.0 - 0.5*given5
+            back3 = total55 - 1.0
+            lost532 = -back3 - 0.5*given5
+            decay_series_of4 = decay_series(xp, given5)
+            curved5 = decay_series_of4*(given5*given5)
+            total542 = curved5 + total55
+            back3 = total542 - total55
+            lost542 = curved5 - back3
+            mean_low6 = lost532 + lost542
+            total55 = given5*total542
+            given5_halves = halves(xp, given5)
+            total542_halves = halves(xp, total542)
+            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+            total542 = 1.0 - total55
+            back3 = total542 - 1.0
+            lost532 = -back3 - total55
+            fall_low6 = lost532 - lost542
+            total55 = (total542*total542)
+            total542_halves = halves(xp, total542)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
+            rest16 = rise_series(xp, half2, total2)
+            total542 = rest16 + 0.5
+            back3 = total542 - rest16
+            rest15 = total542 - back3
+            one14 = rest16 - rest15
+            two14 = 0.5 - back3
+            lost542 = one14 + two14
+            total592 = total55*total542
+            total55_halves = halves(xp, total55)
+            total542_halves = halves(xp, total542)
+            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                return fall_, fall_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                fall_ = sunk
+                fall_low2 = sunk_low
+                return fall_, fall_low2
+
+            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
+
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total55 = fall2 + 1.0
+            back3 = total55 - 1.0
+            lost222 = fall2 - back3
+            total232 = fall_*total55
+            fall__halves = halves(xp, fall_)
+            total55_halves = halves(xp, total55)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
+            )
+            creep2 = fall_low2*total55 + lost222 + total232
+            fall_of = lost3*total54 + lost55 + total61
+            rise_of = lost532*total542 + lost542 + total592
+            swing_of = creep2
+            return fall_of, rise_of, swing_of
+
+        def no(gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
+
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            mean_halves = halves(xp, mean)
+            lost3 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost3
+            total17 = mean2 - total16
+            back3 = total17 - mean2
+            rest3 = total17 - back3
+            one2 = mean2 - rest3
+            two2 = -back3 - total16
+            lost3 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost3 + mean_low4 - p_low*total16 - pulled_low
+            lost3 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost3 = fall_*lost3 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost3 + total17
+            total17 = fall_*mean2
+            mean2_halves = halves(xp, mean2)
+            lost3 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost3
+            total16 = mean - total17
+            back3 = total16 - mean
+            rest3 = total16 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total17
+            lost3 = one2 + two2
+            total17 = total16/whole
+            left = total16 - total17*whole
+            total17_halves = halves(xp, total17)
+            left = left - product_error(total17*whole, total17_halves, whole_halves)
+            left = left + lost3 + mean_low2 - p_low*total17 - pulled_low
+            lost3 = left/whole
+            total16 = fall2 + 1.0
+            back3 = total16 - 1.0
+            lost222 = fall2 - back3
+            total232 = fall_*total16
+            total16_halves = halves(xp, total16)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            )
+            creep2 = fall_low2*total16 + lost222 + total232
+            fall_of = creep_
+            rise_of = lost3 + total17
+            swing_of = creep2
+            return fall_of, rise_of, swing_of
+
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
+
+        return fall_of, rise_of, swing_of
+
+    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2),
+        no, (delta, gamma, half, lost, total2))
+
+    return fall_of, rise_of, swing_of
+
+
+def fall_single(xp, gamma, delta):
+    """The same in single precision."""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -1548,72 +2611,100 @@ def fall(xp, gamma, delta):
         reach = 0.25*gamma
 
         def yes(delta, gamma, half):
-            given4 = 0.5*half
-            total29 = 1.0 - 0.5*given4
-            back18 = total29 - 1.0
-            lost29 = -back18 - 0.5*given4
-            curved4 = (given4*given4)*decay_series(xp, given4)
-            total30 = curved4 + total29
-            back18 = total30 - total29
-            lost30 = curved4 - back18
-            mean_low5 = lost29 + lost30
-            total29 = given4*total30
-            given4_halves = halves(xp, given4)
-            total30_halves = halves(xp, total30)
-            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
-            total30 = 1.0 - total29
-            back18 = total30 - 1.0
-            lost29 = -back18 - total29
-            fall_low5 = lost29 - lost30
-            total29 = (total30*total30)
-            total30_halves = halves(xp, total30)
-            lost29 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
-            total30 = (total29*total29)
-            total29_halves = halves(xp, total29)
-            lost29 = 2.0*lost29*total29 + product_error(total30, total29_halves, total29_halves)
-            rest6 = fall_series(xp, gamma, delta)
-            total29 = rest6 + 0.5
-            back18 = total29 - rest6
-            rest7 = total29 - back18
-            one5 = rest6 - rest7
-            two5 = 0.5 - back18
-            lost30 = one5 + two5
-            envelope2 = total30
-            total30 = envelope2*total29
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back32 = total54 - 1.0
+            lost54 = -back32 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total55 = curved5 + total54
+            back32 = total55 - total54
+            lost55 = curved5 - back32
+            mean_low6 = lost54 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back32 = total55 - 1.0
+            lost54 = -back32 - total54
+            fall_low6 = lost54 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back32 = total54 - rest15
+            rest16 = total54 - back32
+            one14 = rest15 - rest16
+            two14 = 0.5 - back32
+            lost55 = one14 + two14
+            envelope2 = total55
+            total55 = envelope2*total54
             envelope2_halves = halves(xp, envelope2)
-            total29_halves = halves(xp, total29)
-            lost30 = envelope2*lost30 + product_error(total30, envelope2_halves, total29_halves)
-            return lost29*total29 + lost30 + total30
+            total54_halves = halves(xp, total54)
+            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
+            return lost54*total54 + lost55 + total55
 
         def no(gamma, half, rest2, total, total2):
             back2 = total2 - total
             lost2 = rest2 - back2
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
+            size = xp.abs(total2)
+            root = square_root(xp, size)
 
-            def yes(lost2, square2):
-                given3 = square2
-                total20 = 0.5*given3 + 1.0
-                back13 = total20 - 1.0
-                lost20 = 0.5*given3 - back13
-                curved3 = (given3*given3)*cos_series(xp, given3)
-                total21 = curved3 + total20
-                back13 = total21 - total20
-                lost21 = curved3 - back13
-                even_low = 0.5*lost2 + lost20 + lost21
-                bent = given3*sin_series(xp, given3)
-                total20 = bent + 1.0
-                back13 = total20 - 1.0
-                lost21 = bent - back13
-                odd_low = 0.16666666666666666*lost2 + lost21
-                even = total21
-                odd = total20
-                return even, even_low, odd, odd_low
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
 
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total29 = 39.478416442871094*turns
+            turns_halves = halves(xp, turns)
+            number1_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+            lost29 = product_error(total29, turns_halves, number1_halves)
+            total30 = 1.1614863524300745e-06*turns
+            number2_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+            lost30 = product_error(total30, turns_halves, number2_halves)
+            total31 = -total2 - total29
+            back2 = total2 + total31
+            rest6 = total31 - back2
+            one5 = -rest6 - total2
+            two5 = -back2 - total29
+            lost31 = one5 + two5
+            total29 = total31 - lost29
+            back2 = total29 - total31
+            rest6 = total29 - back2
+            one5 = total31 - rest6
+            two5 = -back2 - lost29
+            lost29 = one5 + two5
+            total31 = total29 - total30
+            back2 = total31 - total29
+            rest6 = total31 - back2
+            one5 = total29 - rest6
+            two5 = -back2 - total30
+            lost33 = one5 + two5
+            total30 = total31 - lost2
+            back2 = total30 - total31
+            rest6 = total30 - back2
+            one5 = total31 - rest6
+            two5 = -back2 - lost2
+            lost34 = one5 + two5
+            low = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
+            total31 = low + total30
+            total29 = 6.2831854820251465*count
+            total37 = root + total29
+            whole3 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole3
+            far = (total38*total38)
+
+            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37,
+                total38, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -1621,56 +2712,193 @@ def fall(xp, gamma, delta):
                 left = left + sign_low
                 whole = xp.where(root == 0.0, 1.0, root)
                 root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total23 = sine/some
-                left = sine - some*total23
-                total23_halves = halves(xp, total23)
-                some_halves = halves(xp, some)
-                left = left - product_error(total23*some, total23_halves, some_halves)
-                left = cosine*root_low + left - root_low*total23
-                lost23 = left/some
-                even = cosine
-                even_low2 = -root_low*sine
-                odd = total23
-                odd_low2 = lost23
-                return even, even_low2, odd, odd_low2
+                stiff = gamma
+                back22 = total35 - total34
+                rest10 = total35 - back22
+                one9 = total34 - rest10
+                two9 = low - back22
+                lost35 = one9 + two9
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                back22 = total37 - root
+                rest10 = total37 - back22
+                one9 = root - rest10
+                two9 = total36 - back22
+                lost37 = one9 + two9
+                both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                left = total35 - total38*whole3
+                total38_halves = halves(xp, total38)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
+                left = left - both_low*total38 + lost35
+                lost35 = left/whole3
+                eta = total38
+                eta_low = lost35
+                total39 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                bent2 = (total39*total39)*cos_series(xp, -total39)
+                total40 = 0.5*total39 - bent2
+                back22 = total40 - 0.5*total39
+                lost37 = -back22 - bent2
+                total41 = 1.0 - total39*sin_series(xp, -total39)
+                back22 = total41 - 1.0
+                lost36 = -back22 - total39*sin_series(xp, -total39)
+                lift_low = 0.5*lost35*total41 + lost37
+                total39 = eta*total41
+                total41_halves = halves(xp, total41)
+                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                some2 = root
+                total41 = total39/some2
+                left = total39 - some2*total41
+                total41_halves = halves(xp, total41)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total41*some2, total41_halves, some2_halves)
+                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                lost36 = left/some2
+                given4 = half
+                total39 = 1.0 - 0.5*given4
+                back22 = total39 - 1.0
+                lost37 = -back22 - 0.5*given4
+                curved4 = (given4*given4)*decay_series(xp, given4)
+                total45 = curved4 + total39
+                back22 = total45 - total39
+                lost35 = curved4 - back22
+                mean_low5 = lost37 + lost35
+                total39 = given4*total45
+                given4_halves = halves(xp, given4)
+                total45_halves = halves(xp, total45)
+                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                total47 = 1.0 - total39
+                back22 = total47 - 1.0
+                lost37 = -back22 - total39
+                fall_low5 = lost37 - lost35
+                total39 = total45 - total41
+                back22 = total39 - total45
+                rest10 = total39 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total41
+                lost37 = one9 + two9
+                total41 = given4*total39
+                total39_halves = halves(xp, total39)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total41, given4_halves, total39_halves)
+                )
+                total39 = total40 - total41
+                back22 = total39 - total40
+                rest10 = total39 - back22
+                one9 = total40 - rest10
+                two9 = -back22 - total41
+                lost36 = one9 + two9
+                low2 = lift_low - lost37 + lost36
+                total41 = low2 + total39
+                back22 = total41 - total39
+                rest10 = total41 - back22
+                one9 = total39 - rest10
+                two9 = low2 - back22
+                lost36 = one9 + two9
+                total39 = total47*total41
+                total47_halves = halves(xp, total47)
+                total41_halves = halves(xp, total41)
+                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                low2 = fall_low5*total41 + lost36
+                total41 = total39/stiff
+                left = total39 - stiff*total41
+                total41_halves = halves(xp, total41)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total41*stiff, total41_halves, stiff_halves)
+                left = left + low2
+                lost36 = left/stiff
+                return lost36 + total41
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, total2))
+            def no(gamma, half, lost2, root, size, total2):
+                square2 = total2
+                envelope = xp.exp(-half)
+                stiff = gamma
 
-            total24 = half*odd
-            half_halves = halves(xp, half)
-            odd_halves = halves(xp, odd)
-            lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-            total25 = total24 - even
-            back2 = total25 - total24
-            rest4 = total25 - back2
-            one3 = total24 - rest4
-            two3 = -back2 - even
-            lost25 = one3 + two3
-            total24 = envelope + total25
-            back2 = total24 - total25
-            rest4 = total24 - back2
-            one3 = total25 - rest4
-            two3 = envelope - back2
-            lost26 = one3 + two3
-            total25 = envelope*total24
-            envelope_halves = halves(xp, envelope)
-            total24_halves = halves(xp, total24)
-            lost26 = (
-                envelope*(lost24 - even_low2 + lost25 + lost26) +
-                product_error(total25, envelope_halves, total24_halves)
-            )
-            total24 = total25/stiff
-            left16 = total25 - stiff*total24
-            total24_halves = halves(xp, total24)
-            stiff_halves = halves(xp, stiff)
-            left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-            left16 = left16 + lost26
-            lost26 = left16/stiff
-            return lost26 + total24
+                def yes(lost2, square2):
+                    given3 = square2
+                    total20 = 0.5*given3 + 1.0
+                    back13 = total20 - 1.0
+                    lost20 = 0.5*given3 - back13
+                    curved3 = (given3*given3)*cos_series(xp, given3)
+                    total21 = curved3 + total20
+                    back13 = total21 - total20
+                    lost21 = curved3 - back13
+                    even_low = 0.5*lost2 + lost20 + lost21
+                    bent = given3*sin_series(xp, given3)
+                    total20 = bent + 1.0
+                    back13 = total20 - 1.0
+                    lost21 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost21
+                    even = total21
+                    odd = total20
+                    return even, even_low, odd, odd_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total23 = sine/some
+                    left = sine - some*total23
+                    total23_halves = halves(xp, total23)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total23*some, total23_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total23
+                    lost23 = left/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total23
+                    odd_low2 = lost23
+                    return even, even_low2, odd, odd_low2
+
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
+
+                total24 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+                total25 = total24 - even
+                back16 = total25 - total24
+                rest4 = total25 - back16
+                one3 = total24 - rest4
+                two3 = -back16 - even
+                lost25 = one3 + two3
+                total24 = envelope + total25
+                back16 = total24 - total25
+                rest4 = total24 - back16
+                one3 = total25 - rest4
+                two3 = envelope - back16
+                lost26 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total24_halves)
+                )
+                total24 = total25/stiff
+                left16 = total25 - stiff*total24
+                total24_halves = halves(xp, total24)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+                left16 = left16 + lost26
+                lost26 = left16/stiff
+                return lost26 + total24
+
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37,
+                total38, whole3), no, (gamma, half, lost2, root, size, total2))
 
         return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
             (gamma, half, rest2, total, total2))
@@ -1682,42 +2910,42 @@ def fall(xp, gamma, delta):
         reach = 0.4444444444444444*total3
 
         def yes(delta, gamma, half):
-            given4 = 0.5*half
-            total29 = 1.0 - 0.5*given4
-            back18 = total29 - 1.0
-            lost29 = -back18 - 0.5*given4
-            curved4 = (given4*given4)*decay_series(xp, given4)
-            total30 = curved4 + total29
-            back18 = total30 - total29
-            lost30 = curved4 - back18
-            mean_low5 = lost29 + lost30
-            total29 = given4*total30
-            given4_halves = halves(xp, given4)
-            total30_halves = halves(xp, total30)
-            lost30 = given4*mean_low5 + product_error(total29, given4_halves, total30_halves)
-            total30 = 1.0 - total29
-            back18 = total30 - 1.0
-            lost29 = -back18 - total29
-            fall_low5 = lost29 - lost30
-            total29 = (total30*total30)
-            total30_halves = halves(xp, total30)
-            lost29 = 2.0*fall_low5*total30 + product_error(total29, total30_halves, total30_halves)
-            total30 = (total29*total29)
-            total29_halves = halves(xp, total29)
-            lost29 = 2.0*lost29*total29 + product_error(total30, total29_halves, total29_halves)
-            rest6 = fall_series(xp, gamma, delta)
-            total29 = rest6 + 0.5
-            back18 = total29 - rest6
-            rest7 = total29 - back18
-            one5 = rest6 - rest7
-            two5 = 0.5 - back18
-            lost30 = one5 + two5
-            envelope2 = total30
-            total30 = envelope2*total29
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back32 = total54 - 1.0
+            lost54 = -back32 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total55 = curved5 + total54
+            back32 = total55 - total54
+            lost55 = curved5 - back32
+            mean_low6 = lost54 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back32 = total55 - 1.0
+            lost54 = -back32 - total54
+            fall_low6 = lost54 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back32 = total54 - rest15
+            rest16 = total54 - back32
+            one14 = rest15 - rest16
+            two14 = 0.5 - back32
+            lost55 = one14 + two14
+            envelope2 = total55
+            total55 = envelope2*total54
             envelope2_halves = halves(xp, envelope2)
-            total29_halves = halves(xp, total29)
-            lost30 = envelope2*lost30 + product_error(total30, envelope2_halves, total29_halves)
-            return lost29*total29 + lost30 + total30
+            total54_halves = halves(xp, total54)
+            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
+            return lost54*total54 + lost55 + total55
 
         def no(gamma, half, rest2, root, size, total, total2, total3):
             back2 = total2 - total
@@ -1870,8 +3098,515 @@ def fall(xp, gamma, delta):
         (delta, gamma, half, rest, total, total2))
 
 
-def rise(xp, gamma, delta):
-    """n1, how far a unit force moves the device in a period"""
+def fall(xp, gamma, delta):
+    """n0, the same device with its time reversed, times exp(-delta)"""
+    if gamma.dtype == xp.float32:
+        return fall_single(xp, gamma, delta)
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+
+    def yes(delta, gamma, half, rest2, total, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, gamma, half):
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back32 = total54 - 1.0
+            lost54 = -back32 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total55 = curved5 + total54
+            back32 = total55 - total54
+            lost55 = curved5 - back32
+            mean_low6 = lost54 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back32 = total55 - 1.0
+            lost54 = -back32 - total54
+            fall_low6 = lost54 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back32 = total54 - rest15
+            rest16 = total54 - back32
+            one14 = rest15 - rest16
+            two14 = 0.5 - back32
+            lost55 = one14 + two14
+            envelope2 = total55
+            total55 = envelope2*total54
+            envelope2_halves = halves(xp, envelope2)
+            total54_halves = halves(xp, total54)
+            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
+            return lost54*total54 + lost55 + total55
+
+        def no(gamma, half, rest2, total, total2):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total29 = 39.47841760435743*turns
+            turns_halves = halves(xp, turns)
+            number1_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+            lost29 = product_error(total29, turns_halves, number1_halves)
+            total30 = 2.5061182034958845e-15*turns
+            number2_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+            lost30 = product_error(total30, turns_halves, number2_halves)
+            total31 = -total2 - total29
+            back2 = total2 + total31
+            rest6 = total31 - back2
+            one5 = -rest6 - total2
+            two5 = -back2 - total29
+            lost31 = one5 + two5
+            total29 = total31 - lost29
+            back2 = total29 - total31
+            rest6 = total29 - back2
+            one5 = total31 - rest6
+            two5 = -back2 - lost29
+            lost29 = one5 + two5
+            total31 = total29 - total30
+            back2 = total31 - total29
+            rest6 = total31 - back2
+            one5 = total29 - rest6
+            two5 = -back2 - total30
+            lost33 = one5 + two5
+            total30 = total31 - lost2
+            back2 = total30 - total31
+            rest6 = total30 - back2
+            one5 = total31 - rest6
+            two5 = -back2 - lost2
+            lost34 = one5 + two5
+            low = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
+            total31 = low + total30
+            total29 = 6.283185307179586*count
+            total37 = root + total29
+            whole3 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole3
+            far = (total38*total38)
+
+            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37,
+                total38, whole3):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                stiff = gamma
+                back22 = total35 - total34
+                rest10 = total35 - back22
+                one9 = total34 - rest10
+                two9 = low - back22
+                lost35 = one9 + two9
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                back22 = total37 - root
+                rest10 = total37 - back22
+                one9 = root - rest10
+                two9 = total36 - back22
+                lost37 = one9 + two9
+                both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                left = total35 - total38*whole3
+                total38_halves = halves(xp, total38)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
+                left = left - both_low*total38 + lost35
+                lost35 = left/whole3
+                eta = total38
+                eta_low = lost35
+                total39 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                bent2 = (total39*total39)*cos_series(xp, -total39)
+                total40 = 0.5*total39 - bent2
+                back22 = total40 - 0.5*total39
+                lost37 = -back22 - bent2
+                total41 = 1.0 - total39*sin_series(xp, -total39)
+                back22 = total41 - 1.0
+                lost36 = -back22 - total39*sin_series(xp, -total39)
+                lift_low = 0.5*lost35*total41 + lost37
+                total39 = eta*total41
+                total41_halves = halves(xp, total41)
+                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                some2 = root
+                total41 = total39/some2
+                left = total39 - some2*total41
+                total41_halves = halves(xp, total41)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total41*some2, total41_halves, some2_halves)
+                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                lost36 = left/some2
+                given4 = half
+                total39 = 1.0 - 0.5*given4
+                back22 = total39 - 1.0
+                lost37 = -back22 - 0.5*given4
+                curved4 = (given4*given4)*decay_series(xp, given4)
+                total45 = curved4 + total39
+                back22 = total45 - total39
+                lost35 = curved4 - back22
+                mean_low5 = lost37 + lost35
+                total39 = given4*total45
+                given4_halves = halves(xp, given4)
+                total45_halves = halves(xp, total45)
+                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                total47 = 1.0 - total39
+                back22 = total47 - 1.0
+                lost37 = -back22 - total39
+                fall_low5 = lost37 - lost35
+                total39 = total45 - total41
+                back22 = total39 - total45
+                rest10 = total39 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total41
+                lost37 = one9 + two9
+                total41 = given4*total39
+                total39_halves = halves(xp, total39)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total41, given4_halves, total39_halves)
+                )
+                total39 = total40 - total41
+                back22 = total39 - total40
+                rest10 = total39 - back22
+                one9 = total40 - rest10
+                two9 = -back22 - total41
+                lost36 = one9 + two9
+                low2 = lift_low - lost37 + lost36
+                total41 = low2 + total39
+                back22 = total41 - total39
+                rest10 = total41 - back22
+                one9 = total39 - rest10
+                two9 = low2 - back22
+                lost36 = one9 + two9
+                total39 = total47*total41
+                total47_halves = halves(xp, total47)
+                total41_halves = halves(xp, total41)
+                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                low2 = fall_low5*total41 + lost36
+                total41 = total39/stiff
+                left = total39 - stiff*total41
+                total41_halves = halves(xp, total41)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total41*stiff, total41_halves, stiff_halves)
+                left = left + low2
+                lost36 = left/stiff
+                return lost36 + total41
+
+            def no(gamma, half, lost2, root, size, total2):
+                square2 = total2
+                envelope = xp.exp(-half)
+                stiff = gamma
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    total20 = 0.5*given3 + 1.0
+                    back13 = total20 - 1.0
+                    lost20 = 0.5*given3 - back13
+                    curved3 = (given3*given3)*cos_series(xp, given3)
+                    total21 = curved3 + total20
+                    back13 = total21 - total20
+                    lost21 = curved3 - back13
+                    even_low = 0.5*lost2 + lost20 + lost21
+                    bent = given3*sin_series(xp, given3)
+                    total20 = bent + 1.0
+                    back13 = total20 - 1.0
+                    lost21 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost21
+                    even = total21
+                    odd = total20
+                    return even, even_low, odd, odd_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total23 = sine/some
+                    left = sine - some*total23
+                    total23_halves = halves(xp, total23)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total23*some, total23_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total23
+                    lost23 = left/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total23
+                    odd_low2 = lost23
+                    return even, even_low2, odd, odd_low2
+
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
+
+                total24 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
+                total25 = total24 - even
+                back16 = total25 - total24
+                rest4 = total25 - back16
+                one3 = total24 - rest4
+                two3 = -back16 - even
+                lost25 = one3 + two3
+                total24 = envelope + total25
+                back16 = total24 - total25
+                rest4 = total24 - back16
+                one3 = total25 - rest4
+                two3 = envelope - back16
+                lost26 = one3 + two3
+                total25 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total24_halves)
+                )
+                total24 = total25/stiff
+                left16 = total25 - stiff*total24
+                total24_halves = halves(xp, total24)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
+                left16 = left16 + lost26
+                lost26 = left16/stiff
+                return lost26 + total24
+
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37,
+                total38, whole3), no, (gamma, half, lost2, root, size, total2))
+
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, total, total2))
+
+    def no(delta, gamma, half, rest2, total, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(delta, gamma, half):
+            given5 = 0.5*half
+            total54 = 1.0 - 0.5*given5
+            back32 = total54 - 1.0
+            lost54 = -back32 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total55 = curved5 + total54
+            back32 = total55 - total54
+            lost55 = curved5 - back32
+            mean_low6 = lost54 + lost55
+            total54 = given5*total55
+            given5_halves = halves(xp, given5)
+            total55_halves = halves(xp, total55)
+            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
+            total55 = 1.0 - total54
+            back32 = total55 - 1.0
+            lost54 = -back32 - total54
+            fall_low6 = lost54 - lost55
+            total54 = (total55*total55)
+            total55_halves = halves(xp, total55)
+            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
+            total55 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
+            rest15 = fall_series(xp, gamma, delta)
+            total54 = rest15 + 0.5
+            back32 = total54 - rest15
+            rest16 = total54 - back32
+            one14 = rest15 - rest16
+            two14 = 0.5 - back32
+            lost55 = one14 + two14
+            envelope2 = total55
+            total55 = envelope2*total54
+            envelope2_halves = halves(xp, envelope2)
+            total54_halves = halves(xp, total54)
+            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
+            return lost54*total54 + lost55 + total55
+
+        def no(gamma, half, rest2, root, size, total, total2, total3):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back2 = total3 - half
+            lost2 = root - back2
+            p_low = lost2 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate = q
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                curved = (given*given)*decay_series(xp, given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
+
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            mean_halves = halves(xp, mean)
+            lost2 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost2
+            total17 = mean2 - total16
+            back2 = total17 - mean2
+            rest3 = total17 - back2
+            one2 = mean2 - rest3
+            two2 = -back2 - total16
+            lost2 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost2 + mean_low4 - p_low*total16 - pulled_low
+            lost2 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost2 = fall_*lost2 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost2 + total17
+            return creep_
+
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
+
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no,
+        (delta, gamma, half, rest, total, total2))
+
+
+def rise_single(xp, gamma, delta):
+    """The same in single precision."""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -1889,69 +3624,97 @@ def rise(xp, gamma, delta):
 
         def yes(half, total2):
             half2 = half
-            given4 = 0.5*half2
-            total28 = 1.0 - 0.5*given4
-            back18 = total28 - 1.0
-            lost28 = -back18 - 0.5*given4
-            curved4 = (given4*given4)*decay_series(xp, given4)
-            total29 = curved4 + total28
-            back18 = total29 - total28
-            lost29 = curved4 - back18
-            mean_low5 = lost28 + lost29
-            total28 = given4*total29
-            given4_halves = halves(xp, given4)
-            total29_halves = halves(xp, total29)
-            lost29 = given4*mean_low5 + product_error(total28, given4_halves, total29_halves)
-            total29 = 1.0 - total28
-            back18 = total29 - 1.0
-            lost28 = -back18 - total28
-            fall_low5 = lost28 - lost29
-            total28 = (total29*total29)
-            total29_halves = halves(xp, total29)
-            lost28 = 2.0*fall_low5*total29 + product_error(total28, total29_halves, total29_halves)
-            rest5 = rise_series(xp, half2, total2)
-            total29 = rest5 + 0.5
-            back18 = total29 - rest5
-            rest6 = total29 - back18
-            one4 = rest5 - rest6
-            two4 = 0.5 - back18
-            lost29 = one4 + two4
-            envelope2 = total28
-            total28 = envelope2*total29
+            given5 = 0.5*half2
+            total53 = 1.0 - 0.5*given5
+            back31 = total53 - 1.0
+            lost53 = -back31 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total54 = curved5 + total53
+            back31 = total54 - total53
+            lost54 = curved5 - back31
+            mean_low6 = lost53 + lost54
+            total53 = given5*total54
+            given5_halves = halves(xp, given5)
+            total54_halves = halves(xp, total54)
+            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
+            total54 = 1.0 - total53
+            back31 = total54 - 1.0
+            lost53 = -back31 - total53
+            fall_low6 = lost53 - lost54
+            total53 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
+            rest13 = rise_series(xp, half2, total2)
+            total54 = rest13 + 0.5
+            back31 = total54 - rest13
+            rest14 = total54 - back31
+            one12 = rest13 - rest14
+            two12 = 0.5 - back31
+            lost54 = one12 + two12
+            envelope2 = total53
+            total53 = envelope2*total54
             envelope2_halves = halves(xp, envelope2)
-            total29_halves = halves(xp, total29)
-            lost29 = envelope2*lost29 + product_error(total28, envelope2_halves, total29_halves)
-            return lost28*total29 + lost29 + total28
+            total54_halves = halves(xp, total54)
+            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
+            return lost53*total54 + lost54 + total53
 
         def no(gamma, half, rest2, total, total2):
             back2 = total2 - total
             lost2 = rest2 - back2
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
+            size = xp.abs(total2)
+            root = square_root(xp, size)
 
-            def yes(lost2, square2):
-                given3 = square2
-                total19 = 0.5*given3 + 1.0
-                back13 = total19 - 1.0
-                lost19 = 0.5*given3 - back13
-                curved3 = (given3*given3)*cos_series(xp, given3)
-                total20 = curved3 + total19
-                back13 = total20 - total19
-                lost20 = curved3 - back13
-                even_low = lost19 + 0.5*lost2 + lost20
-                bent = given3*sin_series(xp, given3)
-                total19 = bent + 1.0
-                back13 = total19 - 1.0
-                lost20 = bent - back13
-                odd_low = 0.16666666666666666*lost2 + lost20
-                even = total20
-                odd = total19
-                return even, even_low, odd, odd_low
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
 
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total28 = 39.478416442871094*turns
+            turns_halves = halves(xp, turns)
+            number1_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+            lost28 = product_error(total28, turns_halves, number1_halves)
+            total29 = 1.1614863524300745e-06*turns
+            number2_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+            lost29 = product_error(total29, turns_halves, number2_halves)
+            total30 = -total2 - total28
+            back2 = total2 + total30
+            rest5 = total30 - back2
+            one4 = -rest5 - total2
+            two4 = -back2 - total28
+            lost30 = one4 + two4
+            total28 = total30 - lost28
+            back2 = total28 - total30
+            rest5 = total28 - back2
+            one4 = total30 - rest5
+            two4 = -back2 - lost28
+            lost28 = one4 + two4
+            total30 = total28 - total29
+            back2 = total30 - total28
+            rest5 = total30 - back2
+            one4 = total28 - rest5
+            two4 = -back2 - total29
+            lost32 = one4 + two4
+            total29 = total30 - lost2
+            back2 = total29 - total30
+            rest5 = total29 - back2
+            one4 = total30 - rest5
+            two4 = -back2 - lost2
+            lost33 = one4 + two4
+            low = lost30 - lost29 + lost28 + lost32 + lost33 + 1.1704736640094811e-14*turns
+            total30 = low + total29
+            total28 = 6.2831854820251465*count
+            total36 = root + total28
+            whole3 = xp.where(total36 == 0.0, 1.0, total36)
+            total37 = total30/whole3
+            far = (total37*total37)
+
+            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36,
+                total37, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -1959,53 +3722,183 @@ def rise(xp, gamma, delta):
                 left = left + sign_low
                 whole = xp.where(root == 0.0, 1.0, root)
                 root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total22 = sine/some
-                left = sine - some*total22
-                total22_halves = halves(xp, total22)
-                some_halves = halves(xp, some)
-                left = left - product_error(total22*some, total22_halves, some_halves)
-                left = cosine*root_low + left - root_low*total22
-                lost22 = left/some
-                even = cosine
-                even_low2 = -root_low*sine
-                odd = total22
-                odd_low2 = lost22
-                return even, even_low2, odd, odd_low2
+                stiff = gamma
+                back22 = total34 - total33
+                rest9 = total34 - back22
+                one8 = total33 - rest9
+                two8 = low - back22
+                lost34 = one8 + two8
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                lost35 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                back22 = total36 - root
+                rest9 = total36 - back22
+                one8 = root - rest9
+                two8 = total35 - back22
+                lost36 = one8 + two8
+                both_low = lost35 - 1.7484555314695172e-07*count + lost36 + root_low
+                left = total34 - total37*whole3
+                total37_halves = halves(xp, total37)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total37*whole3, total37_halves, whole3_halves)
+                left = left - both_low*total37 + lost34
+                lost34 = left/whole3
+                eta = total37
+                eta_low = lost34
+                total38 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost34 = 2.0*eta*eta_low + product_error(total38, eta_halves, eta_halves)
+                bent2 = (total38*total38)*cos_series(xp, -total38)
+                total39 = 0.5*total38 - bent2
+                back22 = total39 - 0.5*total38
+                lost36 = -back22 - bent2
+                total40 = 1.0 - total38*sin_series(xp, -total38)
+                back22 = total40 - 1.0
+                lost35 = -back22 - total38*sin_series(xp, -total38)
+                lift_low = 0.5*lost34*total40 + lost36
+                total38 = eta*total40
+                total40_halves = halves(xp, total40)
+                lost35 = eta*lost35 + product_error(total38, eta_halves, total40_halves)
+                some2 = root
+                total40 = total38/some2
+                left = total38 - some2*total40
+                total40_halves = halves(xp, total40)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total40*some2, total40_halves, some2_halves)
+                left = eta_low*(1.0 - total39) + left + lost35 - root_low*total40
+                lost35 = left/some2
+                given4 = half
+                total38 = 1.0 - 0.5*given4
+                back22 = total38 - 1.0
+                lost36 = -back22 - 0.5*given4
+                curved4 = (given4*given4)*decay_series(xp, given4)
+                total44 = curved4 + total38
+                back22 = total44 - total38
+                lost34 = curved4 - back22
+                mean_low5 = lost36 + lost34
+                total38 = given4*total44
+                given4_halves = halves(xp, given4)
+                total44_halves = halves(xp, total44)
+                lost34 = given4*mean_low5 + product_error(total38, given4_halves, total44_halves)
+                total46 = 1.0 - total38
+                back22 = total46 - 1.0
+                lost36 = -back22 - total38
+                fall_low5 = lost36 - lost34
+                total38 = total40*total46
+                total46_halves = halves(xp, total46)
+                lost35 = lost35*total46 + product_error(total38, total46_halves, total40_halves)
+                total48 = total44 - total38
+                back22 = total48 - total44
+                rest9 = total48 - back22
+                one8 = total44 - rest9
+                two8 = -back22 - total38
+                lost36 = one8 + two8
+                low2 = lost36 - fall_low5*total40 - lost35 + mean_low5
+                total40 = given4*total48
+                total48_halves = halves(xp, total48)
+                lost36 = given4*low2 + product_error(total40, given4_halves, total48_halves)
+                total48 = total39*total46
+                total39_halves = halves(xp, total39)
+                lost35 = lift_low*total46 + product_error(total48, total46_halves, total39_halves)
+                total46 = total40 + total48
+                back22 = total46 - total40
+                rest9 = total46 - back22
+                one8 = total40 - rest9
+                two8 = total48 - back22
+                lost34 = one8 + two8
+                low2 = fall_low5*total39 + lost36 + lost35 + lost34
+                total39 = total46/stiff
+                left = total46 - stiff*total39
+                total39_halves = halves(xp, total39)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total39*stiff, total39_halves, stiff_halves)
+                left = left + low2
+                lost34 = left/stiff
+                return lost34 + total39
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, total2))
+            def no(gamma, half, lost2, root, size, total2):
+                square2 = total2
+                envelope = xp.exp(-half)
+                stiff = gamma
 
-            total23 = half*odd
-            half_halves = halves(xp, half)
-            odd_halves = halves(xp, odd)
-            lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-            total24 = even + total23
-            back2 = total24 - even
-            rest4 = total24 - back2
-            one3 = even - rest4
-            two3 = total23 - back2
-            lost24 = one3 + two3
-            total23 = envelope*total24
-            envelope_halves = halves(xp, envelope)
-            total24_halves = halves(xp, total24)
-            lost24 = (
-                envelope*(even_low2 + lost23 + lost24) +
-                product_error(total23, envelope_halves, total24_halves)
-            )
-            total24 = 1.0 - total23
-            back2 = total24 - 1.0
-            lost23 = -back2 - total23
-            total23 = total24/stiff
-            left16 = total24 - stiff*total23
-            total23_halves = halves(xp, total23)
-            stiff_halves = halves(xp, stiff)
-            left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-            left16 = left16 - lost24 + lost23
-            lost23 = left16/stiff
-            return lost23 + total23
+                def yes(lost2, square2):
+                    given3 = square2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    curved3 = (given3*given3)*cos_series(xp, given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    bent = given3*sin_series(xp, given3)
+                    total19 = bent + 1.0
+                    back13 = total19 - 1.0
+                    lost20 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost20
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd, odd_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    odd_low2 = lost22
+                    return even, even_low2, odd, odd_low2
+
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
+
+                total23 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                total24 = even + total23
+                back16 = total24 - even
+                rest4 = total24 - back16
+                one3 = even - rest4
+                two3 = total23 - back16
+                lost24 = one3 + two3
+                total23 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost24 = (
+                    envelope*(even_low2 + lost23 + lost24) +
+                    product_error(total23, envelope_halves, total24_halves)
+                )
+                total24 = 1.0 - total23
+                back16 = total24 - 1.0
+                lost23 = -back16 - total23
+                total23 = total24/stiff
+                left16 = total24 - stiff*total23
+                total23_halves = halves(xp, total23)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+                left16 = left16 - lost24 + lost23
+                lost23 = left16/stiff
+                return lost23 + total23
+
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36,
+                total37, whole3), no, (gamma, half, lost2, root, size, total2))
 
         return select(xp, reach < 0.5625, yes, (half, total2), no,
             (gamma, half, rest2, total, total2))
@@ -2018,39 +3911,515 @@ def rise(xp, gamma, delta):
 
         def yes(half, total2):
             half2 = half
-            given4 = 0.5*half2
-            total28 = 1.0 - 0.5*given4
-            back18 = total28 - 1.0
-            lost28 = -back18 - 0.5*given4
-            curved4 = (given4*given4)*decay_series(xp, given4)
-            total29 = curved4 + total28
-            back18 = total29 - total28
-            lost29 = curved4 - back18
-            mean_low5 = lost28 + lost29
-            total28 = given4*total29
-            given4_halves = halves(xp, given4)
-            total29_halves = halves(xp, total29)
-            lost29 = given4*mean_low5 + product_error(total28, given4_halves, total29_halves)
-            total29 = 1.0 - total28
-            back18 = total29 - 1.0
-            lost28 = -back18 - total28
-            fall_low5 = lost28 - lost29
-            total28 = (total29*total29)
-            total29_halves = halves(xp, total29)
-            lost28 = 2.0*fall_low5*total29 + product_error(total28, total29_halves, total29_halves)
-            rest5 = rise_series(xp, half2, total2)
-            total29 = rest5 + 0.5
-            back18 = total29 - rest5
-            rest6 = total29 - back18
-            one4 = rest5 - rest6
-            two4 = 0.5 - back18
-            lost29 = one4 + two4
-            envelope2 = total28
-            total28 = envelope2*total29
+            given5 = 0.5*half2
+            total53 = 1.0 - 0.5*given5
+            back31 = total53 - 1.0
+            lost53 = -back31 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total54 = curved5 + total53
+            back31 = total54 - total53
+            lost54 = curved5 - back31
+            mean_low6 = lost53 + lost54
+            total53 = given5*total54
+            given5_halves = halves(xp, given5)
+            total54_halves = halves(xp, total54)
+            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
+            total54 = 1.0 - total53
+            back31 = total54 - 1.0
+            lost53 = -back31 - total53
+            fall_low6 = lost53 - lost54
+            total53 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
+            rest13 = rise_series(xp, half2, total2)
+            total54 = rest13 + 0.5
+            back31 = total54 - rest13
+            rest14 = total54 - back31
+            one12 = rest13 - rest14
+            two12 = 0.5 - back31
+            lost54 = one12 + two12
+            envelope2 = total53
+            total53 = envelope2*total54
             envelope2_halves = halves(xp, envelope2)
-            total29_halves = halves(xp, total29)
-            lost29 = envelope2*lost29 + product_error(total28, envelope2_halves, total29_halves)
-            return lost28*total29 + lost29 + total28
+            total54_halves = halves(xp, total54)
+            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
+            return lost53*total54 + lost54 + total53
+
+        def no(gamma, half, rest2, root, size, total, total2, total3):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back2 = total3 - half
+            lost2 = root - back2
+            p_low = lost2 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate = q
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                curved = (given*given)*decay_series(xp, given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                curved2 = (given2*given2)*decay_series(xp, given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                mean2 = total11
+                return mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                mean2 = total15
+                mean_low4 = lost14
+                return mean2, mean_low4
+
+            mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total16 = fall_*mean2
+            fall__halves = halves(xp, fall_)
+            mean2_halves = halves(xp, mean2)
+            lost2 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost2
+            total17 = mean - total16
+            back2 = total17 - mean
+            rest3 = total17 - back2
+            one2 = mean - rest3
+            two2 = -back2 - total16
+            lost2 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost2 + mean_low2 - p_low*total16 - pulled_low
+            lost2 = left/whole
+            return lost2 + total16
+
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
+
+    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no,
+        (gamma, half, rest, total, total2))
+
+
+def rise(xp, gamma, delta):
+    """n1, how far a unit force moves the device in a period"""
+    if gamma.dtype == xp.float32:
+        return rise_single(xp, gamma, delta)
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+
+    def yes(gamma, half, rest2, total, total2):
+        reach = 0.25*gamma
+
+        def yes(half, total2):
+            half2 = half
+            given5 = 0.5*half2
+            total53 = 1.0 - 0.5*given5
+            back31 = total53 - 1.0
+            lost53 = -back31 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total54 = curved5 + total53
+            back31 = total54 - total53
+            lost54 = curved5 - back31
+            mean_low6 = lost53 + lost54
+            total53 = given5*total54
+            given5_halves = halves(xp, given5)
+            total54_halves = halves(xp, total54)
+            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
+            total54 = 1.0 - total53
+            back31 = total54 - 1.0
+            lost53 = -back31 - total53
+            fall_low6 = lost53 - lost54
+            total53 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
+            rest13 = rise_series(xp, half2, total2)
+            total54 = rest13 + 0.5
+            back31 = total54 - rest13
+            rest14 = total54 - back31
+            one12 = rest13 - rest14
+            two12 = 0.5 - back31
+            lost54 = one12 + two12
+            envelope2 = total53
+            total53 = envelope2*total54
+            envelope2_halves = halves(xp, envelope2)
+            total54_halves = halves(xp, total54)
+            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
+            return lost53*total54 + lost54 + total53
+
+        def no(gamma, half, rest2, total, total2):
+            back2 = total2 - total
+            lost2 = rest2 - back2
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total28 = 39.47841760435743*turns
+            turns_halves = halves(xp, turns)
+            number1_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+            lost28 = product_error(total28, turns_halves, number1_halves)
+            total29 = 2.5061182034958845e-15*turns
+            number2_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+            lost29 = product_error(total29, turns_halves, number2_halves)
+            total30 = -total2 - total28
+            back2 = total2 + total30
+            rest5 = total30 - back2
+            one4 = -rest5 - total2
+            two4 = -back2 - total28
+            lost30 = one4 + two4
+            total28 = total30 - lost28
+            back2 = total28 - total30
+            rest5 = total28 - back2
+            one4 = total30 - rest5
+            two4 = -back2 - lost28
+            lost28 = one4 + two4
+            total30 = total28 - total29
+            back2 = total30 - total28
+            rest5 = total30 - back2
+            one4 = total28 - rest5
+            two4 = -back2 - total29
+            lost32 = one4 + two4
+            total29 = total30 - lost2
+            back2 = total29 - total30
+            rest5 = total29 - back2
+            one4 = total30 - rest5
+            two4 = -back2 - lost2
+            lost33 = one4 + two4
+            low = lost30 - lost29 + lost28 + lost32 + lost33 - 1.4920070805839235e-31*turns
+            total30 = low + total29
+            total28 = 6.283185307179586*count
+            total36 = root + total28
+            whole3 = xp.where(total36 == 0.0, 1.0, total36)
+            total37 = total30/whole3
+            far = (total37*total37)
+
+            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36,
+                total37, whole3):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                stiff = gamma
+                back22 = total34 - total33
+                rest9 = total34 - back22
+                one8 = total33 - rest9
+                two8 = low - back22
+                lost34 = one8 + two8
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                lost35 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                back22 = total36 - root
+                rest9 = total36 - back22
+                one8 = root - rest9
+                two8 = total35 - back22
+                lost36 = one8 + two8
+                both_low = 2.4492935982947064e-16*count + lost35 + lost36 + root_low
+                left = total34 - total37*whole3
+                total37_halves = halves(xp, total37)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total37*whole3, total37_halves, whole3_halves)
+                left = left - both_low*total37 + lost34
+                lost34 = left/whole3
+                eta = total37
+                eta_low = lost34
+                total38 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost34 = 2.0*eta*eta_low + product_error(total38, eta_halves, eta_halves)
+                bent2 = (total38*total38)*cos_series(xp, -total38)
+                total39 = 0.5*total38 - bent2
+                back22 = total39 - 0.5*total38
+                lost36 = -back22 - bent2
+                total40 = 1.0 - total38*sin_series(xp, -total38)
+                back22 = total40 - 1.0
+                lost35 = -back22 - total38*sin_series(xp, -total38)
+                lift_low = 0.5*lost34*total40 + lost36
+                total38 = eta*total40
+                total40_halves = halves(xp, total40)
+                lost35 = eta*lost35 + product_error(total38, eta_halves, total40_halves)
+                some2 = root
+                total40 = total38/some2
+                left = total38 - some2*total40
+                total40_halves = halves(xp, total40)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total40*some2, total40_halves, some2_halves)
+                left = eta_low*(1.0 - total39) + left + lost35 - root_low*total40
+                lost35 = left/some2
+                given4 = half
+                total38 = 1.0 - 0.5*given4
+                back22 = total38 - 1.0
+                lost36 = -back22 - 0.5*given4
+                curved4 = (given4*given4)*decay_series(xp, given4)
+                total44 = curved4 + total38
+                back22 = total44 - total38
+                lost34 = curved4 - back22
+                mean_low5 = lost36 + lost34
+                total38 = given4*total44
+                given4_halves = halves(xp, given4)
+                total44_halves = halves(xp, total44)
+                lost34 = given4*mean_low5 + product_error(total38, given4_halves, total44_halves)
+                total46 = 1.0 - total38
+                back22 = total46 - 1.0
+                lost36 = -back22 - total38
+                fall_low5 = lost36 - lost34
+                total38 = total40*total46
+                total46_halves = halves(xp, total46)
+                lost35 = lost35*total46 + product_error(total38, total46_halves, total40_halves)
+                total48 = total44 - total38
+                back22 = total48 - total44
+                rest9 = total48 - back22
+                one8 = total44 - rest9
+                two8 = -back22 - total38
+                lost36 = one8 + two8
+                low2 = lost36 - fall_low5*total40 - lost35 + mean_low5
+                total40 = given4*total48
+                total48_halves = halves(xp, total48)
+                lost36 = given4*low2 + product_error(total40, given4_halves, total48_halves)
+                total48 = total39*total46
+                total39_halves = halves(xp, total39)
+                lost35 = lift_low*total46 + product_error(total48, total46_halves, total39_halves)
+                total46 = total40 + total48
+                back22 = total46 - total40
+                rest9 = total46 - back22
+                one8 = total40 - rest9
+                two8 = total48 - back22
+                lost34 = one8 + two8
+                low2 = fall_low5*total39 + lost36 + lost35 + lost34
+                total39 = total46/stiff
+                left = total46 - stiff*total39
+                total39_halves = halves(xp, total39)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total39*stiff, total39_halves, stiff_halves)
+                left = left + low2
+                lost34 = left/stiff
+                return lost34 + total39
+
+            def no(gamma, half, lost2, root, size, total2):
+                square2 = total2
+                envelope = xp.exp(-half)
+                stiff = gamma
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    curved3 = (given3*given3)*cos_series(xp, given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    bent = given3*sin_series(xp, given3)
+                    total19 = bent + 1.0
+                    back13 = total19 - 1.0
+                    lost20 = bent - back13
+                    odd_low = 0.16666666666666666*lost2 + lost20
+                    even = total20
+                    odd = total19
+                    return even, even_low, odd, odd_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    odd = total22
+                    odd_low2 = lost22
+                    return even, even_low2, odd, odd_low2
+
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
+
+                total23 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                total24 = even + total23
+                back16 = total24 - even
+                rest4 = total24 - back16
+                one3 = even - rest4
+                two3 = total23 - back16
+                lost24 = one3 + two3
+                total23 = envelope*total24
+                envelope_halves = halves(xp, envelope)
+                total24_halves = halves(xp, total24)
+                lost24 = (
+                    envelope*(even_low2 + lost23 + lost24) +
+                    product_error(total23, envelope_halves, total24_halves)
+                )
+                total24 = 1.0 - total23
+                back16 = total24 - 1.0
+                lost23 = -back16 - total23
+                total23 = total24/stiff
+                left16 = total24 - stiff*total23
+                total23_halves = halves(xp, total23)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+                left16 = left16 - lost24 + lost23
+                lost23 = left16/stiff
+                return lost23 + total23
+
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36,
+                total37, whole3), no, (gamma, half, lost2, root, size, total2))
+
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, total, total2))
+
+    def no(gamma, half, rest2, total, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(half, total2):
+            half2 = half
+            given5 = 0.5*half2
+            total53 = 1.0 - 0.5*given5
+            back31 = total53 - 1.0
+            lost53 = -back31 - 0.5*given5
+            curved5 = (given5*given5)*decay_series(xp, given5)
+            total54 = curved5 + total53
+            back31 = total54 - total53
+            lost54 = curved5 - back31
+            mean_low6 = lost53 + lost54
+            total53 = given5*total54
+            given5_halves = halves(xp, given5)
+            total54_halves = halves(xp, total54)
+            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
+            total54 = 1.0 - total53
+            back31 = total54 - 1.0
+            lost53 = -back31 - total53
+            fall_low6 = lost53 - lost54
+            total53 = (total54*total54)
+            total54_halves = halves(xp, total54)
+            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
+            rest13 = rise_series(xp, half2, total2)
+            total54 = rest13 + 0.5
+            back31 = total54 - rest13
+            rest14 = total54 - back31
+            one12 = rest13 - rest14
+            two12 = 0.5 - back31
+            lost54 = one12 + two12
+            envelope2 = total53
+            total53 = envelope2*total54
+            envelope2_halves = halves(xp, envelope2)
+            total54_halves = halves(xp, total54)
+            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
+            return lost53*total54 + lost54 + total53
 
         def no(gamma, half, rest2, root, size, total, total2, total3):
             back2 = total2 - total
@@ -2276,8 +4645,8 @@ def together_series(xp, h, w):
     return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
 
 
-def swing_together(xp, gamma, delta):
-    """a, the sum of the sampled device's poles; n1 + n0"""
+def swing_together_single(xp, gamma, delta):
+    """The same in single precision."""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -2298,17 +4667,17 @@ def swing_together(xp, gamma, delta):
         def yes(half, lost2, total2):
             square2 = total2
             envelope = xp.exp(-half)
-            rest5 = together_series(xp, half, total2)
-            total30 = rest5 + 0.5
-            back19 = total30 - rest5
-            rest6 = total30 - back19
-            one4 = rest5 - rest6
-            two4 = 0.5 - back19
-            lost30 = one4 + two4
-            total31 = envelope*total30
+            rest12 = together_series(xp, half, total2)
+            total55 = rest12 + 0.5
+            back33 = total55 - rest12
+            rest13 = total55 - back33
+            one11 = rest12 - rest13
+            two11 = 0.5 - back33
+            lost55 = one11 + two11
+            total56 = envelope*total55
             envelope_halves = halves(xp, envelope)
-            total30_halves = halves(xp, total30)
-            lost30 = envelope*lost30 + product_error(total31, envelope_halves, total30_halves)
+            total55_halves = halves(xp, total55)
+            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total55_halves)
 
             def yes(lost2, square2):
                 given3 = square2
@@ -2342,60 +4711,19 @@ def swing_together(xp, gamma, delta):
 
             even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
 
-            total30 = envelope*even
+            total55 = envelope*even
             even_halves = halves(xp, even)
-            lost21 = envelope*even_low2 + product_error(total30, envelope_halves, even_halves)
-            swing_of = 2.0*lost21 + 2.0*total30
-            together_of = 2.0*lost30 + 2.0*total31
+            lost21 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
+            swing_of = 2.0*lost21 + 2.0*total55
+            together_of = 2.0*lost55 + 2.0*total56
             return swing_of, together_of
 
         def no(gamma, half, lost2, total2):
             size = xp.abs(total2)
             root = square_root(xp, size)
-            sign_low = -lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
             square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
-            expm1_of = xp.expm1(-half)
-            grown = -0.5*expm1_of
-            angle = 0.5*root
-            wave = xp.sin(angle)
-            cos_of = xp.cos(angle)
-            back72 = -0.5*cos_of*root_low
-            total92 = wave - back72
-            back82 = total92 - wave
-            rest3 = total92 - back82
-            one2 = wave - rest3
-            two2 = -back72 - back82
-            lost92 = one2 + two2
-            total102 = (total92*total92)
-            total92_halves = halves(xp, total92)
-            lost102 = product_error(total102, total92_halves, total92_halves)
-            low = lost102 + 2.0*lost92*total92
-            total92 = envelope*total102
-            envelope_halves = halves(xp, envelope)
-            total102_halves = halves(xp, total102)
-            lost92 = envelope*low + product_error(total92, envelope_halves, total102_halves)
-            total102 = (grown*grown) + total92
-            back82 = total102 - total92
-            rest3 = total102 - back82
-            one2 = total92 - rest3
-            two2 = (grown*grown) - back82
-            lost102 = one2 + two2
-            low = lost92 + lost102
-            total92 = total102/stiff
-            left = total102 - stiff*total92
-            total92_halves = halves(xp, total92)
-            stiff_halves = halves(xp, stiff)
-            left = left - product_error(total92*stiff, total92_halves, stiff_halves)
-            left = left + low
-            lost102 = left/stiff
 
             def yes(lost2, square2):
                 given3 = square2
@@ -2411,7 +4739,14 @@ def swing_together(xp, gamma, delta):
                 even = total17
                 return even, even_low
 
-            def no(root, root_low):
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
                 sine = xp.sin(root)
                 cosine = xp.cos(root)
                 even = cosine
@@ -2419,13 +4754,206 @@ def swing_together(xp, gamma, delta):
                 return even, even_low2
 
             even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (root, root_low))
+                (lost2, root, size))
 
-            total102 = envelope*even
+            total21 = envelope*even
+            envelope_halves = halves(xp, envelope)
             even_halves = halves(xp, even)
-            lost92 = envelope*even_low2 + product_error(total102, envelope_halves, even_halves)
-            swing_of = 2.0*lost92 + 2.0*total102
-            together_of = 4.0*lost102 + 4.0*total92
+            lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total142 = 39.478416442871094*turns
+            turns_halves = halves(xp, turns)
+            number3_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+            lost142 = product_error(total142, turns_halves, number3_halves)
+            total152 = 1.1614863524300745e-06*turns
+            number4_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+            lost152 = product_error(total152, turns_halves, number4_halves)
+            total162 = -total142 - total2
+            back102 = total162 + total2
+            rest5 = total162 - back102
+            one4 = -rest5 - total2
+            two4 = -back102 - total142
+            lost162 = one4 + two4
+            total142 = total162 - lost142
+            back102 = total142 - total162
+            rest5 = total142 - back102
+            one4 = total162 - rest5
+            two4 = -back102 - lost142
+            lost142 = one4 + two4
+            total162 = total142 - total152
+            back102 = total162 - total142
+            rest5 = total162 - back102
+            one4 = total142 - rest5
+            two4 = -back102 - total152
+            lost182 = one4 + two4
+            total152 = total162 - lost2
+            back102 = total152 - total162
+            rest5 = total152 - back102
+            one4 = total162 - rest5
+            two4 = -back102 - lost2
+            lost192 = one4 + two4
+            low3 = lost162 - lost152 + lost142 + lost182 + lost192 + 1.1704736640094811e-14*turns
+            total162 = low3 + total152
+            total142 = 6.2831854820251465*count
+            total222 = root + total142
+            whole3 = xp.where(total222 == 0.0, 1.0, total222)
+            total232 = total162/whole3
+            far = (total232*total232)
+
+            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202,
+                total21, total212, total222, total232, whole3):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back142 = total202 - total192
+                rest9 = total202 - back142
+                one8 = total192 - rest9
+                two8 = low3 - back142
+                lost202 = one8 + two8
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                lost212 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                back142 = total222 - root
+                rest9 = total222 - back142
+                one8 = root - rest9
+                two8 = total212 - back142
+                lost222 = one8 + two8
+                both_low = lost212 - 1.7484555314695172e-07*count + lost222 + root_low
+                left = total202 - total232*whole3
+                total232_halves = halves(xp, total232)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total232*whole3, total232_halves, whole3_halves)
+                left = left - both_low*total232 + lost202
+                lost202 = left/whole3
+                eta = total232
+                eta_low = lost202
+                total24 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost202 = 2.0*eta*eta_low + product_error(total24, eta_halves, eta_halves)
+                cos_series_of2 = cos_series(xp, -total24)
+                bent2 = cos_series_of2*(total24*total24)
+                total25 = 0.5*total24 - bent2
+                back142 = total25 - 0.5*total24
+                lost222 = -back142 - bent2
+                sin_series_of2 = sin_series(xp, -total24)
+                total24 = 1.0 - sin_series_of2*total24
+                lift_low = 0.5*lost202*total24 + lost222
+                given22 = half
+                total24 = 1.0 - 0.5*given22
+                back142 = total24 - 1.0
+                lost222 = -back142 - 0.5*given22
+                decay_series_of3 = decay_series(xp, given22)
+                curved22 = decay_series_of3*(given22*given22)
+                total30 = curved22 + total24
+                back142 = total30 - total24
+                lost202 = curved22 - back142
+                mean_low5 = lost222 + lost202
+                total24 = given22*total30
+                given22_halves = halves(xp, given22)
+                total30_halves = halves(xp, total30)
+                lost202 = given22*mean_low5 + product_error(total24, given22_halves, total30_halves)
+                total30 = 1.0 - total24
+                back142 = total30 - 1.0
+                lost222 = -back142 - total24
+                fall_low5 = lost222 - lost202
+                total24 = 1.0 - total30
+                back142 = total24 - 1.0
+                lost222 = -back142 - total30
+                low4 = lost222 - fall_low5
+                total34 = low4 + total24
+                back142 = total34 - total24
+                lost222 = low4 - back142
+                total24 = (total34*total34)
+                total34_halves = halves(xp, total34)
+                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves,
+                    total34_halves)
+                total34 = total25*total30
+                total30_halves = halves(xp, total30)
+                total25_halves = halves(xp, total25)
+                lost202 = lift_low*total30 + product_error(total34, total30_halves, total25_halves)
+                total30 = total24 + 2.0*total34
+                back142 = total30 - total24
+                rest9 = total30 - back142
+                one8 = total24 - rest9
+                two8 = 2.0*total34 - back142
+                lost212 = one8 + two8
+                low4 = 2.0*fall_low5*total25 + lost222 + 2.0*lost202 + lost212
+                total25 = total30/stiff
+                left = total30 - stiff*total25
+                total25_halves = halves(xp, total25)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total25*stiff, total25_halves, stiff_halves)
+                left = left + low4
+                lost212 = left/stiff
+                swing_of = 2.0*lost21 + 2.0*total21
+                together_of = lost212 + total25
+                return swing_of, together_of
+
+            def no(envelope, half, lost2, lost21, root, size, stiff, total21):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                expm1_of = xp.expm1(-half)
+                grown = -0.5*expm1_of
+                angle = 0.5*root
+                wave = xp.sin(angle)
+                cos_of = xp.cos(angle)
+                back72 = -0.5*cos_of*root_low
+                total92 = wave - back72
+                back82 = total92 - wave
+                rest3 = total92 - back82
+                one2 = wave - rest3
+                two2 = -back72 - back82
+                lost92 = one2 + two2
+                total102 = (total92*total92)
+                total92_halves = halves(xp, total92)
+                lost102 = product_error(total102, total92_halves, total92_halves)
+                low = lost102 + 2.0*lost92*total92
+                total92 = envelope*total102
+                envelope_halves = halves(xp, envelope)
+                total102_halves = halves(xp, total102)
+                lost92 = envelope*low + product_error(total92, envelope_halves, total102_halves)
+                total102 = (grown*grown) + total92
+                back82 = total102 - total92
+                rest3 = total102 - back82
+                one2 = total92 - rest3
+                two2 = (grown*grown) - back82
+                lost102 = one2 + two2
+                low = lost92 + lost102
+                total92 = total102/stiff
+                left = total102 - stiff*total92
+                total92_halves = halves(xp, total92)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total92*stiff, total92_halves, stiff_halves)
+                left = left + low
+                lost102 = left/stiff
+                swing_of = 2.0*lost21 + 2.0*total21
+                together_of = 4.0*lost102 + 4.0*total92
+                return swing_of, together_of
+
+            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21,
+                total142, total222, total232, whole3), no,
+                (envelope, half, lost2, lost21, root, size, stiff, total21))
+
             return swing_of, together_of
 
         swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no,
@@ -2460,17 +4988,17 @@ def swing_together(xp, gamma, delta):
             q_low = off/whole
             rate2 = 2.0*root
             envelope = xp.exp(-half)
-            rest5 = together_series(xp, half, total2)
-            total30 = rest5 + 0.5
-            back3 = total30 - rest5
-            rest6 = total30 - back3
-            one4 = rest5 - rest6
-            two4 = 0.5 - back3
-            lost3 = one4 + two4
-            total31 = envelope*total30
+            rest12 = together_series(xp, half, total2)
+            total55 = rest12 + 0.5
+            back3 = total55 - rest12
+            rest13 = total55 - back3
+            one11 = rest12 - rest13
+            two11 = 0.5 - back3
+            lost3 = one11 + two11
+            total56 = envelope*total55
             envelope_halves = halves(xp, envelope)
-            total30_halves = halves(xp, total30)
-            lost3 = envelope*lost3 + product_error(total31, envelope_halves, total30_halves)
+            total55_halves = halves(xp, total55)
+            lost3 = envelope*lost3 + product_error(total56, envelope_halves, total55_halves)
 
             def yes(q, q_low):
                 given = q
@@ -2539,18 +5067,18 @@ def swing_together(xp, gamma, delta):
 
             fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
 
-            total30 = fall2 + 1.0
-            back3 = total30 - 1.0
+            total55 = fall2 + 1.0
+            back3 = total55 - 1.0
             lost22 = fall2 - back3
-            total23 = fall_*total30
+            total23 = fall_*total55
             fall__halves = halves(xp, fall_)
-            total30_halves = halves(xp, total30)
+            total55_halves = halves(xp, total55)
             lost22 = (
-                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total30_halves)
+                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
             )
-            creep_ = fall_low2*total30 + lost22 + total23
+            creep_ = fall_low2*total55 + lost22 + total23
             swing_of = creep_
-            together_of = 2.0*lost3 + 2.0*total31
+            together_of = 2.0*lost3 + 2.0*total56
             return swing_of, together_of
 
         def no(gamma, half, lost2, root, size, total3):
@@ -2668,14 +5196,598 @@ def swing_together(xp, gamma, delta):
             total23 = fall_*fall2
             fall2_halves = halves(xp, fall2)
             lost3 = fall_*fall_low4 + product_error(total23, fall__halves, fall2_halves)
-            low3 = fall2*fall_low2 + lost3
+            low6 = fall2*fall_low2 + lost3
             total22 = 1.0 - total23
             back3 = total22 - 1.0
             lost3 = -back3 - total23
             total23 = mean*total22
             mean_halves = halves(xp, mean)
             total22_halves = halves(xp, total22)
-            lost3 = mean*(lost3 - low3) + product_error(total23, mean_halves, total22_halves)
+            lost3 = mean*(lost3 - low6) + product_error(total23, mean_halves, total22_halves)
+            moved_low = lost3 + mean_low2*total22
+            total22 = total23/whole
+            left = total23 - total22*whole
+            total22_halves = halves(xp, total22)
+            left = left - product_error(total22*whole, total22_halves, whole_halves)
+            left = left + moved_low - p_low*total22
+            lost3 = left/whole
+            swing_of = creep_
+            together_of = lost3 + total22
+            return swing_of, together_of
+
+        swing_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
+
+        return swing_of, together_of
+
+    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no,
+        (gamma, half, lost, total2))
+
+    return swing_of, together_of
+
+
+def swing_together(xp, gamma, delta):
+    """a, the sum of the sampled device's poles; n1 + n0"""
+    if gamma.dtype == xp.float32:
+        return swing_together_single(xp, gamma, delta)
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
+
+    def yes(gamma, half, lost2, total2):
+        reach = 0.25*gamma
+
+        def yes(half, lost2, total2):
+            square2 = total2
+            envelope = xp.exp(-half)
+            rest12 = together_series(xp, half, total2)
+            total55 = rest12 + 0.5
+            back33 = total55 - rest12
+            rest13 = total55 - back33
+            one11 = rest12 - rest13
+            two11 = 0.5 - back33
+            lost55 = one11 + two11
+            total56 = envelope*total55
+            envelope_halves = halves(xp, envelope)
+            total55_halves = halves(xp, total55)
+            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total55_halves)
+
+            def yes(lost2, square2):
+                given3 = square2
+                total16 = 0.5*given3 + 1.0
+                back12 = total16 - 1.0
+                lost16 = 0.5*given3 - back12
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total17 = curved3 + total16
+                back12 = total17 - total16
+                lost17 = curved3 - back12
+                even_low = lost16 + lost17 + 0.5*lost2
+                even = total17
+                return even, even_low
+
+            def no(lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
+
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+
+            total55 = envelope*even
+            even_halves = halves(xp, even)
+            lost21 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
+            swing_of = 2.0*lost21 + 2.0*total55
+            together_of = 2.0*lost55 + 2.0*total56
+            return swing_of, together_of
+
+        def no(gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            square2 = total2
+            envelope = xp.exp(-half)
+            stiff = gamma
+
+            def yes(lost2, square2):
+                given3 = square2
+                total16 = 0.5*given3 + 1.0
+                back12 = total16 - 1.0
+                lost16 = 0.5*given3 - back12
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total17 = curved3 + total16
+                back12 = total17 - total16
+                lost17 = curved3 - back12
+                even_low = lost16 + lost17 + 0.5*lost2
+                even = total17
+                return even, even_low
+
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                even = cosine
+                even_low2 = -root_low*sine
+                return even, even_low2
+
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
+
+            total21 = envelope*even
+            envelope_halves = halves(xp, envelope)
+            even_halves = halves(xp, even)
+            lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total142 = 39.47841760435743*turns
+            turns_halves = halves(xp, turns)
+            number3_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+            lost142 = product_error(total142, turns_halves, number3_halves)
+            total152 = 2.5061182034958845e-15*turns
+            number4_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+            lost152 = product_error(total152, turns_halves, number4_halves)
+            total162 = -total142 - total2
+            back102 = total162 + total2
+            rest5 = total162 - back102
+            one4 = -rest5 - total2
+            two4 = -back102 - total142
+            lost162 = one4 + two4
+            total142 = total162 - lost142
+            back102 = total142 - total162
+            rest5 = total142 - back102
+            one4 = total162 - rest5
+            two4 = -back102 - lost142
+            lost142 = one4 + two4
+            total162 = total142 - total152
+            back102 = total162 - total142
+            rest5 = total162 - back102
+            one4 = total142 - rest5
+            two4 = -back102 - total152
+            lost182 = one4 + two4
+            total152 = total162 - lost2
+            back102 = total152 - total162
+            rest5 = total152 - back102
+            one4 = total162 - rest5
+            two4 = -back102 - lost2
+            lost192 = one4 + two4
+            low3 = lost162 - lost152 + lost142 + lost182 + lost192 - 1.4920070805839235e-31*turns
+            total162 = low3 + total152
+            total142 = 6.283185307179586*count
+            total222 = root + total142
+            whole3 = xp.where(total222 == 0.0, 1.0, total222)
+            total232 = total162/whole3
+            far = (total232*total232)
+
+            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202,
+                total21, total212, total222, total232, whole3):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back142 = total202 - total192
+                rest9 = total202 - back142
+                one8 = total192 - rest9
+                two8 = low3 - back142
+                lost202 = one8 + two8
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                lost212 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                back142 = total222 - root
+                rest9 = total222 - back142
+                one8 = root - rest9
+                two8 = total212 - back142
+                lost222 = one8 + two8
+                both_low = 2.4492935982947064e-16*count + lost212 + lost222 + root_low
+                left = total202 - total232*whole3
+                total232_halves = halves(xp, total232)
+                whole3_halves = halves(xp, whole3)
+                left = left - product_error(total232*whole3, total232_halves, whole3_halves)
+                left = left - both_low*total232 + lost202
+                lost202 = left/whole3
+                eta = total232
+                eta_low = lost202
+                total24 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost202 = 2.0*eta*eta_low + product_error(total24, eta_halves, eta_halves)
+                cos_series_of2 = cos_series(xp, -total24)
+                bent2 = cos_series_of2*(total24*total24)
+                total25 = 0.5*total24 - bent2
+                back142 = total25 - 0.5*total24
+                lost222 = -back142 - bent2
+                sin_series_of2 = sin_series(xp, -total24)
+                total24 = 1.0 - sin_series_of2*total24
+                lift_low = 0.5*lost202*total24 + lost222
+                given22 = half
+                total24 = 1.0 - 0.5*given22
+                back142 = total24 - 1.0
+                lost222 = -back142 - 0.5*given22
+                decay_series_of3 = decay_series(xp, given22)
+                curved22 = decay_series_of3*(given22*given22)
+                total30 = curved22 + total24
+                back142 = total30 - total24
+                lost202 = curved22 - back142
+                mean_low5 = lost222 + lost202
+                total24 = given22*total30
+                given22_halves = halves(xp, given22)
+                total30_halves = halves(xp, total30)
+                lost202 = given22*mean_low5 + product_error(total24, given22_halves, total30_halves)
+                total30 = 1.0 - total24
+                back142 = total30 - 1.0
+                lost222 = -back142 - total24
+                fall_low5 = lost222 - lost202
+                total24 = 1.0 - total30
+                back142 = total24 - 1.0
+                lost222 = -back142 - total30
+                low4 = lost222 - fall_low5
+                total34 = low4 + total24
+                back142 = total34 - total24
+                lost222 = low4 - back142
+                total24 = (total34*total34)
+                total34_halves = halves(xp, total34)
+                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves,
+                    total34_halves)
+                total34 = total25*total30
+                total30_halves = halves(xp, total30)
+                total25_halves = halves(xp, total25)
+                lost202 = lift_low*total30 + product_error(total34, total30_halves, total25_halves)
+                total30 = total24 + 2.0*total34
+                back142 = total30 - total24
+                rest9 = total30 - back142
+                one8 = total24 - rest9
+                two8 = 2.0*total34 - back142
+                lost212 = one8 + two8
+                low4 = 2.0*fall_low5*total25 + lost222 + 2.0*lost202 + lost212
+                total25 = total30/stiff
+                left = total30 - stiff*total25
+                total25_halves = halves(xp, total25)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total25*stiff, total25_halves, stiff_halves)
+                left = left + low4
+                lost212 = left/stiff
+                swing_of = 2.0*lost21 + 2.0*total21
+                together_of = lost212 + total25
+                return swing_of, together_of
+
+            def no(envelope, half, lost2, lost21, root, size, stiff, total21):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                expm1_of = xp.expm1(-half)
+                grown = -0.5*expm1_of
+                angle = 0.5*root
+                wave = xp.sin(angle)
+                cos_of = xp.cos(angle)
+                back72 = -0.5*cos_of*root_low
+                total92 = wave - back72
+                back82 = total92 - wave
+                rest3 = total92 - back82
+                one2 = wave - rest3
+                two2 = -back72 - back82
+                lost92 = one2 + two2
+                total102 = (total92*total92)
+                total92_halves = halves(xp, total92)
+                lost102 = product_error(total102, total92_halves, total92_halves)
+                low = lost102 + 2.0*lost92*total92
+                total92 = envelope*total102
+                envelope_halves = halves(xp, envelope)
+                total102_halves = halves(xp, total102)
+                lost92 = envelope*low + product_error(total92, envelope_halves, total102_halves)
+                total102 = (grown*grown) + total92
+                back82 = total102 - total92
+                rest3 = total102 - back82
+                one2 = total92 - rest3
+                two2 = (grown*grown) - back82
+                lost102 = one2 + two2
+                low = lost92 + lost102
+                total92 = total102/stiff
+                left = total102 - stiff*total92
+                total92_halves = halves(xp, total92)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total92*stiff, total92_halves, stiff_halves)
+                left = left + low
+                lost102 = left/stiff
+                swing_of = 2.0*lost21 + 2.0*total21
+                together_of = 4.0*lost102 + 4.0*total92
+                return swing_of, together_of
+
+            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21,
+                total142, total222, total232, whole3), no,
+                (envelope, half, lost2, lost21, root, size, stiff, total21))
+
+            return swing_of, together_of
+
+        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no,
+            (gamma, half, lost2, total2))
+
+        return swing_of, together_of
+
+    def no(gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(gamma, half, lost2, root, size, total2, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            envelope = xp.exp(-half)
+            rest12 = together_series(xp, half, total2)
+            total55 = rest12 + 0.5
+            back3 = total55 - rest12
+            rest13 = total55 - back3
+            one11 = rest12 - rest13
+            two11 = 0.5 - back3
+            lost3 = one11 + two11
+            total56 = envelope*total55
+            envelope_halves = halves(xp, envelope)
+            total55_halves = halves(xp, total55)
+            lost3 = envelope*lost3 + product_error(total56, envelope_halves, total55_halves)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                return fall_, fall_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                fall_ = sunk
+                fall_low2 = sunk_low
+                return fall_, fall_low2
+
+            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
+
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total55 = fall2 + 1.0
+            back3 = total55 - 1.0
+            lost22 = fall2 - back3
+            total23 = fall_*total55
+            fall__halves = halves(xp, fall_)
+            total55_halves = halves(xp, total55)
+            lost22 = (
+                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
+            )
+            creep_ = fall_low2*total55 + lost22 + total23
+            swing_of = creep_
+            together_of = 2.0*lost3 + 2.0*total56
+            return swing_of, together_of
+
+        def no(gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
+
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
+
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            total22 = fall2 + 1.0
+            back3 = total22 - 1.0
+            lost3 = fall2 - back3
+            total23 = fall_*total22
+            fall__halves = halves(xp, fall_)
+            total22_halves = halves(xp, total22)
+            lost3 = fall_*(fall_low4 + lost3) + product_error(total23, fall__halves, total22_halves)
+            creep_ = fall_low2*total22 + lost3 + total23
+            total23 = fall_*fall2
+            fall2_halves = halves(xp, fall2)
+            lost3 = fall_*fall_low4 + product_error(total23, fall__halves, fall2_halves)
+            low6 = fall2*fall_low2 + lost3
+            total22 = 1.0 - total23
+            back3 = total22 - 1.0
+            lost3 = -back3 - total23
+            total23 = mean*total22
+            mean_halves = halves(xp, mean)
+            total22_halves = halves(xp, total22)
+            lost3 = mean*(lost3 - low6) + product_error(total23, mean_halves, total22_halves)
             moved_low = lost3 + mean_low2*total22
             total22 = total23/whole
             left = total23 - total22*whole
@@ -2798,11 +5910,8 @@ def decay(xp, x):
     return select(xp, x == 0.0, yes, (x,), no, (x,))
 
 
-def apart_fall_kick_kick_low_rise(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta);
-    displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how
-    far a unit force moves the device in a period
-    """
+def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
+    """The same in single precision."""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -2836,78 +5945,78 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                given4 = 0.5*half
-                total27 = 1.0 - 0.5*given4
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
                 back17 = total27 - 1.0
-                lost29 = -back17 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total30 = curved4 + total27
-                back17 = total30 - total27
-                lost30 = curved4 - back17
-                mean_low5 = lost29 + lost30
-                total27 = given4*total30
-                given4_halves = halves(xp, given4)
-                total30_halves = halves(xp, total30)
-                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
-                total30 = 1.0 - total27
-                back17 = total30 - 1.0
-                lost29 = -back17 - total27
-                fall_low5 = lost29 - lost30
-                total27 = (total30*total30)
-                total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
-                    total30_halves)
-                total30 = (total27*total27)
+                lost54 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back17 = total55 - total27
+                lost55 = curved5 - back17
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back17 = total55 - 1.0
+                lost54 = -back17 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
-                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back17 = total27 - rest6
                 rest5 = total27 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost30 = one4 + two4
-                total36 = total30*total27
-                total30_halves = halves(xp, total30)
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
                 total27_halves = halves(xp, total27)
-                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
                 half2 = half
-                given4 = 0.5*half2
-                total30 = 1.0 - 0.5*given4
-                back17 = total30 - 1.0
-                lost283 = -back17 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total292 = curved4 + total30
-                back17 = total292 - total30
-                lost292 = curved4 - back17
-                mean_low5 = lost283 + lost292
-                total30 = given4*total292
-                given4_halves = halves(xp, given4)
-                total292_halves = halves(xp, total292)
-                lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
-                total292 = 1.0 - total30
-                back17 = total292 - 1.0
-                lost283 = -back17 - total30
-                fall_low5 = lost283 - lost292
-                total30 = (total292*total292)
-                total292_halves = halves(xp, total292)
-                lost283 = (
-                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
-                    total292_halves)
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back17 = total55 - 1.0
+                lost532 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back17 = total542 - total55
+                lost542 = curved5 - back17
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back17 = total542 - 1.0
+                lost532 = -back17 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
                 )
                 rest5 = rise_series(xp, half2, total2)
-                total292 = rest5 + 0.5
-                back17 = total292 - rest5
-                rest6 = total292 - back17
+                total542 = rest5 + 0.5
+                back17 = total542 - rest5
+                rest6 = total542 - back17
                 one4 = rest5 - rest6
                 two4 = 0.5 - back17
-                lost292 = one4 + two4
-                total342 = total30*total292
-                total30_halves = halves(xp, total30)
-                total292_halves = halves(xp, total292)
-                lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
 
                 def yes(lost2, square2):
                     given3 = square2
@@ -2947,20 +6056,22 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
                     (lost2, total2))
 
-                total30 = envelope*odd
+                total55 = envelope*odd
                 odd_halves = halves(xp, odd)
-                lost24 = envelope*odd_low2 + product_error(total30, envelope_halves, odd_halves)
-                total222 = lost24 + total30
-                back17 = total222 - total30
+                lost24 = envelope*odd_low2 + product_error(total55, envelope_halves, odd_halves)
+                total222 = lost24 + total55
+                back17 = total222 - total55
                 lost24 = lost24 - back17
                 apart_of = lost27 + total28
-                fall_of = lost29*total27 + lost30 + total36
+                fall_of = lost54*total27 + lost55 + total61
                 kick_of = total222
                 kick_low_of = lost24
-                rise_of = lost283*total292 + lost292 + total342
+                rise_of = lost532*total542 + lost542 + total592
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             def no(gamma, half, lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
                 square2 = total2
                 envelope = xp.exp(-half)
                 stiff = gamma
@@ -2978,28 +6089,16 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
                 def yes(lost2, square2):
                     given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
                     sin_series_of = sin_series(xp, given3)
                     bent = given3*sin_series_of
-                    total19 = bent + 1.0
-                    back13 = total19 - 1.0
-                    lost20 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost20
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd, odd_low
+                    total21 = bent + 1.0
+                    back15 = total21 - 1.0
+                    lost21 = bent - back15
+                    odd_low = 0.16666666666666666*lost2 + lost21
+                    odd = total21
+                    return odd, odd_low
 
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
+                def no(lost2, root, size):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -3017,75 +6116,316 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     left = left - product_error(total22*some, total22_halves, some_halves)
                     left = cosine*root_low + left - root_low*total22
                     lost22 = left/some
-                    even = cosine
-                    even_low2 = -root_low*sine
                     odd = total22
                     odd_low2 = lost22
-                    return even, even_low2, odd, odd_low2
+                    return odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
-                    no, (lost2, total2))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
 
-                total27 = half*odd
-                half_halves = halves(xp, half)
+                total27 = envelope*odd
                 odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total27, half_halves, odd_halves)
-                total24 = envelope*odd
-                lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-                total252 = total27 - even
-                back17 = total252 - total27
-                rest6 = total252 - back17
-                one4 = total27 - rest6
-                two4 = -back17 - even
-                lost252 = one4 + two4
-                total262 = envelope + total252
-                back17 = total262 - total252
-                rest6 = total262 - back17
-                one4 = total252 - rest6
-                two4 = envelope - back17
-                lost262 = one4 + two4
-                total252 = envelope*total262
-                total262_halves = halves(xp, total262)
-                lost262 = (
-                    envelope*(lost23 - even_low2 + lost252 + lost262) +
-                    product_error(total252, envelope_halves, total262_halves)
-                )
-                total262 = total252/stiff
-                left16 = total252 - stiff*total262
-                total262_halves = halves(xp, total262)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
-                left16 = left16 + lost262
-                lost262 = left16/stiff
-                total252 = lost24 + total24
-                back17 = total252 - total24
+                lost24 = envelope*odd_low2 + product_error(total27, envelope_halves, odd_halves)
+                total222 = lost24 + total27
+                back17 = total222 - total27
                 lost24 = lost24 - back17
-                total24 = even + total27
-                back17 = total24 - even
-                rest6 = total24 - back17
-                one4 = even - rest6
-                two4 = total27 - back17
-                lost252 = one4 + two4
-                total27 = envelope*total24
-                total24_halves = halves(xp, total24)
-                lost252 = (
-                    envelope*(even_low2 + lost23 + lost252) +
-                    product_error(total27, envelope_halves, total24_halves)
+
+                def yes(root):
+                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                    return count
+
+                def no(root):
+                    return 0.0
+
+                count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+                turns = (count*count)
+                total27 = 39.478416442871094*turns
+                turns_halves = halves(xp, turns)
+                number4_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+                lost29 = product_error(total27, turns_halves, number4_halves)
+                total30 = 1.1614863524300745e-06*turns
+                number5_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+                lost30 = product_error(total30, turns_halves, number5_halves)
+                total31 = -total2 - total27
+                back17 = total2 + total31
+                rest6 = total31 - back17
+                one4 = -rest6 - total2
+                two4 = -back17 - total27
+                lost31 = one4 + two4
+                total27 = total31 - lost29
+                back17 = total27 - total31
+                rest6 = total27 - back17
+                one4 = total31 - rest6
+                two4 = -back17 - lost29
+                lost29 = one4 + two4
+                total31 = total27 - total30
+                back17 = total31 - total27
+                rest6 = total31 - back17
+                one4 = total27 - rest6
+                two4 = -back17 - total30
+                lost33 = one4 + two4
+                total30 = total31 - lost2
+                back17 = total30 - total31
+                rest6 = total30 - back17
+                one4 = total31 - rest6
+                two4 = -back17 - lost2
+                lost34 = one4 + two4
+                low2 = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
+                total31 = low2 + total30
+                total27 = 6.2831854820251465*count
+                total37 = root + total27
+                whole32 = xp.where(total37 == 0.0, 1.0, total37)
+                total38 = total31/whole32
+                far = (total38*total38)
+
+                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222,
+                    total28, total34, total35, total36, total37, total38, whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    back22 = total35 - total34
+                    rest10 = total35 - back22
+                    one9 = total34 - rest10
+                    two9 = low2 - back22
+                    lost35 = one9 + two9
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                    lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                    back22 = total37 - root
+                    rest10 = total37 - back22
+                    one9 = root - rest10
+                    two9 = total36 - back22
+                    lost37 = one9 + two9
+                    both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                    left = total35 - total38*whole32
+                    total38_halves = halves(xp, total38)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                    left = left - both_low*total38 + lost35
+                    lost35 = left/whole32
+                    eta = total38
+                    eta_low = lost35
+                    total39 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total39)
+                    bent2 = cos_series_of2*(total39*total39)
+                    total40 = 0.5*total39 - bent2
+                    back22 = total40 - 0.5*total39
+                    lost37 = -back22 - bent2
+                    sin_series_of2 = sin_series(xp, -total39)
+                    total41 = 1.0 - sin_series_of2*total39
+                    back22 = total41 - 1.0
+                    lost36 = -back22 - sin_series_of2*total39
+                    lift_low = 0.5*lost35*total41 + lost37
+                    total39 = eta*total41
+                    total41_halves = halves(xp, total41)
+                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                    some2 = root
+                    total41 = total39/some2
+                    left = total39 - some2*total41
+                    total41_halves = halves(xp, total41)
+                    some2_halves = halves(xp, some2)
+                    left = left - product_error(total41*some2, total41_halves, some2_halves)
+                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                    lost36 = left/some2
+                    given4 = half
+                    total39 = 1.0 - 0.5*given4
+                    back22 = total39 - 1.0
+                    lost37 = -back22 - 0.5*given4
+                    decay_series_of3 = decay_series(xp, given4)
+                    curved4 = decay_series_of3*(given4*given4)
+                    total45 = curved4 + total39
+                    back22 = total45 - total39
+                    lost35 = curved4 - back22
+                    mean_low5 = lost37 + lost35
+                    total39 = given4*total45
+                    given4_halves = halves(xp, given4)
+                    total45_halves = halves(xp, total45)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
+                    total47 = 1.0 - total39
+                    back22 = total47 - 1.0
+                    lost37 = -back22 - total39
+                    fall_low5 = lost37 - lost35
+                    total39 = total45 - total41
+                    back22 = total39 - total45
+                    rest10 = total39 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total41
+                    lost37 = one9 + two9
+                    total49 = given4*total39
+                    total39_halves = halves(xp, total39)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
+                    total39 = total40 - total49
+                    back22 = total39 - total40
+                    rest10 = total39 - back22
+                    one9 = total40 - rest10
+                    two9 = -back22 - total49
+                    lost35 = one9 + two9
+                    low22 = lift_low - lost37 + lost35
+                    total49 = low22 + total39
+                    back22 = total49 - total39
+                    rest10 = total49 - back22
+                    one9 = total39 - rest10
+                    two9 = low22 - back22
+                    lost35 = one9 + two9
+                    total39 = total47*total49
+                    total47_halves = halves(xp, total47)
+                    total49_halves = halves(xp, total49)
+                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                    low22 = fall_low5*total49 + lost35
+                    total49 = total39/stiff
+                    left = total39 - stiff*total49
+                    total49_halves = halves(xp, total49)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                    left = left + low22
+                    lost35 = left/stiff
+                    total39 = total41*total47
+                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                    total482 = total45 - total39
+                    back22 = total482 - total45
+                    rest10 = total482 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total39
+                    lost37 = one9 + two9
+                    low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
+                    total41 = given4*total482
+                    total482_halves = halves(xp, total482)
+                    lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                    total482 = total40*total47
+                    total40_halves = halves(xp, total40)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
+                    total47 = total41 + total482
+                    back22 = total47 - total41
+                    rest10 = total47 - back22
+                    one9 = total41 - rest10
+                    two9 = total482 - back22
+                    lost512 = one9 + two9
+                    low22 = fall_low5*total40 + lost37 + lost36 + lost512
+                    total40 = total47/stiff
+                    left = total47 - stiff*total40
+                    total40_halves = halves(xp, total40)
+                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                    left = left + low22
+                    lost512 = left/stiff
+                    apart_of = lost28 + total28
+                    fall_of = lost35 + total49
+                    kick_of = total222
+                    kick_low_of = lost222
+                    rise_of = lost512 + total40
+                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28):
+                    total23 = half*odd
+                    half_halves = halves(xp, half)
+                    odd_halves = halves(xp, odd)
+                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        even = total20
+                        return even, even_low
+
+                    def no(lost2, root, size):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        sine = xp.sin(root)
+                        cosine = xp.cos(root)
+                        even = cosine
+                        even_low2 = -root_low*sine
+                        return even, even_low2
+
+                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, root, size))
+
+                    total252 = total23 - even
+                    back162 = total252 - total23
+                    rest42 = total252 - back162
+                    one32 = total23 - rest42
+                    two32 = -back162 - even
+                    lost252 = one32 + two32
+                    total262 = envelope + total252
+                    back162 = total262 - total252
+                    rest42 = total262 - back162
+                    one32 = total252 - rest42
+                    two32 = envelope - back162
+                    lost262 = one32 + two32
+                    total252 = envelope*total262
+                    envelope_halves = halves(xp, envelope)
+                    total262_halves = halves(xp, total262)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
+                    total262 = total252/stiff
+                    left16 = total252 - stiff*total262
+                    total262_halves = halves(xp, total262)
+                    stiff_halves = halves(xp, stiff)
+                    left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                    left16 = left16 + lost262
+                    lost262 = left16/stiff
+                    total252 = even + total23
+                    back162 = total252 - even
+                    rest42 = total252 - back162
+                    one32 = even - rest42
+                    two32 = total23 - back162
+                    lost252 = one32 + two32
+                    total23 = envelope*total252
+                    total252_halves = halves(xp, total252)
+                    lost252 = (
+                        envelope*(even_low2 + lost23 + lost252) +
+                        product_error(total23, envelope_halves, total252_halves)
+                    )
+                    total252 = 1.0 - total23
+                    back162 = total252 - 1.0
+                    lost23 = -back162 - total23
+                    total23 = total252/stiff
+                    left16 = total252 - stiff*total23
+                    total23_halves = halves(xp, total23)
+                    left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+                    left16 = left16 - lost252 + lost23
+                    lost23 = left16/stiff
+                    apart_of = lost28 + total28
+                    fall_of = lost262 + total262
+                    kick_of = total222
+                    kick_low_of = lost222
+                    rise_of = lost23 + total23
+                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+                apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222,
+                    total28, total30, total31, total27, total37, total38, whole32), no,
+                    (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28))
                 )
-                total24 = 1.0 - total27
-                back17 = total24 - 1.0
-                lost23 = -back17 - total27
-                total27 = total24/stiff
-                left16 = total24 - stiff*total27
-                total27_halves = halves(xp, total27)
-                left16 = left16 - product_error(total27*stiff, total27_halves, stiff_halves)
-                left16 = left16 - lost252 + lost23
-                lost23 = left16/stiff
-                apart_of = lost27 + total28
-                fall_of = lost262 + total262
-                kick_of = total252
-                kick_low_of = lost24
-                rise_of = lost23 + total27
+
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             apart_of, fall_of, kick_of, kick_low_of, rise_of = (
@@ -3096,6 +6436,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
         def no(delta, gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
             square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
@@ -3103,28 +6445,16 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
 
             def yes(lost2, square2):
                 given3 = square2
-                total19 = 0.5*given3 + 1.0
-                back13 = total19 - 1.0
-                lost19 = 0.5*given3 - back13
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total20 = curved3 + total19
-                back13 = total20 - total19
-                lost20 = curved3 - back13
-                even_low = lost19 + 0.5*lost2 + lost20
                 sin_series_of = sin_series(xp, given3)
                 bent = given3*sin_series_of
-                total19 = bent + 1.0
-                back13 = total19 - 1.0
-                lost20 = bent - back13
-                odd_low = 0.16666666666666666*lost2 + lost20
-                even = total20
-                odd = total19
-                return even, even_low, odd, odd_low
+                total21 = bent + 1.0
+                back15 = total21 - 1.0
+                lost21 = bent - back15
+                odd_low = 0.16666666666666666*lost2 + lost21
+                odd = total21
+                return odd, odd_low
 
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
+            def no(lost2, root, size):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -3142,21 +6472,16 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 left = left - product_error(total22*some, total22_halves, some_halves)
                 left = cosine*root_low + left - root_low*total22
                 lost22 = left/some
-                even = cosine
-                even_low2 = -root_low*sine
                 odd = total22
                 odd_low2 = lost22
-                return even, even_low2, odd, odd_low2
+                return odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, total2))
+            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
-            total23 = half*odd
-            half_halves = halves(xp, half)
-            odd_halves = halves(xp, odd)
-            lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
             total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
+            odd_halves = halves(xp, odd)
             lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
             total25 = mean3 - total24
             back16 = total25 - mean3
@@ -3171,59 +6496,304 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             left13 = left13 - product_error(total26*stiff, total26_halves, stiff_halves)
             left13 = left13 - lost24 + lost25
             lost25 = left13/stiff
-            total25 = total23 - even
-            back16 = total25 - total23
-            rest4 = total25 - back16
-            one3 = total23 - rest4
-            two3 = -back16 - even
-            lost252 = one3 + two3
-            total262 = envelope + total25
-            back16 = total262 - total25
-            rest4 = total262 - back16
-            one3 = total25 - rest4
-            two3 = envelope - back16
-            lost262 = one3 + two3
-            total25 = envelope*total262
-            total262_halves = halves(xp, total262)
-            lost262 = (
-                envelope*(lost23 - even_low2 + lost252 + lost262) +
-                product_error(total25, envelope_halves, total262_halves)
-            )
-            total262 = total25/stiff
-            left13 = total25 - stiff*total262
-            total262_halves = halves(xp, total262)
-            left13 = left13 - product_error(total262*stiff, total262_halves, stiff_halves)
-            left13 = left13 + lost262
-            lost262 = left13/stiff
             total25 = lost24 + total24
             back16 = total25 - total24
             lost24 = lost24 - back16
-            total24 = even + total23
-            back16 = total24 - even
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total24 = 39.478416442871094*turns
+            turns_halves = halves(xp, turns)
+            number5_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+            lost29 = product_error(total24, turns_halves, number5_halves)
+            total30 = 1.1614863524300745e-06*turns
+            number6_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+            lost30 = product_error(total30, turns_halves, number6_halves)
+            total31 = -total2 - total24
+            back16 = total2 + total31
+            rest4 = total31 - back16
+            one3 = -rest4 - total2
+            two3 = -back16 - total24
+            lost31 = one3 + two3
+            total24 = total31 - lost29
+            back16 = total24 - total31
             rest4 = total24 - back16
-            one3 = even - rest4
-            two3 = total23 - back16
-            lost252 = one3 + two3
-            total23 = envelope*total24
-            total24_halves = halves(xp, total24)
-            lost252 = (
-                envelope*(even_low2 + lost23 + lost252) +
-                product_error(total23, envelope_halves, total24_halves)
+            one3 = total31 - rest4
+            two3 = -back16 - lost29
+            lost29 = one3 + two3
+            total31 = total24 - total30
+            back16 = total31 - total24
+            rest4 = total31 - back16
+            one3 = total24 - rest4
+            two3 = -back16 - total30
+            lost33 = one3 + two3
+            total30 = total31 - lost2
+            back16 = total30 - total31
+            rest4 = total30 - back16
+            one3 = total31 - rest4
+            two3 = -back16 - lost2
+            lost34 = one3 + two3
+            low2 = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
+            total31 = low2 + total30
+            total24 = 6.2831854820251465*count
+            total37 = root + total24
+            whole32 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole32
+            far = (total38*total38)
+
+            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222,
+                total26, total34, total35, total36, total37, total38, whole32):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back22 = total35 - total34
+                rest10 = total35 - back22
+                one9 = total34 - rest10
+                two9 = low2 - back22
+                lost35 = one9 + two9
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                back22 = total37 - root
+                rest10 = total37 - back22
+                one9 = root - rest10
+                two9 = total36 - back22
+                lost37 = one9 + two9
+                both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                left = total35 - total38*whole32
+                total38_halves = halves(xp, total38)
+                whole32_halves = halves(xp, whole32)
+                left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                left = left - both_low*total38 + lost35
+                lost35 = left/whole32
+                eta = total38
+                eta_low = lost35
+                total39 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                cos_series_of2 = cos_series(xp, -total39)
+                bent2 = cos_series_of2*(total39*total39)
+                total40 = 0.5*total39 - bent2
+                back22 = total40 - 0.5*total39
+                lost37 = -back22 - bent2
+                sin_series_of2 = sin_series(xp, -total39)
+                total41 = 1.0 - sin_series_of2*total39
+                back22 = total41 - 1.0
+                lost36 = -back22 - sin_series_of2*total39
+                lift_low = 0.5*lost35*total41 + lost37
+                total39 = eta*total41
+                total41_halves = halves(xp, total41)
+                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                some2 = root
+                total41 = total39/some2
+                left = total39 - some2*total41
+                total41_halves = halves(xp, total41)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total41*some2, total41_halves, some2_halves)
+                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                lost36 = left/some2
+                given4 = half
+                total39 = 1.0 - 0.5*given4
+                back22 = total39 - 1.0
+                lost37 = -back22 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total45 = curved4 + total39
+                back22 = total45 - total39
+                lost35 = curved4 - back22
+                mean_low5 = lost37 + lost35
+                total39 = given4*total45
+                given4_halves = halves(xp, given4)
+                total45_halves = halves(xp, total45)
+                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                total47 = 1.0 - total39
+                back22 = total47 - 1.0
+                lost37 = -back22 - total39
+                fall_low5 = lost37 - lost35
+                total39 = total45 - total41
+                back22 = total39 - total45
+                rest10 = total39 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total41
+                lost37 = one9 + two9
+                total49 = given4*total39
+                total39_halves = halves(xp, total39)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
+                total39 = total40 - total49
+                back22 = total39 - total40
+                rest10 = total39 - back22
+                one9 = total40 - rest10
+                two9 = -back22 - total49
+                lost35 = one9 + two9
+                low22 = lift_low - lost37 + lost35
+                total49 = low22 + total39
+                back22 = total49 - total39
+                rest10 = total49 - back22
+                one9 = total39 - rest10
+                two9 = low22 - back22
+                lost35 = one9 + two9
+                total39 = total47*total49
+                total47_halves = halves(xp, total47)
+                total49_halves = halves(xp, total49)
+                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                low22 = fall_low5*total49 + lost35
+                total49 = total39/stiff
+                left = total39 - stiff*total49
+                total49_halves = halves(xp, total49)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                left = left + low22
+                lost35 = left/stiff
+                total39 = total41*total47
+                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                total482 = total45 - total39
+                back22 = total482 - total45
+                rest10 = total482 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total39
+                lost37 = one9 + two9
+                low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
+                total41 = given4*total482
+                total482_halves = halves(xp, total482)
+                lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                total482 = total40*total47
+                total40_halves = halves(xp, total40)
+                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                total47 = total41 + total482
+                back22 = total47 - total41
+                rest10 = total47 - back22
+                one9 = total41 - rest10
+                two9 = total482 - back22
+                lost512 = one9 + two9
+                low22 = fall_low5*total40 + lost37 + lost36 + lost512
+                total40 = total47/stiff
+                left = total47 - stiff*total40
+                total40_halves = halves(xp, total40)
+                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                left = left + low22
+                lost512 = left/stiff
+                apart_of = lost26 + total26
+                fall_of = lost35 + total49
+                kick_of = total222
+                kick_low_of = lost222
+                rise_of = lost512 + total40
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2,
+                stiff, total222, total26):
+                total23 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    even = total20
+                    return even, even_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    return even, even_low2
+
+                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
+
+                total252 = total23 - even
+                back162 = total252 - total23
+                rest42 = total252 - back162
+                one32 = total23 - rest42
+                two32 = -back162 - even
+                lost252 = one32 + two32
+                total262 = envelope + total252
+                back162 = total262 - total252
+                rest42 = total262 - back162
+                one32 = total252 - rest42
+                two32 = envelope - back162
+                lost262 = one32 + two32
+                total252 = envelope*total262
+                envelope_halves = halves(xp, envelope)
+                total262_halves = halves(xp, total262)
+                lost262 = (
+                    envelope*(lost23 - even_low2 + lost252 + lost262) +
+                    product_error(total252, envelope_halves, total262_halves)
+                )
+                total262 = total252/stiff
+                left16 = total252 - stiff*total262
+                total262_halves = halves(xp, total262)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                left16 = left16 + lost262
+                lost262 = left16/stiff
+                total252 = even + total23
+                back162 = total252 - even
+                rest42 = total252 - back162
+                one32 = even - rest42
+                two32 = total23 - back162
+                lost252 = one32 + two32
+                total23 = envelope*total252
+                total252_halves = halves(xp, total252)
+                lost252 = (
+                    envelope*(even_low2 + lost23 + lost252) +
+                    product_error(total23, envelope_halves, total252_halves)
+                )
+                total252 = 1.0 - total23
+                back162 = total252 - 1.0
+                lost23 = -back162 - total23
+                total23 = total252/stiff
+                left16 = total252 - stiff*total23
+                total23_halves = halves(xp, total23)
+                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+                left16 = left16 - lost252 + lost23
+                lost23 = left16/stiff
+                apart_of = lost26 + total26
+                fall_of = lost262 + total262
+                kick_of = total222
+                kick_low_of = lost222
+                rise_of = lost23 + total23
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26,
+                total30, total31, total24, total37, total38, whole32), no,
+                (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2,
+                stiff, total25, total26))
             )
-            total24 = 1.0 - total23
-            back16 = total24 - 1.0
-            lost23 = -back16 - total23
-            total23 = total24/stiff
-            left13 = total24 - stiff*total23
-            total23_halves = halves(xp, total23)
-            left13 = left13 - product_error(total23*stiff, total23_halves, stiff_halves)
-            left13 = left13 - lost252 + lost23
-            lost23 = left13/stiff
-            apart_of = lost25 + total26
-            fall_of = lost262 + total262
-            kick_of = total25
-            kick_low_of = lost24
-            rise_of = lost23 + total23
+
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
         apart_of, fall_of, kick_of, kick_low_of, rise_of = (
@@ -3273,78 +6843,78 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                given4 = 0.5*half
-                total27 = 1.0 - 0.5*given4
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
                 back3 = total27 - 1.0
-                lost29 = -back3 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total30 = curved4 + total27
-                back3 = total30 - total27
-                lost30 = curved4 - back3
-                mean_low5 = lost29 + lost30
-                total27 = given4*total30
-                given4_halves = halves(xp, given4)
-                total30_halves = halves(xp, total30)
-                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
-                total30 = 1.0 - total27
-                back3 = total30 - 1.0
-                lost29 = -back3 - total27
-                fall_low5 = lost29 - lost30
-                total27 = (total30*total30)
-                total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
-                    total30_halves)
-                total30 = (total27*total27)
+                lost54 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back3 = total55 - total27
+                lost55 = curved5 - back3
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back3 = total55 - 1.0
+                lost54 = -back3 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
-                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back3 = total27 - rest6
                 rest5 = total27 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost30 = one4 + two4
-                total36 = total30*total27
-                total30_halves = halves(xp, total30)
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
                 total27_halves = halves(xp, total27)
-                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
                 half2 = half
-                given4 = 0.5*half2
-                total30 = 1.0 - 0.5*given4
-                back3 = total30 - 1.0
-                lost283 = -back3 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total292 = curved4 + total30
-                back3 = total292 - total30
-                lost292 = curved4 - back3
-                mean_low5 = lost283 + lost292
-                total30 = given4*total292
-                given4_halves = halves(xp, given4)
-                total292_halves = halves(xp, total292)
-                lost292 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
-                total292 = 1.0 - total30
-                back3 = total292 - 1.0
-                lost283 = -back3 - total30
-                fall_low5 = lost283 - lost292
-                total30 = (total292*total292)
-                total292_halves = halves(xp, total292)
-                lost283 = (
-                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
-                    total292_halves)
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back3 = total55 - 1.0
+                lost532 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back3 = total542 - total55
+                lost542 = curved5 - back3
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back3 = total542 - 1.0
+                lost532 = -back3 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
                 )
                 rest5 = rise_series(xp, half2, total2)
-                total292 = rest5 + 0.5
-                back3 = total292 - rest5
-                rest6 = total292 - back3
+                total542 = rest5 + 0.5
+                back3 = total542 - rest5
+                rest6 = total542 - back3
                 one4 = rest5 - rest6
                 two4 = 0.5 - back3
-                lost292 = one4 + two4
-                total342 = total30*total292
-                total30_halves = halves(xp, total30)
-                total292_halves = halves(xp, total292)
-                lost292 = lost292*total30 + product_error(total342, total30_halves, total292_halves)
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -3418,19 +6988,19 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
                     (root, root_low))
 
-                total30 = fall_*mean2
+                total55 = fall_*mean2
                 fall__halves = halves(xp, fall_)
                 mean2_halves = halves(xp, mean2)
-                lost163 = fall_*mean_low4 + product_error(total30, fall__halves, mean2_halves)
+                lost163 = fall_*mean_low4 + product_error(total55, fall__halves, mean2_halves)
                 creep_low = fall_low2*mean2 + lost163
-                total232 = creep_low + total30
-                back3 = total232 - total30
+                total232 = creep_low + total55
+                back3 = total232 - total55
                 lost163 = creep_low - back3
                 apart_of = lost3 + total28
-                fall_of = lost29*total27 + lost30 + total36
+                fall_of = lost54*total27 + lost55 + total61
                 kick_of = total232
                 kick_low_of = lost163
-                rise_of = lost283*total292 + lost292 + total342
+                rise_of = lost532*total542 + lost542 + total592
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
             def no(gamma, half, lost2, root, size, total2, total3):
@@ -3820,10 +7390,13 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
 
-def apart_fall_nyquist_rise_together(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a +
-    e; n1, how far a unit force moves the device in a period; n1 + n0
+def apart_fall_kick_kick_low_rise(xp, gamma, delta):
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta);
+    displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how
+    far a unit force moves the device in a period
     """
+    if gamma.dtype == xp.float32:
+        return apart_fall_kick_kick_low_rise_single(xp, gamma, delta)
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -3857,90 +7430,1570 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                given4 = 0.5*half
-                total27 = 1.0 - 0.5*given4
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
                 back17 = total27 - 1.0
-                lost29 = -back17 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total30 = curved4 + total27
-                back17 = total30 - total27
-                lost30 = curved4 - back17
-                mean_low5 = lost29 + lost30
-                total27 = given4*total30
-                given4_halves = halves(xp, given4)
-                total30_halves = halves(xp, total30)
-                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
-                total30 = 1.0 - total27
-                back17 = total30 - 1.0
-                lost29 = -back17 - total27
-                fall_low5 = lost29 - lost30
-                total27 = (total30*total30)
-                total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
-                    total30_halves)
-                total30 = (total27*total27)
+                lost54 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back17 = total55 - total27
+                lost55 = curved5 - back17
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back17 = total55 - 1.0
+                lost54 = -back17 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
-                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back17 = total27 - rest6
                 rest5 = total27 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost30 = one4 + two4
-                total36 = total30*total27
-                total30_halves = halves(xp, total30)
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
                 total27_halves = halves(xp, total27)
-                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
-                twice2 = 2.0*envelope
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
                 half2 = half
-                given4 = 0.5*half2
-                total30 = 1.0 - 0.5*given4
-                back17 = total30 - 1.0
-                lost284 = -back17 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total292 = curved4 + total30
-                back17 = total292 - total30
-                lost293 = curved4 - back17
-                mean_low5 = lost284 + lost293
-                total30 = given4*total292
-                given4_halves = halves(xp, given4)
-                total292_halves = halves(xp, total292)
-                lost293 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
-                total292 = 1.0 - total30
-                back17 = total292 - 1.0
-                lost284 = -back17 - total30
-                fall_low5 = lost284 - lost293
-                total30 = (total292*total292)
-                total292_halves = halves(xp, total292)
-                lost284 = (
-                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
-                    total292_halves)
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back17 = total55 - 1.0
+                lost532 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back17 = total542 - total55
+                lost542 = curved5 - back17
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back17 = total542 - 1.0
+                lost532 = -back17 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
                 )
                 rest5 = rise_series(xp, half2, total2)
-                total292 = rest5 + 0.5
-                back17 = total292 - rest5
-                rest6 = total292 - back17
+                total542 = rest5 + 0.5
+                back17 = total542 - rest5
+                rest6 = total542 - back17
                 one4 = rest5 - rest6
                 two4 = 0.5 - back17
-                lost293 = one4 + two4
-                total342 = total30*total292
-                total30_halves = halves(xp, total30)
-                total292_halves = halves(xp, total292)
-                lost293 = lost293*total30 + product_error(total342, total30_halves, total292_halves)
-                rest6 = together_series(xp, half, total2)
-                total30 = rest6 + 0.5
-                back17 = total30 - rest6
-                rest5 = total30 - back17
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total21 = bent + 1.0
+                    back15 = total21 - 1.0
+                    lost21 = bent - back15
+                    odd_low = 0.16666666666666666*lost2 + lost21
+                    odd = total21
+                    return odd, odd_low
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    odd = total22
+                    odd_low2 = lost22
+                    return odd, odd_low2
+
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, total2))
+
+                total55 = envelope*odd
+                odd_halves = halves(xp, odd)
+                lost24 = envelope*odd_low2 + product_error(total55, envelope_halves, odd_halves)
+                total222 = lost24 + total55
+                back17 = total222 - total55
+                lost24 = lost24 - back17
+                apart_of = lost27 + total28
+                fall_of = lost54*total27 + lost55 + total61
+                kick_of = total222
+                kick_low_of = lost24
+                rise_of = lost532*total542 + lost542 + total592
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            def no(gamma, half, lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                square2 = total2
+                envelope = xp.exp(-half)
+                stiff = gamma
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    sin_series_of = sin_series(xp, given3)
+                    bent = given3*sin_series_of
+                    total21 = bent + 1.0
+                    back15 = total21 - 1.0
+                    lost21 = bent - back15
+                    odd_low = 0.16666666666666666*lost2 + lost21
+                    odd = total21
+                    return odd, odd_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    some = root
+                    total22 = sine/some
+                    left = sine - some*total22
+                    total22_halves = halves(xp, total22)
+                    some_halves = halves(xp, some)
+                    left = left - product_error(total22*some, total22_halves, some_halves)
+                    left = cosine*root_low + left - root_low*total22
+                    lost22 = left/some
+                    odd = total22
+                    odd_low2 = lost22
+                    return odd, odd_low2
+
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
+
+                total27 = envelope*odd
+                odd_halves = halves(xp, odd)
+                lost24 = envelope*odd_low2 + product_error(total27, envelope_halves, odd_halves)
+                total222 = lost24 + total27
+                back17 = total222 - total27
+                lost24 = lost24 - back17
+
+                def yes(root):
+                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                    return count
+
+                def no(root):
+                    return 0.0
+
+                count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+                turns = (count*count)
+                total27 = 39.47841760435743*turns
+                turns_halves = halves(xp, turns)
+                number4_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+                lost29 = product_error(total27, turns_halves, number4_halves)
+                total30 = 2.5061182034958845e-15*turns
+                number5_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+                lost30 = product_error(total30, turns_halves, number5_halves)
+                total31 = -total2 - total27
+                back17 = total2 + total31
+                rest6 = total31 - back17
+                one4 = -rest6 - total2
+                two4 = -back17 - total27
+                lost31 = one4 + two4
+                total27 = total31 - lost29
+                back17 = total27 - total31
+                rest6 = total27 - back17
+                one4 = total31 - rest6
+                two4 = -back17 - lost29
+                lost29 = one4 + two4
+                total31 = total27 - total30
+                back17 = total31 - total27
+                rest6 = total31 - back17
+                one4 = total27 - rest6
+                two4 = -back17 - total30
+                lost33 = one4 + two4
+                total30 = total31 - lost2
+                back17 = total30 - total31
+                rest6 = total30 - back17
+                one4 = total31 - rest6
+                two4 = -back17 - lost2
+                lost34 = one4 + two4
+                low2 = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
+                total31 = low2 + total30
+                total27 = 6.283185307179586*count
+                total37 = root + total27
+                whole32 = xp.where(total37 == 0.0, 1.0, total37)
+                total38 = total31/whole32
+                far = (total38*total38)
+
+                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222,
+                    total28, total34, total35, total36, total37, total38, whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    back22 = total35 - total34
+                    rest10 = total35 - back22
+                    one9 = total34 - rest10
+                    two9 = low2 - back22
+                    lost35 = one9 + two9
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                    lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                    back22 = total37 - root
+                    rest10 = total37 - back22
+                    one9 = root - rest10
+                    two9 = total36 - back22
+                    lost37 = one9 + two9
+                    both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                    left = total35 - total38*whole32
+                    total38_halves = halves(xp, total38)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                    left = left - both_low*total38 + lost35
+                    lost35 = left/whole32
+                    eta = total38
+                    eta_low = lost35
+                    total39 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total39)
+                    bent2 = cos_series_of2*(total39*total39)
+                    total40 = 0.5*total39 - bent2
+                    back22 = total40 - 0.5*total39
+                    lost37 = -back22 - bent2
+                    sin_series_of2 = sin_series(xp, -total39)
+                    total41 = 1.0 - sin_series_of2*total39
+                    back22 = total41 - 1.0
+                    lost36 = -back22 - sin_series_of2*total39
+                    lift_low = 0.5*lost35*total41 + lost37
+                    total39 = eta*total41
+                    total41_halves = halves(xp, total41)
+                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                    some2 = root
+                    total41 = total39/some2
+                    left = total39 - some2*total41
+                    total41_halves = halves(xp, total41)
+                    some2_halves = halves(xp, some2)
+                    left = left - product_error(total41*some2, total41_halves, some2_halves)
+                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                    lost36 = left/some2
+                    given4 = half
+                    total39 = 1.0 - 0.5*given4
+                    back22 = total39 - 1.0
+                    lost37 = -back22 - 0.5*given4
+                    decay_series_of3 = decay_series(xp, given4)
+                    curved4 = decay_series_of3*(given4*given4)
+                    total45 = curved4 + total39
+                    back22 = total45 - total39
+                    lost35 = curved4 - back22
+                    mean_low5 = lost37 + lost35
+                    total39 = given4*total45
+                    given4_halves = halves(xp, given4)
+                    total45_halves = halves(xp, total45)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
+                    total47 = 1.0 - total39
+                    back22 = total47 - 1.0
+                    lost37 = -back22 - total39
+                    fall_low5 = lost37 - lost35
+                    total39 = total45 - total41
+                    back22 = total39 - total45
+                    rest10 = total39 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total41
+                    lost37 = one9 + two9
+                    total49 = given4*total39
+                    total39_halves = halves(xp, total39)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
+                    total39 = total40 - total49
+                    back22 = total39 - total40
+                    rest10 = total39 - back22
+                    one9 = total40 - rest10
+                    two9 = -back22 - total49
+                    lost35 = one9 + two9
+                    low22 = lift_low - lost37 + lost35
+                    total49 = low22 + total39
+                    back22 = total49 - total39
+                    rest10 = total49 - back22
+                    one9 = total39 - rest10
+                    two9 = low22 - back22
+                    lost35 = one9 + two9
+                    total39 = total47*total49
+                    total47_halves = halves(xp, total47)
+                    total49_halves = halves(xp, total49)
+                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                    low22 = fall_low5*total49 + lost35
+                    total49 = total39/stiff
+                    left = total39 - stiff*total49
+                    total49_halves = halves(xp, total49)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                    left = left + low22
+                    lost35 = left/stiff
+                    total39 = total41*total47
+                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                    total482 = total45 - total39
+                    back22 = total482 - total45
+                    rest10 = total482 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total39
+                    lost37 = one9 + two9
+                    low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
+                    total41 = given4*total482
+                    total482_halves = halves(xp, total482)
+                    lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                    total482 = total40*total47
+                    total40_halves = halves(xp, total40)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
+                    total47 = total41 + total482
+                    back22 = total47 - total41
+                    rest10 = total47 - back22
+                    one9 = total41 - rest10
+                    two9 = total482 - back22
+                    lost512 = one9 + two9
+                    low22 = fall_low5*total40 + lost37 + lost36 + lost512
+                    total40 = total47/stiff
+                    left = total47 - stiff*total40
+                    total40_halves = halves(xp, total40)
+                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                    left = left + low22
+                    lost512 = left/stiff
+                    apart_of = lost28 + total28
+                    fall_of = lost35 + total49
+                    kick_of = total222
+                    kick_low_of = lost222
+                    rise_of = lost512 + total40
+                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28):
+                    total23 = half*odd
+                    half_halves = halves(xp, half)
+                    odd_halves = halves(xp, odd)
+                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        even = total20
+                        return even, even_low
+
+                    def no(lost2, root, size):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        sine = xp.sin(root)
+                        cosine = xp.cos(root)
+                        even = cosine
+                        even_low2 = -root_low*sine
+                        return even, even_low2
+
+                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, root, size))
+
+                    total252 = total23 - even
+                    back162 = total252 - total23
+                    rest42 = total252 - back162
+                    one32 = total23 - rest42
+                    two32 = -back162 - even
+                    lost252 = one32 + two32
+                    total262 = envelope + total252
+                    back162 = total262 - total252
+                    rest42 = total262 - back162
+                    one32 = total252 - rest42
+                    two32 = envelope - back162
+                    lost262 = one32 + two32
+                    total252 = envelope*total262
+                    envelope_halves = halves(xp, envelope)
+                    total262_halves = halves(xp, total262)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
+                    total262 = total252/stiff
+                    left16 = total252 - stiff*total262
+                    total262_halves = halves(xp, total262)
+                    stiff_halves = halves(xp, stiff)
+                    left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                    left16 = left16 + lost262
+                    lost262 = left16/stiff
+                    total252 = even + total23
+                    back162 = total252 - even
+                    rest42 = total252 - back162
+                    one32 = even - rest42
+                    two32 = total23 - back162
+                    lost252 = one32 + two32
+                    total23 = envelope*total252
+                    total252_halves = halves(xp, total252)
+                    lost252 = (
+                        envelope*(even_low2 + lost23 + lost252) +
+                        product_error(total23, envelope_halves, total252_halves)
+                    )
+                    total252 = 1.0 - total23
+                    back162 = total252 - 1.0
+                    lost23 = -back162 - total23
+                    total23 = total252/stiff
+                    left16 = total252 - stiff*total23
+                    total23_halves = halves(xp, total23)
+                    left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+                    left16 = left16 - lost252 + lost23
+                    lost23 = left16/stiff
+                    apart_of = lost28 + total28
+                    fall_of = lost262 + total262
+                    kick_of = total222
+                    kick_low_of = lost222
+                    rise_of = lost23 + total23
+                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+                apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222,
+                    total28, total30, total31, total27, total37, total38, whole32), no,
+                    (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28))
+                )
+
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (gamma, half, lost2, total2))
+            )
+
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        def no(delta, gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            square2 = total2
+            envelope = xp.exp(-half)
+            stiff = gamma
+            mean3 = decay(xp, delta)
+
+            def yes(lost2, square2):
+                given3 = square2
+                sin_series_of = sin_series(xp, given3)
+                bent = given3*sin_series_of
+                total21 = bent + 1.0
+                back15 = total21 - 1.0
+                lost21 = bent - back15
+                odd_low = 0.16666666666666666*lost2 + lost21
+                odd = total21
+                return odd, odd_low
+
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left = left - product_error(total22*some, total22_halves, some_halves)
+                left = cosine*root_low + left - root_low*total22
+                lost22 = left/some
+                odd = total22
+                odd_low2 = lost22
+                return odd, odd_low2
+
+            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
+
+            total24 = envelope*odd
+            envelope_halves = halves(xp, envelope)
+            odd_halves = halves(xp, odd)
+            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+            total25 = mean3 - total24
+            back16 = total25 - mean3
+            rest4 = total25 - back16
+            one3 = mean3 - rest4
+            two3 = -back16 - total24
+            lost25 = one3 + two3
+            total26 = total25/stiff
+            left13 = total25 - stiff*total26
+            total26_halves = halves(xp, total26)
+            stiff_halves = halves(xp, stiff)
+            left13 = left13 - product_error(total26*stiff, total26_halves, stiff_halves)
+            left13 = left13 - lost24 + lost25
+            lost25 = left13/stiff
+            total25 = lost24 + total24
+            back16 = total25 - total24
+            lost24 = lost24 - back16
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total24 = 39.47841760435743*turns
+            turns_halves = halves(xp, turns)
+            number5_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+            lost29 = product_error(total24, turns_halves, number5_halves)
+            total30 = 2.5061182034958845e-15*turns
+            number6_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+            lost30 = product_error(total30, turns_halves, number6_halves)
+            total31 = -total2 - total24
+            back16 = total2 + total31
+            rest4 = total31 - back16
+            one3 = -rest4 - total2
+            two3 = -back16 - total24
+            lost31 = one3 + two3
+            total24 = total31 - lost29
+            back16 = total24 - total31
+            rest4 = total24 - back16
+            one3 = total31 - rest4
+            two3 = -back16 - lost29
+            lost29 = one3 + two3
+            total31 = total24 - total30
+            back16 = total31 - total24
+            rest4 = total31 - back16
+            one3 = total24 - rest4
+            two3 = -back16 - total30
+            lost33 = one3 + two3
+            total30 = total31 - lost2
+            back16 = total30 - total31
+            rest4 = total30 - back16
+            one3 = total31 - rest4
+            two3 = -back16 - lost2
+            lost34 = one3 + two3
+            low2 = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
+            total31 = low2 + total30
+            total24 = 6.283185307179586*count
+            total37 = root + total24
+            whole32 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole32
+            far = (total38*total38)
+
+            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222,
+                total26, total34, total35, total36, total37, total38, whole32):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back22 = total35 - total34
+                rest10 = total35 - back22
+                one9 = total34 - rest10
+                two9 = low2 - back22
+                lost35 = one9 + two9
+                count_halves = halves(xp, count)
+                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                back22 = total37 - root
+                rest10 = total37 - back22
+                one9 = root - rest10
+                two9 = total36 - back22
+                lost37 = one9 + two9
+                both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                left = total35 - total38*whole32
+                total38_halves = halves(xp, total38)
+                whole32_halves = halves(xp, whole32)
+                left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                left = left - both_low*total38 + lost35
+                lost35 = left/whole32
+                eta = total38
+                eta_low = lost35
+                total39 = (eta*eta)
+                eta_halves = halves(xp, eta)
+                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                cos_series_of2 = cos_series(xp, -total39)
+                bent2 = cos_series_of2*(total39*total39)
+                total40 = 0.5*total39 - bent2
+                back22 = total40 - 0.5*total39
+                lost37 = -back22 - bent2
+                sin_series_of2 = sin_series(xp, -total39)
+                total41 = 1.0 - sin_series_of2*total39
+                back22 = total41 - 1.0
+                lost36 = -back22 - sin_series_of2*total39
+                lift_low = 0.5*lost35*total41 + lost37
+                total39 = eta*total41
+                total41_halves = halves(xp, total41)
+                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                some2 = root
+                total41 = total39/some2
+                left = total39 - some2*total41
+                total41_halves = halves(xp, total41)
+                some2_halves = halves(xp, some2)
+                left = left - product_error(total41*some2, total41_halves, some2_halves)
+                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                lost36 = left/some2
+                given4 = half
+                total39 = 1.0 - 0.5*given4
+                back22 = total39 - 1.0
+                lost37 = -back22 - 0.5*given4
+                decay_series_of3 = decay_series(xp, given4)
+                curved4 = decay_series_of3*(given4*given4)
+                total45 = curved4 + total39
+                back22 = total45 - total39
+                lost35 = curved4 - back22
+                mean_low5 = lost37 + lost35
+                total39 = given4*total45
+                given4_halves = halves(xp, given4)
+                total45_halves = halves(xp, total45)
+                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                total47 = 1.0 - total39
+                back22 = total47 - 1.0
+                lost37 = -back22 - total39
+                fall_low5 = lost37 - lost35
+                total39 = total45 - total41
+                back22 = total39 - total45
+                rest10 = total39 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total41
+                lost37 = one9 + two9
+                total49 = given4*total39
+                total39_halves = halves(xp, total39)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
+                total39 = total40 - total49
+                back22 = total39 - total40
+                rest10 = total39 - back22
+                one9 = total40 - rest10
+                two9 = -back22 - total49
+                lost35 = one9 + two9
+                low22 = lift_low - lost37 + lost35
+                total49 = low22 + total39
+                back22 = total49 - total39
+                rest10 = total49 - back22
+                one9 = total39 - rest10
+                two9 = low22 - back22
+                lost35 = one9 + two9
+                total39 = total47*total49
+                total47_halves = halves(xp, total47)
+                total49_halves = halves(xp, total49)
+                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                low22 = fall_low5*total49 + lost35
+                total49 = total39/stiff
+                left = total39 - stiff*total49
+                total49_halves = halves(xp, total49)
+                stiff_halves = halves(xp, stiff)
+                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                left = left + low22
+                lost35 = left/stiff
+                total39 = total41*total47
+                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                total482 = total45 - total39
+                back22 = total482 - total45
+                rest10 = total482 - back22
+                one9 = total45 - rest10
+                two9 = -back22 - total39
+                lost37 = one9 + two9
+                low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
+                total41 = given4*total482
+                total482_halves = halves(xp, total482)
+                lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                total482 = total40*total47
+                total40_halves = halves(xp, total40)
+                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                total47 = total41 + total482
+                back22 = total47 - total41
+                rest10 = total47 - back22
+                one9 = total41 - rest10
+                two9 = total482 - back22
+                lost512 = one9 + two9
+                low22 = fall_low5*total40 + lost37 + lost36 + lost512
+                total40 = total47/stiff
+                left = total47 - stiff*total40
+                total40_halves = halves(xp, total40)
+                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                left = left + low22
+                lost512 = left/stiff
+                apart_of = lost26 + total26
+                fall_of = lost35 + total49
+                kick_of = total222
+                kick_low_of = lost222
+                rise_of = lost512 + total40
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2,
+                stiff, total222, total26):
+                total23 = half*odd
+                half_halves = halves(xp, half)
+                odd_halves = halves(xp, odd)
+                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    even = total20
+                    return even, even_low
+
+                def no(lost2, root, size):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    cosine = xp.cos(root)
+                    even = cosine
+                    even_low2 = -root_low*sine
+                    return even, even_low2
+
+                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
+
+                total252 = total23 - even
+                back162 = total252 - total23
+                rest42 = total252 - back162
+                one32 = total23 - rest42
+                two32 = -back162 - even
+                lost252 = one32 + two32
+                total262 = envelope + total252
+                back162 = total262 - total252
+                rest42 = total262 - back162
+                one32 = total252 - rest42
+                two32 = envelope - back162
+                lost262 = one32 + two32
+                total252 = envelope*total262
+                envelope_halves = halves(xp, envelope)
+                total262_halves = halves(xp, total262)
+                lost262 = (
+                    envelope*(lost23 - even_low2 + lost252 + lost262) +
+                    product_error(total252, envelope_halves, total262_halves)
+                )
+                total262 = total252/stiff
+                left16 = total252 - stiff*total262
+                total262_halves = halves(xp, total262)
+                stiff_halves = halves(xp, stiff)
+                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                left16 = left16 + lost262
+                lost262 = left16/stiff
+                total252 = even + total23
+                back162 = total252 - even
+                rest42 = total252 - back162
+                one32 = even - rest42
+                two32 = total23 - back162
+                lost252 = one32 + two32
+                total23 = envelope*total252
+                total252_halves = halves(xp, total252)
+                lost252 = (
+                    envelope*(even_low2 + lost23 + lost252) +
+                    product_error(total23, envelope_halves, total252_halves)
+                )
+                total252 = 1.0 - total23
+                back162 = total252 - 1.0
+                lost23 = -back162 - total23
+                total23 = total252/stiff
+                left16 = total252 - stiff*total23
+                total23_halves = halves(xp, total23)
+                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
+                left16 = left16 - lost252 + lost23
+                lost23 = left16/stiff
+                apart_of = lost26 + total26
+                fall_of = lost262 + total262
+                kick_of = total222
+                kick_low_of = lost222
+                rise_of = lost23 + total23
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26,
+                total30, total31, total24, total37, total38, whole32), no,
+                (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2,
+                stiff, total25, total26))
+            )
+
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
+
+        return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+    def no(delta, gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
+
+            def yes(delta, gamma, half, lost2, root, size, total2, total3):
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
+                back3 = total27 - 1.0
+                lost54 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back3 = total55 - total27
+                lost55 = curved5 - back3
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back3 = total55 - 1.0
+                lost54 = -back3 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back3 = total27 - rest6
+                rest5 = total27 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
+                total27_halves = halves(xp, total27)
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
+                half2 = half
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back3 = total55 - 1.0
+                lost532 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back3 = total542 - total55
+                lost542 = curved5 - back3
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back3 = total542 - 1.0
+                lost532 = -back3 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
+                rest5 = rise_series(xp, half2, total2)
+                total542 = rest5 + 0.5
+                back3 = total542 - rest5
+                rest6 = total542 - back3
+                one4 = rest5 - rest6
+                two4 = 0.5 - back3
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    return fall_, fall_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    return fall_, fall_low2
+
+                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
+                    mean2 = total11
+                    return mean2, mean_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    total14 = 1.0 - sunk2
+                    back11 = total14 - 1.0
+                    lost14 = -back11 - sunk2
+                    bottom2 = 2.0*root
+                    total15 = total14/bottom2
+                    left7 = total14 - bottom2*total15
+                    total15_halves = halves(xp, total15)
+                    bottom2_halves = halves(xp, bottom2)
+                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                    lost14 = left7/bottom2
+                    mean2 = total15
+                    mean_low4 = lost14
+                    return mean2, mean_low4
+
+                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
+
+                total55 = fall_*mean2
+                fall__halves = halves(xp, fall_)
+                mean2_halves = halves(xp, mean2)
+                lost163 = fall_*mean_low4 + product_error(total55, fall__halves, mean2_halves)
+                creep_low = fall_low2*mean2 + lost163
+                total232 = creep_low + total55
+                back3 = total232 - total55
+                lost163 = creep_low - back3
+                apart_of = lost3 + total28
+                fall_of = lost54*total27 + lost55 + total61
+                kick_of = total232
+                kick_low_of = lost163
+                rise_of = lost532*total542 + lost542 + total592
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            def no(gamma, half, lost2, root, size, total2, total3):
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    mean = total5
+                    return fall_, fall_low, mean, mean_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    total8 = 1.0 - sunk
+                    back7 = total8 - 1.0
+                    lost8 = -back7 - sunk
+                    bottom = q
+                    total9 = total8/bottom
+                    left4 = total8 - bottom*total9
+                    total9_halves = halves(xp, total9)
+                    bottom_halves = halves(xp, bottom)
+                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                    left4 = left4 + lost8 - q_low*total9 - sunk_low
+                    lost8 = left4/bottom
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    mean = total9
+                    mean_low2 = lost8
+                    return fall_, fall_low2, mean, mean_low2
+
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
+
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
+                    total10 = given2*total11
+                    given2_halves = halves(xp, given2)
+                    total11_halves = halves(xp, total11)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
+                    total13 = 1.0 - total10
+                    back8 = total13 - 1.0
+                    lost10 = -back8 - total10
+                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                    fall2 = total13
+                    mean2 = total11
+                    return fall2, fall_low3, mean2, mean_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    total14 = 1.0 - sunk2
+                    back11 = total14 - 1.0
+                    lost14 = -back11 - sunk2
+                    bottom2 = 2.0*root
+                    total15 = total14/bottom2
+                    left7 = total14 - bottom2*total15
+                    total15_halves = halves(xp, total15)
+                    bottom2_halves = halves(xp, bottom2)
+                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                    lost14 = left7/bottom2
+                    fall2 = sunk2
+                    fall_low4 = sunk_low2
+                    mean2 = total15
+                    mean_low4 = lost14
+                    return fall2, fall_low4, mean2, mean_low4
+
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
+
+                total27 = fall2*mean
+                fall2_halves = halves(xp, fall2)
+                mean_halves = halves(xp, mean)
+                lost162 = fall2*mean_low2 + product_error(total27, fall2_halves, mean_halves)
+                pulled_low = fall_low4*mean + lost162
+                total172 = mean2 - total27
+                back3 = total172 - mean2
+                rest6 = total172 - back3
+                one4 = mean2 - rest6
+                two4 = -back3 - total27
+                lost162 = one4 + two4
+                total27 = total172/whole
+                left = total172 - total27*whole
+                total27_halves = halves(xp, total27)
+                left = left - product_error(total27*whole, total27_halves, whole_halves)
+                left = left + lost162 + mean_low4 - p_low*total27 - pulled_low
+                lost162 = left/whole
+                total172 = fall_*total27
+                fall__halves = halves(xp, fall_)
+                lost162 = fall_*lost162 + product_error(total172, fall__halves, total27_halves)
+                creep_ = fall_low2*total27 + lost162 + total172
+                total172 = fall_*mean2
+                mean2_halves = halves(xp, mean2)
+                lost162 = fall_*mean_low4 + product_error(total172, fall__halves, mean2_halves)
+                creep_low = fall_low2*mean2 + lost162
+                total27 = creep_low + total172
+                back3 = total27 - total172
+                lost162 = creep_low - back3
+                total173 = mean - total172
+                back3 = total173 - mean
+                rest6 = total173 - back3
+                one4 = mean - rest6
+                two4 = -back3 - total172
+                lost173 = one4 + two4
+                total172 = total173/whole
+                left = total173 - total172*whole
+                total172_halves = halves(xp, total172)
+                left = left - product_error(total172*whole, total172_halves, whole_halves)
+                left = left - creep_low + lost173 + mean_low2 - p_low*total172
+                lost173 = left/whole
+                apart_of = lost3 + total28
+                fall_of = creep_
+                kick_of = total27
+                kick_low_of = lost162
+                rise_of = lost173 + total172
+                return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
+
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        def no(delta, gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
+
+            twice = 2.0*fall_
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
+
+            fast = fall_*fall2
+            total16 = mean2*twice
+            twice_halves = halves(xp, twice)
+            mean2_halves = halves(xp, mean2)
+            lost3 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            total17 = mean - total16
+            back3 = total17 - mean
+            rest3 = total17 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total16
+            lost17 = one2 + two2
+            total16 = fast*mean
+            fast_halves = halves(xp, fast)
+            mean_halves = halves(xp, mean)
+            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
+            top = total17 + total16
+            low = lost17 - lost3 + lost18 + mean_low2
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost18
+            total17 = mean2 - total16
+            back3 = total17 - mean2
+            rest3 = total17 - back3
+            one2 = mean2 - rest3
+            two2 = -back3 - total16
+            lost18 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
+            lost18 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost18 + total17
+            total17 = fall_*mean2
+            lost18 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
+            creep_low = fall_low2*mean2 + lost18
+            total16 = creep_low + total17
+            back3 = total16 - total17
+            lost18 = creep_low - back3
+            total173 = mean - total17
+            back3 = total173 - mean
+            rest3 = total173 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total17
+            lost17 = one2 + two2
+            total17 = total173/whole
+            left = total173 - total17*whole
+            total17_halves = halves(xp, total17)
+            left = left - product_error(total17*whole, total17_halves, whole_halves)
+            left = left - creep_low + lost17 + mean_low2 - p_low*total17
+            lost17 = left/whole
+            apart_of = (low + top)/whole3
+            fall_of = creep_
+            kick_of = total16
+            kick_low_of = lost18
+            rise_of = lost17 + total17
+            return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
+
+        return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+    apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
+
+    return apart_of, fall_of, kick_of, kick_low_of, rise_of
+
+
+def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
+    """The same in single precision."""
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
+
+    def yes(delta, gamma, half, lost2, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, gamma, half, lost2, reach, total2):
+
+            def yes(delta, gamma, half, lost2, total2):
+                square2 = total2
+                envelope = xp.exp(-half)
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
+                back17 = total27 - 1.0
+                lost54 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back17 = total55 - total27
+                lost55 = curved5 - back17
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back17 = total55 - 1.0
+                lost54 = -back17 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back17 = total27 - rest6
+                rest5 = total27 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost304 = one4 + two4
-                total314 = envelope*total30
-                total30_halves = halves(xp, total30)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
-                    total30_halves)
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
+                total27_halves = halves(xp, total27)
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
+                twice2 = 2.0*envelope
+                half2 = half
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back17 = total55 - 1.0
+                lost532 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back17 = total542 - total55
+                lost542 = curved5 - back17
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back17 = total542 - 1.0
+                lost532 = -back17 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
+                rest5 = rise_series(xp, half2, total2)
+                total542 = rest5 + 0.5
+                back17 = total542 - rest5
+                rest6 = total542 - back17
+                one4 = rest5 - rest6
+                two4 = 0.5 - back17
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+                rest6 = together_series(xp, half, total2)
+                total55 = rest6 + 0.5
+                back17 = total55 - rest6
+                rest5 = total55 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost553 = one4 + two4
+                total563 = envelope*total55
+                total55_halves = halves(xp, total55)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
 
                 def yes(square2):
                     given3 = square2
@@ -3960,11 +9013,11 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
 
-                total30 = even*twice2
+                total55 = even*twice2
 
-                def yes(delta, even, lost2, lost28, lost314, lost322, lost34, lost342, lost36,
-                    square2, total2, total263, total28, total314, total332, total342, total35,
-                    total36, twice2):
+                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    square2, total2, total263, total28, total563, total582, total592, total60,
+                    total61, twice2):
                     e = xp.exp(-delta)
                     total253 = e + 1.0
                     back182 = total253 - 1.0
@@ -4008,14 +9061,14 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
                         even_halves)
                     apart_of = lost28 + total28
-                    fall_of = lost34*total35 + lost36 + total36
+                    fall_of = lost59*total60 + lost61 + total61
                     nyquist_of = lost253 + lost263 + lost273 + total273
-                    rise_of = lost322*total332 + lost342 + total342
-                    together_of = 2.0*lost314 + 2.0*total314
+                    rise_of = lost572*total582 + lost592 + total592
+                    together_of = 2.0*lost563 + 2.0*total563
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost28, lost314, lost322, lost34, lost342, lost36,
-                    total2, total28, total314, total332, total342, total35, total36):
+                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    total2, total28, total563, total582, total592, total60, total61):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -4040,11 +9093,11 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total102 = (total92*total92)
                     total92_halves = halves(xp, total92)
                     lost102 = product_error(total102, total92_halves, total92_halves)
-                    low2 = lost102 + 2.0*lost92*total92
+                    low4 = lost102 + 2.0*lost92*total92
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
                         total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
@@ -4052,25 +9105,27 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     one23 = total92 - rest33
                     two23 = (grown*grown) - back82
                     lost102 = one23 + two23
-                    low2 = lost92 + lost102
+                    low4 = lost92 + lost102
                     apart_of = lost28 + total28
-                    fall_of = lost34*total35 + lost36 + total36
-                    nyquist_of = 4.0*low2 + 4.0*total102
-                    rise_of = lost322*total332 + lost342 + total342
-                    together_of = 2.0*lost314 + 2.0*total314
+                    fall_of = lost59*total60 + lost61 + total61
+                    nyquist_of = 4.0*low4 + 4.0*total102
+                    rise_of = lost572*total582 + lost592 + total592
+                    together_of = 2.0*lost563 + 2.0*total563
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
                 apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total30 > 0.0, yes, (delta, even, lost2, lost27, lost304, lost284,
-                    lost29, lost293, lost30, square2, total2, total30, total28, total314,
-                    total292, total342, total27, total36, twice2), no,
-                    (envelope, half, lost2, lost27, lost304, lost284, lost29, lost293, lost30,
-                    total2, total28, total314, total292, total342, total27, total36))
+                    select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532,
+                    lost54, lost542, lost55, square2, total2, total55, total28, total563,
+                    total542, total592, total27, total61, twice2), no,
+                    (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55,
+                    total2, total28, total563, total542, total592, total27, total61))
                 )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
             def no(delta, gamma, half, lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
                 square2 = total2
                 envelope = xp.exp(-half)
                 stiff = gamma
@@ -4092,185 +9147,734 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 rest5 = total27 - back17
                 one4 = rest6 - rest5
                 two4 = 0.5 - back17
-                lost304 = one4 + two4
-                total314 = envelope*total27
+                lost553 = one4 + two4
+                total563 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
                     total27_halves)
 
-                def yes(lost2, square2):
+                def yes(square2):
                     given3 = square2
                     total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
                     cos_series_of = cos_series(xp, given3)
                     curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total19 = bent + 1.0
-                    back13 = total19 - 1.0
-                    lost20 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost20
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd, odd_low
+                    total19 = curved3 + total19
+                    even = total19
+                    return even
 
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
+                def no(root):
                     cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
                     even = cosine
-                    even_low2 = -root_low*sine
-                    odd = total22
-                    odd_low2 = lost22
-                    return even, even_low2, odd, odd_low2
+                    return even
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
-                    no, (lost2, total2))
+                even = select(xp, square2 > -1.5, yes, (square2,), no, (root,))
 
-                total27 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total27, half_halves, odd_halves)
-                total252 = total27 - even
-                back17 = total252 - total27
-                rest5 = total252 - back17
-                one4 = total27 - rest5
-                two4 = -back17 - even
-                lost252 = one4 + two4
-                total262 = envelope + total252
-                back17 = total262 - total252
-                rest5 = total262 - back17
-                one4 = total252 - rest5
-                two4 = envelope - back17
-                lost262 = one4 + two4
-                total252 = envelope*total262
-                total262_halves = halves(xp, total262)
-                lost262 = (
-                    envelope*(lost23 - even_low2 + lost252 + lost262) +
-                    product_error(total252, envelope_halves, total262_halves)
-                )
-                total262 = total252/stiff
-                left16 = total252 - stiff*total262
-                total262_halves = halves(xp, total262)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
-                left16 = left16 + lost262
-                lost262 = left16/stiff
-                total252 = even*twice2
-                total242 = even + total27
-                back17 = total242 - even
-                rest5 = total242 - back17
-                one4 = even - rest5
-                two4 = total27 - back17
-                lost252 = one4 + two4
-                total27 = envelope*total242
-                total242_halves = halves(xp, total242)
-                lost252 = (
-                    envelope*(even_low2 + lost23 + lost252) +
-                    product_error(total27, envelope_halves, total242_halves)
-                )
-                total242 = 1.0 - total27
-                back17 = total242 - 1.0
-                lost23 = -back17 - total27
-                total27 = total242/stiff
-                left16 = total242 - stiff*total27
-                total27_halves = halves(xp, total27)
-                left16 = left16 - product_error(total27*stiff, total27_halves, stiff_halves)
-                left16 = left16 - lost252 + lost23
-                lost23 = left16/stiff
+                total27 = even*twice2
 
-                def yes(delta, even, even_low2, lost274, lost28, lost282, lost314, total263,
-                    total274, total28, total282, total314, twice2):
-                    e = xp.exp(-delta)
-                    total253 = e + 1.0
-                    back182 = total253 - 1.0
-                    lost253 = e - back182
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    total273 = total253 + total263
-                    back182 = total273 - total253
-                    lost273 = total263 - back182
-                    apart_of = lost28 + total28
-                    fall_of = lost282 + total282
-                    nyquist_of = lost253 + lost263 + lost273 + total273
-                    rise_of = lost274 + total274
-                    together_of = 2.0*lost314 + 2.0*total314
+                def yes(root):
+                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                    return count
+
+                def no(root):
+                    return 0.0
+
+                count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+                turns = (count*count)
+                total29 = 39.478416442871094*turns
+                turns_halves = halves(xp, turns)
+                number4_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+                lost29 = product_error(total29, turns_halves, number4_halves)
+                total30 = 1.1614863524300745e-06*turns
+                number5_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+                lost30 = product_error(total30, turns_halves, number5_halves)
+                total31 = -total2 - total29
+                back17 = total2 + total31
+                rest5 = total31 - back17
+                one4 = -rest5 - total2
+                two4 = -back17 - total29
+                lost31 = one4 + two4
+                total29 = total31 - lost29
+                back17 = total29 - total31
+                rest5 = total29 - back17
+                one4 = total31 - rest5
+                two4 = -back17 - lost29
+                lost29 = one4 + two4
+                total31 = total29 - total30
+                back17 = total31 - total29
+                rest5 = total31 - back17
+                one4 = total29 - rest5
+                two4 = -back17 - total30
+                lost33 = one4 + two4
+                total30 = total31 - lost2
+                back17 = total30 - total31
+                rest5 = total30 - back17
+                one4 = total31 - rest5
+                two4 = -back17 - lost2
+                lost34 = one4 + two4
+                low2 = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
+                total31 = low2 + total30
+                total29 = 6.2831854820251465*count
+                total37 = root + total29
+                whole32 = xp.where(total37 == 0.0, 1.0, total37)
+                total38 = total31/whole32
+                far = (total38*total38)
+
+                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root,
+                    size, square2, stiff, total263, total28, total34, total35, total36, total37,
+                    total38, total563, twice2, whole32):
+
+                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        back22 = total35 - total34
+                        rest10 = total35 - back22
+                        one9 = total34 - rest10
+                        two9 = low2 - back22
+                        lost35 = one9 + two9
+                        count_halves = halves(xp, count)
+                        number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                        lost36 = product_error(count*6.2831854820251465, count_halves,
+                            number2_halves)
+                        back22 = total37 - root
+                        rest10 = total37 - back22
+                        one9 = root - rest10
+                        two9 = total36 - back22
+                        lost37 = one9 + two9
+                        both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                        left = total35 - total38*whole32
+                        total38_halves = halves(xp, total38)
+                        whole32_halves = halves(xp, whole32)
+                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                        left = left - both_low*total38 + lost35
+                        lost35 = left/whole32
+                        eta = total38
+                        eta_low = lost35
+                        total39 = (eta*eta)
+                        eta_halves = halves(xp, eta)
+                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                        cos_series_of2 = cos_series(xp, -total39)
+                        bent2 = cos_series_of2*(total39*total39)
+                        total40 = 0.5*total39 - bent2
+                        back22 = total40 - 0.5*total39
+                        lost37 = -back22 - bent2
+                        sin_series_of2 = sin_series(xp, -total39)
+                        total41 = 1.0 - sin_series_of2*total39
+                        back22 = total41 - 1.0
+                        lost36 = -back22 - sin_series_of2*total39
+                        lift_low = 0.5*lost35*total41 + lost37
+                        total39 = eta*total41
+                        total41_halves = halves(xp, total41)
+                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                        some2 = root
+                        total41 = total39/some2
+                        left = total39 - some2*total41
+                        total41_halves = halves(xp, total41)
+                        some2_halves = halves(xp, some2)
+                        left = left - product_error(total41*some2, total41_halves, some2_halves)
+                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                        lost36 = left/some2
+                        given4 = half
+                        total39 = 1.0 - 0.5*given4
+                        back22 = total39 - 1.0
+                        lost37 = -back22 - 0.5*given4
+                        decay_series_of3 = decay_series(xp, given4)
+                        curved4 = decay_series_of3*(given4*given4)
+                        total45 = curved4 + total39
+                        back22 = total45 - total39
+                        lost35 = curved4 - back22
+                        mean_low5 = lost37 + lost35
+                        total39 = given4*total45
+                        given4_halves = halves(xp, given4)
+                        total45_halves = halves(xp, total45)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
+                        total47 = 1.0 - total39
+                        back22 = total47 - 1.0
+                        lost37 = -back22 - total39
+                        fall_low5 = lost37 - lost35
+                        total39 = total45 - total41
+                        back22 = total39 - total45
+                        rest10 = total39 - back22
+                        one9 = total45 - rest10
+                        two9 = -back22 - total41
+                        lost37 = one9 + two9
+                        total49 = given4*total39
+                        total39_halves = halves(xp, total39)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
+                        total39 = total40 - total49
+                        back22 = total39 - total40
+                        rest10 = total39 - back22
+                        one9 = total40 - rest10
+                        two9 = -back22 - total49
+                        lost35 = one9 + two9
+                        low22 = lift_low - lost37 + lost35
+                        total49 = low22 + total39
+                        back22 = total49 - total39
+                        rest10 = total49 - back22
+                        one9 = total39 - rest10
+                        two9 = low22 - back22
+                        lost35 = one9 + two9
+                        total39 = total47*total49
+                        total47_halves = halves(xp, total47)
+                        total49_halves = halves(xp, total49)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
+                        low22 = fall_low5*total49 + lost35
+                        total49 = total39/stiff
+                        left = total39 - stiff*total49
+                        total49_halves = halves(xp, total49)
+                        stiff_halves = halves(xp, stiff)
+                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                        left = left + low22
+                        lost35 = left/stiff
+                        e = xp.exp(-delta)
+                        total39 = e + 1.0
+                        back22 = total39 - 1.0
+                        lost37 = e - back22
+                        total273 = total39 + total263
+                        back22 = total273 - total39
+                        lost273 = total263 - back22
+                        total39 = total41*total47
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
+                        total482 = total45 - total39
+                        back22 = total482 - total45
+                        rest10 = total482 - back22
+                        one9 = total45 - rest10
+                        two9 = -back22 - total39
+                        lost482 = one9 + two9
+                        low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
+                        total41 = given4*total482
+                        total482_halves = halves(xp, total482)
+                        lost482 = given4*low22 + product_error(total41, given4_halves,
+                            total482_halves)
+                        total482 = total40*total47
+                        total40_halves = halves(xp, total40)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
+                        total47 = total41 + total482
+                        back22 = total47 - total41
+                        rest10 = total47 - back22
+                        one9 = total41 - rest10
+                        two9 = total482 - back22
+                        lost512 = one9 + two9
+                        low22 = fall_low5*total40 + lost482 + lost36 + lost512
+                        total40 = total47/stiff
+                        left = total47 - stiff*total40
+                        total40_halves = halves(xp, total40)
+                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                        left = left + low22
+                        lost512 = left/stiff
+
+                        def yes(lost2, square2):
+                            given3 = square2
+                            total19 = 0.5*given3 + 1.0
+                            back13 = total19 - 1.0
+                            lost19 = 0.5*given3 - back13
+                            cos_series_of = cos_series(xp, given3)
+                            curved3 = cos_series_of*(given3*given3)
+                            total20 = curved3 + total19
+                            back13 = total20 - total19
+                            lost20 = curved3 - back13
+                            even_low = lost19 + 0.5*lost2 + lost20
+                            return even_low
+
+                        def no(root, root_low):
+                            sine = xp.sin(root)
+                            even_low2 = -root_low*sine
+                            return even_low2
+
+                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                            (root, root_low))
+
+                        twice2_halves = halves(xp, twice2)
+                        even_halves = halves(xp, even)
+                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
+                        apart_of = lost28 + total28
+                        fall_of = lost35 + total49
+                        nyquist_of = lost37 + lost36 + lost273 + total273
+                        rise_of = lost512 + total40
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff,
+                        total28, total34, total35, total36, total37, total38, total563, whole32):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        back22 = total35 - total34
+                        rest10 = total35 - back22
+                        one9 = total34 - rest10
+                        two9 = low2 - back22
+                        lost35 = one9 + two9
+                        count_halves = halves(xp, count)
+                        number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                        lost36 = product_error(count*6.2831854820251465, count_halves,
+                            number2_halves)
+                        back22 = total37 - root
+                        rest10 = total37 - back22
+                        one9 = root - rest10
+                        two9 = total36 - back22
+                        lost37 = one9 + two9
+                        both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                        left = total35 - total38*whole32
+                        total38_halves = halves(xp, total38)
+                        whole32_halves = halves(xp, whole32)
+                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                        left = left - both_low*total38 + lost35
+                        lost35 = left/whole32
+                        eta = total38
+                        eta_low = lost35
+                        total39 = (eta*eta)
+                        eta_halves = halves(xp, eta)
+                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                        cos_series_of2 = cos_series(xp, -total39)
+                        bent2 = cos_series_of2*(total39*total39)
+                        total40 = 0.5*total39 - bent2
+                        back22 = total40 - 0.5*total39
+                        lost37 = -back22 - bent2
+                        sin_series_of2 = sin_series(xp, -total39)
+                        total41 = 1.0 - sin_series_of2*total39
+                        back22 = total41 - 1.0
+                        lost36 = -back22 - sin_series_of2*total39
+                        lift_low = 0.5*lost35*total41 + lost37
+                        total39 = eta*total41
+                        total41_halves = halves(xp, total41)
+                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                        some2 = root
+                        total41 = total39/some2
+                        left = total39 - some2*total41
+                        total41_halves = halves(xp, total41)
+                        some2_halves = halves(xp, some2)
+                        left = left - product_error(total41*some2, total41_halves, some2_halves)
+                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                        lost36 = left/some2
+                        given4 = half
+                        total39 = 1.0 - 0.5*given4
+                        back22 = total39 - 1.0
+                        lost37 = -back22 - 0.5*given4
+                        decay_series_of3 = decay_series(xp, given4)
+                        curved4 = decay_series_of3*(given4*given4)
+                        total45 = curved4 + total39
+                        back22 = total45 - total39
+                        lost35 = curved4 - back22
+                        mean_low5 = lost37 + lost35
+                        total39 = given4*total45
+                        given4_halves = halves(xp, given4)
+                        total45_halves = halves(xp, total45)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
+                        total47 = 1.0 - total39
+                        back22 = total47 - 1.0
+                        lost37 = -back22 - total39
+                        fall_low5 = lost37 - lost35
+                        total39 = total45 - total41
+                        back22 = total39 - total45
+                        rest10 = total39 - back22
+                        one9 = total45 - rest10
+                        two9 = -back22 - total41
+                        lost37 = one9 + two9
+                        total49 = given4*total39
+                        total39_halves = halves(xp, total39)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
+                        total39 = total40 - total49
+                        back22 = total39 - total40
+                        rest10 = total39 - back22
+                        one9 = total40 - rest10
+                        two9 = -back22 - total49
+                        lost35 = one9 + two9
+                        low22 = lift_low - lost37 + lost35
+                        total49 = low22 + total39
+                        back22 = total49 - total39
+                        rest10 = total49 - back22
+                        one9 = total39 - rest10
+                        two9 = low22 - back22
+                        lost35 = one9 + two9
+                        total39 = total47*total49
+                        total47_halves = halves(xp, total47)
+                        total49_halves = halves(xp, total49)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
+                        low22 = fall_low5*total49 + lost35
+                        total49 = total39/stiff
+                        left = total39 - stiff*total49
+                        total49_halves = halves(xp, total49)
+                        stiff_halves = halves(xp, stiff)
+                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                        left = left + low22
+                        lost35 = left/stiff
+                        expm1_of = xp.expm1(-half)
+                        grown = -0.5*expm1_of
+                        angle = 0.5*root
+                        wave = xp.cos(angle)
+                        sin_of = xp.sin(angle)
+                        back22 = 0.5*root_low*sin_of
+                        total39 = wave - back22
+                        back82 = total39 - wave
+                        rest10 = total39 - back82
+                        one9 = wave - rest10
+                        two9 = -back22 - back82
+                        lost37 = one9 + two9
+                        total102 = (total39*total39)
+                        total39_halves = halves(xp, total39)
+                        lost102 = product_error(total102, total39_halves, total39_halves)
+                        low22 = lost102 + 2.0*lost37*total39
+                        total39 = envelope*total102
+                        envelope_halves = halves(xp, envelope)
+                        total102_halves = halves(xp, total102)
+                        lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                            total102_halves)
+                        total102 = (grown*grown) + total39
+                        back82 = total102 - total39
+                        rest10 = total102 - back82
+                        one9 = total39 - rest10
+                        two9 = (grown*grown) - back82
+                        lost102 = one9 + two9
+                        low22 = lost37 + lost102
+                        total39 = total41*total47
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
+                        total482 = total45 - total39
+                        back82 = total482 - total45
+                        rest10 = total482 - back82
+                        one9 = total45 - rest10
+                        two9 = -back82 - total39
+                        lost102 = one9 + two9
+                        low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
+                        total41 = given4*total482
+                        total482_halves = halves(xp, total482)
+                        lost102 = given4*low24 + product_error(total41, given4_halves,
+                            total482_halves)
+                        total482 = total40*total47
+                        total40_halves = halves(xp, total40)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
+                        total47 = total41 + total482
+                        back82 = total47 - total41
+                        rest10 = total47 - back82
+                        one9 = total41 - rest10
+                        two9 = total482 - back82
+                        lost37 = one9 + two9
+                        low24 = fall_low5*total40 + lost102 + lost36 + lost37
+                        total40 = total47/stiff
+                        left = total47 - stiff*total40
+                        total40_halves = halves(xp, total40)
+                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                        left = left + low24
+                        lost37 = left/stiff
+                        apart_of = lost28 + total28
+                        fall_of = lost35 + total49
+                        nyquist_of = 4.0*low22 + 4.0*total102
+                        rise_of = lost37 + total40
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32), no,
+                        (count, envelope, half, lost2, lost28, lost563, low2, root, size,
+                        stiff, total28, total34, total35, total36, total37, total38, total563,
+                        whole32))
+                    )
+
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost274, lost28, lost282, lost314, total2, total274,
-                    total28, total282, total314):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back72 = 0.5*root_low*sin_of
-                    total92 = wave - back72
-                    back82 = total92 - wave
-                    rest33 = total92 - back82
-                    one23 = wave - rest33
-                    two23 = -back72 - back82
-                    lost92 = one23 + two23
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low2 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest33 = total102 - back82
-                    one23 = total92 - rest33
-                    two23 = (grown*grown) - back82
-                    lost102 = one23 + two23
-                    low2 = lost92 + lost102
-                    apart_of = lost28 + total28
-                    fall_of = lost282 + total282
-                    nyquist_of = 4.0*low2 + 4.0*total102
-                    rise_of = lost274 + total274
-                    together_of = 2.0*lost314 + 2.0*total314
+                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                    stiff, total263, total28, total563, twice2):
+
+                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2):
+                        e = xp.exp(-delta)
+                        total253 = e + 1.0
+                        back182 = total253 - 1.0
+                        lost253 = e - back182
+                        total273 = total253 + total263
+                        back182 = total273 - total253
+                        lost273 = total263 - back182
+
+                        def yes(lost2, square2):
+                            given3 = square2
+                            total19 = 0.5*given3 + 1.0
+                            back13 = total19 - 1.0
+                            lost19 = 0.5*given3 - back13
+                            cos_series_of = cos_series(xp, given3)
+                            curved3 = cos_series_of*(given3*given3)
+                            total20 = curved3 + total19
+                            back13 = total20 - total19
+                            lost20 = curved3 - back13
+                            even_low = lost19 + 0.5*lost2 + lost20
+                            sin_series_of = sin_series(xp, given3)
+                            bent = given3*sin_series_of
+                            total20 = bent + 1.0
+                            back13 = total20 - 1.0
+                            lost20 = bent - back13
+                            odd_low = 0.16666666666666666*lost2 + lost20
+                            odd = total20
+                            return even_low, odd, odd_low
+
+                        def no(lost2, root, size):
+                            sign_low = -lost2
+                            left = size - (root*root)
+                            root_halves = halves(xp, root)
+                            left = left - product_error(root*root, root_halves, root_halves)
+                            left = left + sign_low
+                            whole = xp.where(root == 0.0, 1.0, root)
+                            root_low = 0.5*left/whole
+                            sine = xp.sin(root)
+                            cosine = xp.cos(root)
+                            some = root
+                            total22 = sine/some
+                            left = sine - some*total22
+                            total22_halves = halves(xp, total22)
+                            some_halves = halves(xp, some)
+                            left = left - product_error(total22*some, total22_halves, some_halves)
+                            left = cosine*root_low + left - root_low*total22
+                            lost22 = left/some
+                            even_low2 = -root_low*sine
+                            odd = total22
+                            odd_low2 = lost22
+                            return even_low2, odd, odd_low2
+
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (lost2, root, size))
+
+                        total253 = half*odd
+                        half_halves = halves(xp, half)
+                        odd_halves = halves(xp, odd)
+                        lost23 = half*odd_low2 + product_error(total253, half_halves, odd_halves)
+                        total252 = total253 - even
+                        back182 = total252 - total253
+                        rest42 = total252 - back182
+                        one32 = total253 - rest42
+                        two32 = -back182 - even
+                        lost252 = one32 + two32
+                        total262 = envelope + total252
+                        back182 = total262 - total252
+                        rest42 = total262 - back182
+                        one32 = total252 - rest42
+                        two32 = envelope - back182
+                        lost262 = one32 + two32
+                        total252 = envelope*total262
+                        envelope_halves = halves(xp, envelope)
+                        total262_halves = halves(xp, total262)
+                        lost262 = (
+                            envelope*(lost23 - even_low2 + lost252 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
+                        total262 = total252/stiff
+                        left16 = total252 - stiff*total262
+                        total262_halves = halves(xp, total262)
+                        stiff_halves = halves(xp, stiff)
+                        left16 = left16 - product_error(total262*stiff, total262_halves,
+                            stiff_halves)
+                        left16 = left16 + lost262
+                        lost262 = left16/stiff
+                        twice2_halves = halves(xp, twice2)
+                        even_halves = halves(xp, even)
+                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
+                        total252 = even + total253
+                        back182 = total252 - even
+                        rest42 = total252 - back182
+                        one32 = even - rest42
+                        two32 = total253 - back182
+                        lost242 = one32 + two32
+                        total253 = envelope*total252
+                        total252_halves = halves(xp, total252)
+                        lost242 = (
+                            envelope*(even_low2 + lost23 + lost242) +
+                            product_error(total253, envelope_halves, total252_halves)
+                        )
+                        total252 = 1.0 - total253
+                        back182 = total252 - 1.0
+                        lost23 = -back182 - total253
+                        total253 = total252/stiff
+                        left16 = total252 - stiff*total253
+                        total253_halves = halves(xp, total253)
+                        left16 = left16 - product_error(total253*stiff, total253_halves,
+                            stiff_halves)
+                        left16 = left16 - lost242 + lost23
+                        lost23 = left16/stiff
+                        apart_of = lost28 + total28
+                        fall_of = lost262 + total262
+                        nyquist_of = lost253 + lost252 + lost273 + total273
+                        rise_of = lost23 + total253
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        expm1_of = xp.expm1(-half)
+                        grown = -0.5*expm1_of
+                        angle = 0.5*root
+                        wave = xp.cos(angle)
+                        sin_of = xp.sin(angle)
+                        back72 = 0.5*root_low*sin_of
+                        total92 = wave - back72
+                        back82 = total92 - wave
+                        rest33 = total92 - back82
+                        one23 = wave - rest33
+                        two23 = -back72 - back82
+                        lost92 = one23 + two23
+                        total102 = (total92*total92)
+                        total92_halves = halves(xp, total92)
+                        lost102 = product_error(total102, total92_halves, total92_halves)
+                        low4 = lost102 + 2.0*lost92*total92
+                        total92 = envelope*total102
+                        envelope_halves = halves(xp, envelope)
+                        total102_halves = halves(xp, total102)
+                        lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                            total102_halves)
+                        total102 = (grown*grown) + total92
+                        back82 = total102 - total92
+                        rest33 = total102 - back82
+                        one23 = total92 - rest33
+                        two23 = (grown*grown) - back82
+                        lost102 = one23 + two23
+                        low4 = lost92 + lost102
+
+                        def yes(lost2, square2):
+                            given3 = square2
+                            total19 = 0.5*given3 + 1.0
+                            back13 = total19 - 1.0
+                            lost19 = 0.5*given3 - back13
+                            cos_series_of = cos_series(xp, given3)
+                            curved3 = cos_series_of*(given3*given3)
+                            total20 = curved3 + total19
+                            back13 = total20 - total19
+                            lost20 = curved3 - back13
+                            even_low = lost19 + 0.5*lost2 + lost20
+                            sin_series_of = sin_series(xp, given3)
+                            bent = given3*sin_series_of
+                            total20 = bent + 1.0
+                            back13 = total20 - 1.0
+                            lost20 = bent - back13
+                            odd_low = 0.16666666666666666*lost2 + lost20
+                            odd = total20
+                            return even_low, odd, odd_low
+
+                        def no(root, root_low):
+                            sine = xp.sin(root)
+                            cosine = xp.cos(root)
+                            some = root
+                            total22 = sine/some
+                            left10 = sine - some*total22
+                            total22_halves = halves(xp, total22)
+                            some_halves = halves(xp, some)
+                            left10 = left10 - product_error(total22*some, total22_halves,
+                                some_halves)
+                            left10 = cosine*root_low + left10 - root_low*total22
+                            lost22 = left10/some
+                            even_low2 = -root_low*sine
+                            odd = total22
+                            odd_low2 = lost22
+                            return even_low2, odd, odd_low2
+
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (root, root_low))
+
+                        total92 = half*odd
+                        half_halves = halves(xp, half)
+                        odd_halves = halves(xp, odd)
+                        lost102 = half*odd_low2 + product_error(total92, half_halves, odd_halves)
+                        total252 = total92 - even
+                        back82 = total252 - total92
+                        rest33 = total252 - back82
+                        one23 = total92 - rest33
+                        two23 = -back82 - even
+                        lost92 = one23 + two23
+                        total262 = envelope + total252
+                        back82 = total262 - total252
+                        rest33 = total262 - back82
+                        one23 = total252 - rest33
+                        two23 = envelope - back82
+                        lost262 = one23 + two23
+                        total252 = envelope*total262
+                        total262_halves = halves(xp, total262)
+                        lost262 = (
+                            envelope*(lost102 - even_low2 + lost92 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
+                        total262 = total252/stiff
+                        left = total252 - stiff*total262
+                        total262_halves = halves(xp, total262)
+                        stiff_halves = halves(xp, stiff)
+                        left = left - product_error(total262*stiff, total262_halves, stiff_halves)
+                        left = left + lost262
+                        lost262 = left/stiff
+                        total252 = even + total92
+                        back82 = total252 - even
+                        rest33 = total252 - back82
+                        one23 = even - rest33
+                        two23 = total92 - back82
+                        lost92 = one23 + two23
+                        total92 = envelope*total252
+                        total252_halves = halves(xp, total252)
+                        lost92 = (
+                            envelope*(even_low2 + lost102 + lost92) +
+                            product_error(total92, envelope_halves, total252_halves)
+                        )
+                        total252 = 1.0 - total92
+                        back82 = total252 - 1.0
+                        lost102 = -back82 - total92
+                        total92 = total252/stiff
+                        left = total252 - stiff*total92
+                        total92_halves = halves(xp, total92)
+                        left = left - product_error(total92*stiff, total92_halves, stiff_halves)
+                        left = left - lost92 + lost102
+                        lost102 = left/stiff
+                        apart_of = lost28 + total28
+                        fall_of = lost262 + total262
+                        nyquist_of = 4.0*low4 + 4.0*total102
+                        rise_of = lost102 + total92
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2), no,
+                        (envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563))
+                    )
+
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
                 apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total252 > 0.0, yes, (delta, even, even_low2, lost23, lost27,
-                    lost262, lost304, total252, total27, total28, total262, total314, twice2),
-                    no, (envelope, half, lost2, lost23, lost27, lost262, lost304, total2,
-                    total27, total28, total262, total314))
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root,
+                    size, square2, stiff, total27, total28, total30, total31, total29, total37,
+                    total38, total563, twice2, whole32), no,
+                    (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2,
+                    stiff, total27, total28, total563, twice2))
                 )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
@@ -4285,214 +9889,835 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
         def no(delta, gamma, half, lost2, total2):
             size = xp.abs(total2)
             root = square_root(xp, size)
-            sign_low = -lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
             square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
             mean3 = decay(xp, delta)
-            expm1_of = xp.expm1(-half)
-            grown = -0.5*expm1_of
-            angle = 0.5*root
-            wave = xp.cos(angle)
-            sin_of = xp.sin(angle)
             twice2 = 2.0*envelope
-            back73 = -0.5*root_low*wave
-            total93 = sin_of - back73
-            back83 = total93 - sin_of
-            rest35 = total93 - back83
-            one25 = sin_of - rest35
-            two25 = -back73 - back83
-            lost93 = one25 + two25
-            total103 = (total93*total93)
-            total93_halves = halves(xp, total93)
-            lost103 = product_error(total103, total93_halves, total93_halves)
-            low4 = lost103 + 2.0*lost93*total93
-            total93 = envelope*total103
-            envelope_halves = halves(xp, envelope)
-            total103_halves = halves(xp, total103)
-            lost93 = envelope*low4 + product_error(total93, envelope_halves, total103_halves)
-            total103 = (grown*grown) + total93
-            back83 = total103 - total93
-            rest35 = total103 - back83
-            one25 = total93 - rest35
-            two25 = (grown*grown) - back83
-            lost103 = one25 + two25
-            low4 = lost93 + lost103
-            total93 = total103/stiff
-            left = total103 - stiff*total93
-            total93_halves = halves(xp, total93)
-            stiff_halves = halves(xp, stiff)
-            left = left - product_error(total93*stiff, total93_halves, stiff_halves)
-            left = left + low4
-            lost103 = left/stiff
 
             def yes(lost2, square2):
                 given3 = square2
                 total19 = 0.5*given3 + 1.0
-                back13 = total19 - 1.0
-                lost19 = 0.5*given3 - back13
                 cos_series_of = cos_series(xp, given3)
                 curved3 = cos_series_of*(given3*given3)
-                total20 = curved3 + total19
-                back13 = total20 - total19
-                lost20 = curved3 - back13
-                even_low = lost19 + 0.5*lost2 + lost20
+                total19 = curved3 + total19
                 sin_series_of = sin_series(xp, given3)
                 bent = given3*sin_series_of
-                total19 = bent + 1.0
-                back13 = total19 - 1.0
-                lost20 = bent - back13
-                odd_low = 0.16666666666666666*lost2 + lost20
-                even = total20
-                odd = total19
-                return even, even_low, odd, odd_low
+                total21 = bent + 1.0
+                back15 = total21 - 1.0
+                lost21 = bent - back15
+                odd_low = 0.16666666666666666*lost2 + lost21
+                even = total19
+                odd = total21
+                return even, odd, odd_low
 
-            def no(root, root_low):
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
                 sine = xp.sin(root)
                 cosine = xp.cos(root)
                 some = root
                 total22 = sine/some
-                left10 = sine - some*total22
+                left = sine - some*total22
                 total22_halves = halves(xp, total22)
                 some_halves = halves(xp, some)
-                left10 = left10 - product_error(total22*some, total22_halves, some_halves)
-                left10 = cosine*root_low + left10 - root_low*total22
-                lost22 = left10/some
+                left = left - product_error(total22*some, total22_halves, some_halves)
+                left = cosine*root_low + left - root_low*total22
+                lost22 = left/some
                 even = cosine
-                even_low2 = -root_low*sine
                 odd = total22
                 odd_low2 = lost22
-                return even, even_low2, odd, odd_low2
+                return even, odd, odd_low2
 
-            even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (root, root_low))
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
-            total103 = half*odd
-            half_halves = halves(xp, half)
-            odd_halves = halves(xp, odd)
-            lost93 = half*odd_low2 + product_error(total103, half_halves, odd_halves)
             total24 = envelope*odd
+            envelope_halves = halves(xp, envelope)
+            odd_halves = halves(xp, odd)
             lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
             total25 = mean3 - total24
-            back83 = total25 - mean3
-            rest35 = total25 - back83
-            one25 = mean3 - rest35
-            two25 = -back83 - total24
-            lost25 = one25 + two25
+            back16 = total25 - mean3
+            rest4 = total25 - back16
+            one3 = mean3 - rest4
+            two3 = -back16 - total24
+            lost25 = one3 + two3
             total24 = total25/stiff
-            left = total25 - stiff*total24
+            left13 = total25 - stiff*total24
             total24_halves = halves(xp, total24)
-            left = left - product_error(total24*stiff, total24_halves, stiff_halves)
-            left = left - lost24 + lost25
-            lost25 = left/stiff
-            total25 = total103 - even
-            back83 = total25 - total103
-            rest35 = total25 - back83
-            one25 = total103 - rest35
-            two25 = -back83 - even
-            lost24 = one25 + two25
-            total262 = envelope + total25
-            back83 = total262 - total25
-            rest35 = total262 - back83
-            one25 = total25 - rest35
-            two25 = envelope - back83
-            lost262 = one25 + two25
-            total25 = envelope*total262
-            total262_halves = halves(xp, total262)
-            lost262 = (
-                envelope*(lost93 - even_low2 + lost24 + lost262) +
-                product_error(total25, envelope_halves, total262_halves)
-            )
-            total262 = total25/stiff
-            left = total25 - stiff*total262
-            total262_halves = halves(xp, total262)
-            left = left - product_error(total262*stiff, total262_halves, stiff_halves)
-            left = left + lost262
-            lost262 = left/stiff
+            stiff_halves = halves(xp, stiff)
+            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
+            left13 = left13 - lost24 + lost25
+            lost25 = left13/stiff
             total25 = even*twice2
-            total242 = even + total103
-            back83 = total242 - even
-            rest35 = total242 - back83
-            one25 = even - rest35
-            two25 = total103 - back83
-            lost24 = one25 + two25
-            total103 = envelope*total242
-            total242_halves = halves(xp, total242)
-            lost24 = (
-                envelope*(even_low2 + lost93 + lost24) +
-                product_error(total103, envelope_halves, total242_halves)
-            )
-            total242 = 1.0 - total103
-            back83 = total242 - 1.0
-            lost93 = -back83 - total103
-            total103 = total242/stiff
-            left = total242 - stiff*total103
-            total103_halves = halves(xp, total103)
-            left = left - product_error(total103*stiff, total103_halves, stiff_halves)
-            left = left - lost24 + lost93
-            lost93 = left/stiff
 
-            def yes(delta, even, even_low2, lost132, lost26, lost274, lost282, total132, total26,
-                total263, total274, total282, twice2):
-                e = xp.exp(-delta)
-                total253 = e + 1.0
-                back182 = total253 - 1.0
-                lost253 = e - back182
-                twice2_halves = halves(xp, twice2)
-                even_halves = halves(xp, even)
-                lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
-                total273 = total253 + total263
-                back182 = total273 - total253
-                lost273 = total263 - back182
-                apart_of = lost26 + total26
-                fall_of = lost282 + total282
-                nyquist_of = lost253 + lost263 + lost273 + total273
-                rise_of = lost274 + total274
-                together_of = 4.0*lost132 + 4.0*total132
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total29 = 39.478416442871094*turns
+            turns_halves = halves(xp, turns)
+            number5_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+            lost24 = product_error(total29, turns_halves, number5_halves)
+            total30 = 1.1614863524300745e-06*turns
+            number6_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+            lost30 = product_error(total30, turns_halves, number6_halves)
+            total31 = -total2 - total29
+            back16 = total2 + total31
+            rest4 = total31 - back16
+            one3 = -rest4 - total2
+            two3 = -back16 - total29
+            lost31 = one3 + two3
+            total29 = total31 - lost24
+            back16 = total29 - total31
+            rest4 = total29 - back16
+            one3 = total31 - rest4
+            two3 = -back16 - lost24
+            lost24 = one3 + two3
+            total31 = total29 - total30
+            back16 = total31 - total29
+            rest4 = total31 - back16
+            one3 = total29 - rest4
+            two3 = -back16 - total30
+            lost33 = one3 + two3
+            total30 = total31 - lost2
+            back16 = total30 - total31
+            rest4 = total30 - back16
+            one3 = total31 - rest4
+            two3 = -back16 - lost2
+            lost34 = one3 + two3
+            low2 = lost31 - lost30 + lost24 + lost33 + lost34 + 1.1704736640094811e-14*turns
+            total31 = low2 + total30
+            total29 = 6.2831854820251465*count
+            total37 = root + total29
+            whole32 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole32
+            far = (total38*total38)
+
+            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2,
+                stiff, total26, total263, total34, total35, total36, total37, total38, twice2,
+                whole32):
+
+                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff,
+                    total26, total263, total34, total35, total36, total37, total38, twice2,
+                    whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    back22 = total35 - total34
+                    rest10 = total35 - back22
+                    one9 = total34 - rest10
+                    two9 = low2 - back22
+                    lost35 = one9 + two9
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                    lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                    back22 = total37 - root
+                    rest10 = total37 - back22
+                    one9 = root - rest10
+                    two9 = total36 - back22
+                    lost37 = one9 + two9
+                    both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                    left = total35 - total38*whole32
+                    total38_halves = halves(xp, total38)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                    left = left - both_low*total38 + lost35
+                    lost35 = left/whole32
+                    eta = total38
+                    eta_low = lost35
+                    total39 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total39)
+                    bent2 = cos_series_of2*(total39*total39)
+                    total40 = 0.5*total39 - bent2
+                    back22 = total40 - 0.5*total39
+                    lost37 = -back22 - bent2
+                    sin_series_of2 = sin_series(xp, -total39)
+                    total41 = 1.0 - sin_series_of2*total39
+                    back22 = total41 - 1.0
+                    lost36 = -back22 - sin_series_of2*total39
+                    lift_low = 0.5*lost35*total41 + lost37
+                    total39 = eta*total41
+                    total41_halves = halves(xp, total41)
+                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                    some2 = root
+                    total41 = total39/some2
+                    left = total39 - some2*total41
+                    total41_halves = halves(xp, total41)
+                    some2_halves = halves(xp, some2)
+                    left = left - product_error(total41*some2, total41_halves, some2_halves)
+                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                    lost36 = left/some2
+                    given4 = half
+                    total39 = 1.0 - 0.5*given4
+                    back22 = total39 - 1.0
+                    lost37 = -back22 - 0.5*given4
+                    decay_series_of3 = decay_series(xp, given4)
+                    curved4 = decay_series_of3*(given4*given4)
+                    total45 = curved4 + total39
+                    back22 = total45 - total39
+                    lost35 = curved4 - back22
+                    mean_low5 = lost37 + lost35
+                    total39 = given4*total45
+                    given4_halves = halves(xp, given4)
+                    total45_halves = halves(xp, total45)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
+                    total47 = 1.0 - total39
+                    back22 = total47 - 1.0
+                    lost37 = -back22 - total39
+                    fall_low5 = lost37 - lost35
+                    total39 = total45 - total41
+                    back22 = total39 - total45
+                    rest10 = total39 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total41
+                    lost37 = one9 + two9
+                    total49 = given4*total39
+                    total39_halves = halves(xp, total39)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
+                    total39 = total40 - total49
+                    back22 = total39 - total40
+                    rest10 = total39 - back22
+                    one9 = total40 - rest10
+                    two9 = -back22 - total49
+                    lost35 = one9 + two9
+                    low22 = lift_low - lost37 + lost35
+                    total49 = low22 + total39
+                    back22 = total49 - total39
+                    rest10 = total49 - back22
+                    one9 = total39 - rest10
+                    two9 = low22 - back22
+                    lost35 = one9 + two9
+                    total39 = total47*total49
+                    total47_halves = halves(xp, total47)
+                    total49_halves = halves(xp, total49)
+                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                    low22 = fall_low5*total49 + lost35
+                    total49 = total39/stiff
+                    left = total39 - stiff*total49
+                    total49_halves = halves(xp, total49)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                    left = left + low22
+                    lost35 = left/stiff
+                    e = xp.exp(-delta)
+                    total39 = e + 1.0
+                    back22 = total39 - 1.0
+                    lost37 = e - back22
+                    total273 = total39 + total263
+                    back22 = total273 - total39
+                    lost273 = total263 - back22
+                    total39 = total41*total47
+                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                    total482 = total45 - total39
+                    back22 = total482 - total45
+                    rest10 = total482 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total39
+                    lost482 = one9 + two9
+                    low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
+                    total41 = given4*total482
+                    total482_halves = halves(xp, total482)
+                    lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                    total482 = total40*total47
+                    total40_halves = halves(xp, total40)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
+                    total39 = total41 + total482
+                    back22 = total39 - total41
+                    rest10 = total39 - back22
+                    one9 = total41 - rest10
+                    two9 = total482 - back22
+                    lost512 = one9 + two9
+                    low22 = fall_low5*total40 + lost482 + lost36 + lost512
+                    total41 = total39/stiff
+                    left = total39 - stiff*total41
+                    total41_halves = halves(xp, total41)
+                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
+                    left = left + low22
+                    lost512 = left/stiff
+                    total39 = 1.0 - total47
+                    back22 = total39 - 1.0
+                    lost482 = -back22 - total47
+                    low22 = lost482 - fall_low5
+                    total47 = low22 + total39
+                    back22 = total47 - total39
+                    lost482 = low22 - back22
+                    total39 = (total47*total47)
+                    total47_halves = halves(xp, total47)
+                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves,
+                        total47_halves)
+                    total47 = total39 + 2.0*total482
+                    back22 = total47 - total39
+                    rest10 = total47 - back22
+                    one9 = total39 - rest10
+                    two9 = 2.0*total482 - back22
+                    lost372 = one9 + two9
+                    low22 = 2.0*fall_low5*total40 + lost482 + lost372 + 2.0*lost36
+                    total40 = total47/stiff
+                    left = total47 - stiff*total40
+                    total40_halves = halves(xp, total40)
+                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                    left = left + low22
+                    lost372 = left/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    apart_of = lost26 + total26
+                    fall_of = lost35 + total49
+                    nyquist_of = lost37 + lost482 + lost273 + total273
+                    rise_of = lost512 + total41
+                    together_of = lost372 + total40
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    back22 = total35 - total34
+                    rest10 = total35 - back22
+                    one9 = total34 - rest10
+                    two9 = low2 - back22
+                    lost35 = one9 + two9
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                    lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                    back22 = total37 - root
+                    rest10 = total37 - back22
+                    one9 = root - rest10
+                    two9 = total36 - back22
+                    lost37 = one9 + two9
+                    both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
+                    left = total35 - total38*whole32
+                    total38_halves = halves(xp, total38)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                    left = left - both_low*total38 + lost35
+                    lost35 = left/whole32
+                    eta = total38
+                    eta_low = lost35
+                    total39 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total39)
+                    bent2 = cos_series_of2*(total39*total39)
+                    total40 = 0.5*total39 - bent2
+                    back22 = total40 - 0.5*total39
+                    lost37 = -back22 - bent2
+                    sin_series_of2 = sin_series(xp, -total39)
+                    total41 = 1.0 - sin_series_of2*total39
+                    back22 = total41 - 1.0
+                    lost36 = -back22 - sin_series_of2*total39
+                    lift_low = 0.5*lost35*total41 + lost37
+                    total39 = eta*total41
+                    total41_halves = halves(xp, total41)
+                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                    some2 = root
+                    total41 = total39/some2
+                    left = total39 - some2*total41
+                    total41_halves = halves(xp, total41)
+                    some2_halves = halves(xp, some2)
+                    left = left - product_error(total41*some2, total41_halves, some2_halves)
+                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                    lost36 = left/some2
+                    given4 = half
+                    total39 = 1.0 - 0.5*given4
+                    back22 = total39 - 1.0
+                    lost37 = -back22 - 0.5*given4
+                    decay_series_of3 = decay_series(xp, given4)
+                    curved4 = decay_series_of3*(given4*given4)
+                    total45 = curved4 + total39
+                    back22 = total45 - total39
+                    lost35 = curved4 - back22
+                    mean_low5 = lost37 + lost35
+                    total39 = given4*total45
+                    given4_halves = halves(xp, given4)
+                    total45_halves = halves(xp, total45)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
+                    total47 = 1.0 - total39
+                    back22 = total47 - 1.0
+                    lost37 = -back22 - total39
+                    fall_low5 = lost37 - lost35
+                    total39 = total45 - total41
+                    back22 = total39 - total45
+                    rest10 = total39 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total41
+                    lost37 = one9 + two9
+                    total49 = given4*total39
+                    total39_halves = halves(xp, total39)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
+                    total39 = total40 - total49
+                    back22 = total39 - total40
+                    rest10 = total39 - back22
+                    one9 = total40 - rest10
+                    two9 = -back22 - total49
+                    lost35 = one9 + two9
+                    low22 = lift_low - lost37 + lost35
+                    total49 = low22 + total39
+                    back22 = total49 - total39
+                    rest10 = total49 - back22
+                    one9 = total39 - rest10
+                    two9 = low22 - back22
+                    lost35 = one9 + two9
+                    total39 = total47*total49
+                    total47_halves = halves(xp, total47)
+                    total49_halves = halves(xp, total49)
+                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                    low22 = fall_low5*total49 + lost35
+                    total49 = total39/stiff
+                    left = total39 - stiff*total49
+                    total49_halves = halves(xp, total49)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                    left = left + low22
+                    lost35 = left/stiff
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back22 = 0.5*root_low*sin_of
+                    total39 = wave - back22
+                    back82 = total39 - wave
+                    rest10 = total39 - back82
+                    one9 = wave - rest10
+                    two9 = -back22 - back82
+                    lost37 = one9 + two9
+                    total102 = (total39*total39)
+                    total39_halves = halves(xp, total39)
+                    lost102 = product_error(total102, total39_halves, total39_halves)
+                    low22 = lost102 + 2.0*lost37*total39
+                    total39 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total39
+                    back82 = total102 - total39
+                    rest10 = total102 - back82
+                    one9 = total39 - rest10
+                    two9 = (grown*grown) - back82
+                    lost102 = one9 + two9
+                    low22 = lost37 + lost102
+                    total39 = total41*total47
+                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                    total482 = total45 - total39
+                    back82 = total482 - total45
+                    rest10 = total482 - back82
+                    one9 = total45 - rest10
+                    two9 = -back82 - total39
+                    lost102 = one9 + two9
+                    low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
+                    total41 = given4*total482
+                    total482_halves = halves(xp, total482)
+                    lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
+                    total482 = total40*total47
+                    total40_halves = halves(xp, total40)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
+                    total39 = total41 + total482
+                    back82 = total39 - total41
+                    rest10 = total39 - back82
+                    one9 = total41 - rest10
+                    two9 = total482 - back82
+                    lost37 = one9 + two9
+                    low24 = fall_low5*total40 + lost102 + lost36 + lost37
+                    total41 = total39/stiff
+                    left = total39 - stiff*total41
+                    total41_halves = halves(xp, total41)
+                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
+                    left = left + low24
+                    lost37 = left/stiff
+                    total39 = 1.0 - total47
+                    back82 = total39 - 1.0
+                    lost102 = -back82 - total47
+                    low24 = lost102 - fall_low5
+                    total47 = low24 + total39
+                    back82 = total47 - total39
+                    lost102 = low24 - back82
+                    total39 = (total47*total47)
+                    total47_halves = halves(xp, total47)
+                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves,
+                        total47_halves)
+                    total47 = total39 + 2.0*total482
+                    back82 = total47 - total39
+                    rest10 = total47 - back82
+                    one9 = total39 - rest10
+                    two9 = 2.0*total482 - back82
+                    lost372 = one9 + two9
+                    low24 = 2.0*fall_low5*total40 + lost102 + lost372 + 2.0*lost36
+                    total40 = total47/stiff
+                    left = total47 - stiff*total40
+                    total40_halves = halves(xp, total40)
+                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                    left = left + low24
+                    lost372 = left/stiff
+                    apart_of = lost26 + total26
+                    fall_of = lost35 + total49
+                    nyquist_of = 4.0*low22 + 4.0*total102
+                    rise_of = lost37 + total41
+                    together_of = lost372 + total40
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2,
+                    root, size, square2, stiff, total26, total263, total34, total35, total36,
+                    total37, total38, twice2, whole32), no,
+                    (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32))
+                )
+
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            def no(envelope, grown, lost132, lost26, lost274, lost282, root_low, sin_of, total132,
-                total26, total274, total282, wave):
-                back72 = 0.5*root_low*sin_of
-                total92 = wave - back72
-                back82 = total92 - wave
-                rest33 = total92 - back82
-                one23 = wave - rest33
-                two23 = -back72 - back82
-                lost92 = one23 + two23
-                total102 = (total92*total92)
-                total92_halves = halves(xp, total92)
-                lost102 = product_error(total102, total92_halves, total92_halves)
-                low2 = lost102 + 2.0*lost92*total92
-                total92 = envelope*total102
-                envelope_halves = halves(xp, envelope)
-                total102_halves = halves(xp, total102)
-                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
-                total102 = (grown*grown) + total92
-                back82 = total102 - total92
-                rest33 = total102 - back82
-                one23 = total92 - rest33
-                two23 = (grown*grown) - back82
-                lost102 = one23 + two23
-                low2 = lost92 + lost102
-                apart_of = lost26 + total26
-                fall_of = lost282 + total282
-                nyquist_of = 4.0*low2 + 4.0*total102
-                rise_of = lost274 + total274
-                together_of = 4.0*lost132 + 4.0*total132
+            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                stiff, total26, total263, twice2):
+
+                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size,
+                    square2, stiff, total26, total263, twice2):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    total23 = half*odd
+                    half_halves = halves(xp, half)
+                    odd_halves = halves(xp, odd)
+                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                    total252 = total23 - even
+                    back162 = total252 - total23
+                    rest42 = total252 - back162
+                    one32 = total23 - rest42
+                    two32 = -back162 - even
+                    lost252 = one32 + two32
+                    total262 = envelope + total252
+                    back162 = total262 - total252
+                    rest42 = total262 - back162
+                    one32 = total252 - rest42
+                    two32 = envelope - back162
+                    lost262 = one32 + two32
+                    total252 = envelope*total262
+                    total282 = total252/stiff
+                    left = total252 - stiff*total282
+                    total282_halves = halves(xp, total282)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    e = xp.exp(-delta)
+                    total253 = e + 1.0
+                    back162 = total253 - 1.0
+                    lost253 = e - back162
+                    total273 = total253 + total263
+                    back162 = total273 - total253
+                    lost273 = total263 - back162
+                    total253 = even + total23
+                    back162 = total253 - even
+                    rest42 = total253 - back162
+                    one32 = even - rest42
+                    two32 = total23 - back162
+                    lost242 = one32 + two32
+                    total23 = envelope*total253
+                    total264 = 1.0 - total23
+                    back162 = total264 - 1.0
+                    lost264 = -back162 - total23
+                    total274 = total264/stiff
+                    left162 = total264 - stiff*total274
+                    total274_halves = halves(xp, total274)
+                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
+                    back162 = -0.5*root_low*wave
+                    total264 = sin_of - back162
+                    back83 = total264 - sin_of
+                    rest42 = total264 - back83
+                    one32 = sin_of - rest42
+                    two32 = -back162 - back83
+                    lost93 = one32 + two32
+                    total103 = (total264*total264)
+                    total264_halves = halves(xp, total264)
+                    lost103 = product_error(total103, total264_halves, total264_halves)
+                    low5 = lost103 + 2.0*lost93*total264
+                    total264 = envelope*total103
+                    envelope_halves = halves(xp, envelope)
+                    total103_halves = halves(xp, total103)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total264
+                    back83 = total103 - total264
+                    rest42 = total103 - back83
+                    one32 = total264 - rest42
+                    two32 = (grown*grown) - back83
+                    lost103 = one32 + two32
+                    low5 = lost93 + lost103
+                    total264 = total103/stiff
+                    left72 = total103 - stiff*total264
+                    total264_halves = halves(xp, total264)
+                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
+                    left72 = left72 + low5
+                    lost103 = left72/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    total262_halves = halves(xp, total262)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
+                    left = left + lost262
+                    lost262 = left/stiff
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    total253_halves = halves(xp, total253)
+                    lost242 = (
+                        envelope*(even_low2 + lost23 + lost242) +
+                        product_error(total23, envelope_halves, total253_halves)
+                    )
+                    left162 = left162 - lost242 + lost264
+                    lost264 = left162/stiff
+                    apart_of = lost26 + total26
+                    fall_of = lost262 + total282
+                    nyquist_of = lost253 + lost252 + lost273 + total273
+                    rise_of = lost264 + total274
+                    together_of = 4.0*lost103 + 4.0*total264
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    total23 = half*odd
+                    half_halves = halves(xp, half)
+                    odd_halves = halves(xp, odd)
+                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                    total252 = total23 - even
+                    back162 = total252 - total23
+                    rest42 = total252 - back162
+                    one32 = total23 - rest42
+                    two32 = -back162 - even
+                    lost252 = one32 + two32
+                    total262 = envelope + total252
+                    back162 = total262 - total252
+                    rest42 = total262 - back162
+                    one32 = total252 - rest42
+                    two32 = envelope - back162
+                    lost262 = one32 + two32
+                    total252 = envelope*total262
+                    total282 = total252/stiff
+                    left = total252 - stiff*total282
+                    total282_halves = halves(xp, total282)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back162 = 0.5*root_low*sin_of
+                    total92 = wave - back162
+                    back82 = total92 - wave
+                    rest42 = total92 - back82
+                    one32 = wave - rest42
+                    two32 = -back162 - back82
+                    lost92 = one32 + two32
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low4 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest42 = total102 - back82
+                    one32 = total92 - rest42
+                    two32 = (grown*grown) - back82
+                    lost102 = one32 + two32
+                    low4 = lost92 + lost102
+                    total92 = even + total23
+                    back82 = total92 - even
+                    rest42 = total92 - back82
+                    one32 = even - rest42
+                    two32 = total23 - back82
+                    lost102 = one32 + two32
+                    total23 = envelope*total92
+                    total264 = 1.0 - total23
+                    back82 = total264 - 1.0
+                    lost92 = -back82 - total23
+                    total274 = total264/stiff
+                    left162 = total264 - stiff*total274
+                    total274_halves = halves(xp, total274)
+                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
+                    back82 = -0.5*root_low*wave
+                    total264 = sin_of - back82
+                    back162 = total264 - sin_of
+                    rest42 = total264 - back162
+                    one32 = sin_of - rest42
+                    two32 = -back82 - back162
+                    lost93 = one32 + two32
+                    total103 = (total264*total264)
+                    total264_halves = halves(xp, total264)
+                    lost103 = product_error(total103, total264_halves, total264_halves)
+                    low5 = lost103 + 2.0*lost93*total264
+                    total264 = envelope*total103
+                    total103_halves = halves(xp, total103)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total264
+                    back162 = total103 - total264
+                    rest42 = total103 - back162
+                    one32 = total264 - rest42
+                    two32 = (grown*grown) - back162
+                    lost103 = one32 + two32
+                    low5 = lost93 + lost103
+                    total264 = total103/stiff
+                    left72 = total103 - stiff*total264
+                    total264_halves = halves(xp, total264)
+                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
+                    left72 = left72 + low5
+                    lost103 = left72/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    total262_halves = halves(xp, total262)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
+                    left = left + lost262
+                    lost262 = left/stiff
+                    total92_halves = halves(xp, total92)
+                    lost102 = (
+                        envelope*(even_low2 + lost23 + lost102) +
+                        product_error(total23, envelope_halves, total92_halves)
+                    )
+                    left162 = left162 - lost102 + lost92
+                    lost92 = left162/stiff
+                    apart_of = lost26 + total26
+                    fall_of = lost262 + total282
+                    nyquist_of = 4.0*low4 + 4.0*total102
+                    rise_of = lost92 + total274
+                    together_of = 4.0*lost103 + 4.0*total264
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26,
+                    odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no,
+                    (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26))
+                )
+
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
             apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                select(xp, total25 > 0.0, yes, (delta, even, even_low2, lost103, lost25, lost93,
-                lost262, total93, total24, total25, total103, total262, twice2), no,
-                (envelope, grown, lost103, lost25, lost93, lost262, root_low, sin_of, total93,
-                total24, total103, total262, wave))
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2,
+                stiff, total24, total25, total30, total31, total29, total37, total38, twice2,
+                whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root,
+                size, square2, stiff, total24, total25, twice2))
             )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
@@ -4544,89 +10769,89 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 envelope_halves = halves(xp, envelope)
                 total27_halves = halves(xp, total27)
                 lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                given4 = 0.5*half
-                total27 = 1.0 - 0.5*given4
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
                 back3 = total27 - 1.0
-                lost29 = -back3 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total30 = curved4 + total27
-                back3 = total30 - total27
-                lost30 = curved4 - back3
-                mean_low5 = lost29 + lost30
-                total27 = given4*total30
-                given4_halves = halves(xp, given4)
-                total30_halves = halves(xp, total30)
-                lost30 = given4*mean_low5 + product_error(total27, given4_halves, total30_halves)
-                total30 = 1.0 - total27
-                back3 = total30 - 1.0
-                lost29 = -back3 - total27
-                fall_low5 = lost29 - lost30
-                total27 = (total30*total30)
-                total30_halves = halves(xp, total30)
-                lost29 = 2.0*fall_low5*total30 + product_error(total27, total30_halves,
-                    total30_halves)
-                total30 = (total27*total27)
+                lost54 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back3 = total55 - total27
+                lost55 = curved5 - back3
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back3 = total55 - 1.0
+                lost54 = -back3 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
-                lost29 = 2.0*lost29*total27 + product_error(total30, total27_halves, total27_halves)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
                 rest6 = fall_series(xp, gamma, delta)
                 total27 = rest6 + 0.5
                 back3 = total27 - rest6
                 rest5 = total27 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost30 = one4 + two4
-                total36 = total30*total27
-                total30_halves = halves(xp, total30)
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
                 total27_halves = halves(xp, total27)
-                lost30 = lost30*total30 + product_error(total36, total30_halves, total27_halves)
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
                 half2 = half
-                given4 = 0.5*half2
-                total30 = 1.0 - 0.5*given4
-                back3 = total30 - 1.0
-                lost284 = -back3 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total292 = curved4 + total30
-                back3 = total292 - total30
-                lost293 = curved4 - back3
-                mean_low5 = lost284 + lost293
-                total30 = given4*total292
-                given4_halves = halves(xp, given4)
-                total292_halves = halves(xp, total292)
-                lost293 = given4*mean_low5 + product_error(total30, given4_halves, total292_halves)
-                total292 = 1.0 - total30
-                back3 = total292 - 1.0
-                lost284 = -back3 - total30
-                fall_low5 = lost284 - lost293
-                total30 = (total292*total292)
-                total292_halves = halves(xp, total292)
-                lost284 = (
-                    2.0*fall_low5*total292 + product_error(total30, total292_halves,
-                    total292_halves)
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back3 = total55 - 1.0
+                lost532 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back3 = total542 - total55
+                lost542 = curved5 - back3
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back3 = total542 - 1.0
+                lost532 = -back3 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
                 )
                 rest5 = rise_series(xp, half2, total2)
-                total292 = rest5 + 0.5
-                back3 = total292 - rest5
-                rest6 = total292 - back3
+                total542 = rest5 + 0.5
+                back3 = total542 - rest5
+                rest6 = total542 - back3
                 one4 = rest5 - rest6
                 two4 = 0.5 - back3
-                lost293 = one4 + two4
-                total342 = total30*total292
-                total30_halves = halves(xp, total30)
-                total292_halves = halves(xp, total292)
-                lost293 = lost293*total30 + product_error(total342, total30_halves, total292_halves)
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
                 rest6 = together_series(xp, half, total2)
-                total30 = rest6 + 0.5
-                back3 = total30 - rest6
-                rest5 = total30 - back3
+                total55 = rest6 + 0.5
+                back3 = total55 - rest6
+                rest5 = total55 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost304 = one4 + two4
-                total314 = envelope*total30
-                total30_halves = halves(xp, total30)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
-                    total30_halves)
+                lost553 = one4 + two4
+                total563 = envelope*total55
+                total55_halves = halves(xp, total55)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -4661,8 +10886,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
 
-                total30 = fall_ + 1.0
-                back3 = total30 - 1.0
+                total55 = fall_ + 1.0
+                back3 = total55 - 1.0
                 lost283 = fall_ - back3
 
                 def yes(root, root_low):
@@ -4705,22 +10930,22 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall__halves = halves(xp, fall_)
                 fall2_halves = halves(xp, fall2)
                 lost292 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-                low3 = fall2*fall_low2 + lost292
+                low32 = fall2*fall_low2 + lost292
                 total302 = fast + 1.0
                 back3 = total302 - 1.0
                 lost292 = fast - back3
-                total312 = total30*total302
-                total30_halves = halves(xp, total30)
+                total312 = total55*total302
+                total55_halves = halves(xp, total55)
                 total302_halves = halves(xp, total302)
                 lost292 = (
-                    total30*(lost292 + low3) + product_error(total312, total30_halves,
+                    total55*(lost292 + low32) + product_error(total312, total55_halves,
                     total302_halves)
                 )
                 apart_of = lost3 + total28
-                fall_of = lost29*total27 + lost30 + total36
+                fall_of = lost54*total27 + lost55 + total61
                 nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
-                rise_of = lost284*total292 + lost293 + total342
-                together_of = 2.0*lost304 + 2.0*total314
+                rise_of = lost532*total542 + lost542 + total592
+                together_of = 2.0*lost553 + 2.0*total563
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
             def no(gamma, half, lost2, root, size, total2, total3):
@@ -4761,10 +10986,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 rest5 = total27 - back3
                 one4 = rest6 - rest5
                 two4 = 0.5 - back3
-                lost304 = one4 + two4
-                total314 = envelope*total27
+                lost553 = one4 + two4
+                total563 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost304 = envelope*lost304 + product_error(total314, envelope_halves,
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
                     total27_halves)
 
                 def yes(q, q_low):
@@ -4894,7 +11119,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost162 = fall_*lost162 + product_error(total172, fall__halves, total162_halves)
                 creep_ = fall_low2*total162 + lost162 + total172
                 lost162 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-                low3 = fall2*fall_low2 + lost162
+                low32 = fall2*fall_low2 + lost162
                 total172 = fast + 1.0
                 back3 = total172 - 1.0
                 lost162 = fast - back3
@@ -4902,7 +11127,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total27_halves = halves(xp, total27)
                 total172_halves = halves(xp, total172)
                 lost162 = (
-                    total27*(lost162 + low3) + product_error(total162, total27_halves,
+                    total27*(lost162 + low32) + product_error(total162, total27_halves,
                     total172_halves)
                 )
                 total27 = fall_*mean2
@@ -4925,7 +11150,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_of = creep_
                 nyquist_of = lost162 + total172*(fall_low2 + lost283) + total162
                 rise_of = lost163 + total27
-                together_of = 2.0*lost304 + 2.0*total314
+                together_of = 2.0*lost553 + 2.0*total563
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
             apart_of, fall_of, nyquist_of, rise_of, together_of = (
@@ -5098,7 +11323,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
             creep_ = fall_low2*total16 + lost18 + total17
             lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-            low3 = fall2*fall_low2 + lost18
+            low32 = fall2*fall_low2 + lost18
             total17 = fast + 1.0
             back3 = total17 - 1.0
             lost18 = fast - back3
@@ -5106,7 +11331,7 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             total283_halves = halves(xp, total283)
             total17_halves = halves(xp, total17)
             lost18 = (
-                total283*(lost18 + low3) + product_error(total16, total283_halves, total17_halves)
+                total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
             )
             total283 = fall_*mean2
             lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
@@ -5126,12 +11351,2524 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             total173 = 1.0 - fast
             back3 = total173 - 1.0
             lost16 = -back3 - fast
-            total285 = mean*total173
+            total533 = mean*total173
             total173_halves = halves(xp, total173)
-            lost16 = mean*(lost16 - low3) + product_error(total285, mean_halves, total173_halves)
+            lost16 = mean*(lost16 - low32) + product_error(total533, mean_halves, total173_halves)
             moved_low = lost16 + mean_low2*total173
-            total173 = total285/whole
-            left = total285 - total173*whole
+            total173 = total533/whole
+            left = total533 - total173*whole
+            total173_halves = halves(xp, total173)
+            left = left - product_error(total173*whole, total173_halves, whole_halves)
+            left = left + moved_low - p_low*total173
+            lost16 = left/whole
+            apart_of = (low + top)/whole3
+            fall_of = creep_
+            nyquist_of = lost18 + total17*(fall_low2 + lost3) + total16
+            rise_of = lost17 + total283
+            together_of = lost16 + total173
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
+
+        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
+
+    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+
+def apart_fall_nyquist_rise_together(xp, gamma, delta):
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a +
+    e; n1, how far a unit force moves the device in a period; n1 + n0
+    """
+    if gamma.dtype == xp.float32:
+        return apart_fall_nyquist_rise_together_single(xp, gamma, delta)
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
+
+    def yes(delta, gamma, half, lost2, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, gamma, half, lost2, reach, total2):
+
+            def yes(delta, gamma, half, lost2, total2):
+                square2 = total2
+                envelope = xp.exp(-half)
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
+                back17 = total27 - 1.0
+                lost54 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back17 = total55 - total27
+                lost55 = curved5 - back17
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back17 = total55 - 1.0
+                lost54 = -back17 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back17 = total27 - rest6
+                rest5 = total27 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
+                total27_halves = halves(xp, total27)
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
+                twice2 = 2.0*envelope
+                half2 = half
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back17 = total55 - 1.0
+                lost532 = -back17 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back17 = total542 - total55
+                lost542 = curved5 - back17
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back17 = total542 - 1.0
+                lost532 = -back17 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
+                rest5 = rise_series(xp, half2, total2)
+                total542 = rest5 + 0.5
+                back17 = total542 - rest5
+                rest6 = total542 - back17
+                one4 = rest5 - rest6
+                two4 = 0.5 - back17
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+                rest6 = together_series(xp, half, total2)
+                total55 = rest6 + 0.5
+                back17 = total55 - rest6
+                rest5 = total55 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost553 = one4 + two4
+                total563 = envelope*total55
+                total55_halves = halves(xp, total55)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
+
+                def yes(square2):
+                    given3 = square2
+                    total19 = 0.5*given3 + 1.0
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total19 = curved3 + total19
+                    even = total19
+                    return even
+
+                def no(total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    cosine = xp.cos(root)
+                    even = cosine
+                    return even
+
+                even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
+
+                total55 = even*twice2
+
+                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    square2, total2, total263, total28, total563, total582, total592, total60,
+                    total61, twice2):
+                    e = xp.exp(-delta)
+                    total253 = e + 1.0
+                    back182 = total253 - 1.0
+                    lost253 = e - back182
+                    total273 = total253 + total263
+                    back182 = total273 - total253
+                    lost273 = total263 - back182
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(lost2, total2):
+                        size = xp.abs(total2)
+                        root = square_root(xp, size)
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, total2))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    apart_of = lost28 + total28
+                    fall_of = lost59*total60 + lost61 + total61
+                    nyquist_of = lost253 + lost263 + lost273 + total273
+                    rise_of = lost572*total582 + lost592 + total592
+                    together_of = 2.0*lost563 + 2.0*total563
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    total2, total28, total563, total582, total592, total60, total61):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back72 = 0.5*root_low*sin_of
+                    total92 = wave - back72
+                    back82 = total92 - wave
+                    rest33 = total92 - back82
+                    one23 = wave - rest33
+                    two23 = -back72 - back82
+                    lost92 = one23 + two23
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low4 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest33 = total102 - back82
+                    one23 = total92 - rest33
+                    two23 = (grown*grown) - back82
+                    lost102 = one23 + two23
+                    low4 = lost92 + lost102
+                    apart_of = lost28 + total28
+                    fall_of = lost59*total60 + lost61 + total61
+                    nyquist_of = 4.0*low4 + 4.0*total102
+                    rise_of = lost572*total582 + lost592 + total592
+                    together_of = 2.0*lost563 + 2.0*total563
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532,
+                    lost54, lost542, lost55, square2, total2, total55, total28, total563,
+                    total542, total592, total27, total61, twice2), no,
+                    (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55,
+                    total2, total28, total563, total542, total592, total27, total61))
+                )
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            def no(delta, gamma, half, lost2, total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                square2 = total2
+                envelope = xp.exp(-half)
+                stiff = gamma
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back17 = total27 - rest5
+                rest6 = total27 - back17
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back17
+                lost27 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+                twice2 = 2.0*envelope
+                rest6 = together_series(xp, half, total2)
+                total27 = rest6 + 0.5
+                back17 = total27 - rest6
+                rest5 = total27 - back17
+                one4 = rest6 - rest5
+                two4 = 0.5 - back17
+                lost553 = one4 + two4
+                total563 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total27_halves)
+
+                def yes(square2):
+                    given3 = square2
+                    total19 = 0.5*given3 + 1.0
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total19 = curved3 + total19
+                    even = total19
+                    return even
+
+                def no(root):
+                    cosine = xp.cos(root)
+                    even = cosine
+                    return even
+
+                even = select(xp, square2 > -1.5, yes, (square2,), no, (root,))
+
+                total27 = even*twice2
+
+                def yes(root):
+                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                    return count
+
+                def no(root):
+                    return 0.0
+
+                count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+                turns = (count*count)
+                total29 = 39.47841760435743*turns
+                turns_halves = halves(xp, turns)
+                number4_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+                lost29 = product_error(total29, turns_halves, number4_halves)
+                total30 = 2.5061182034958845e-15*turns
+                number5_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+                lost30 = product_error(total30, turns_halves, number5_halves)
+                total31 = -total2 - total29
+                back17 = total2 + total31
+                rest5 = total31 - back17
+                one4 = -rest5 - total2
+                two4 = -back17 - total29
+                lost31 = one4 + two4
+                total29 = total31 - lost29
+                back17 = total29 - total31
+                rest5 = total29 - back17
+                one4 = total31 - rest5
+                two4 = -back17 - lost29
+                lost29 = one4 + two4
+                total31 = total29 - total30
+                back17 = total31 - total29
+                rest5 = total31 - back17
+                one4 = total29 - rest5
+                two4 = -back17 - total30
+                lost33 = one4 + two4
+                total30 = total31 - lost2
+                back17 = total30 - total31
+                rest5 = total30 - back17
+                one4 = total31 - rest5
+                two4 = -back17 - lost2
+                lost34 = one4 + two4
+                low2 = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
+                total31 = low2 + total30
+                total29 = 6.283185307179586*count
+                total37 = root + total29
+                whole32 = xp.where(total37 == 0.0, 1.0, total37)
+                total38 = total31/whole32
+                far = (total38*total38)
+
+                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root,
+                    size, square2, stiff, total263, total28, total34, total35, total36, total37,
+                    total38, total563, twice2, whole32):
+
+                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        back22 = total35 - total34
+                        rest10 = total35 - back22
+                        one9 = total34 - rest10
+                        two9 = low2 - back22
+                        lost35 = one9 + two9
+                        count_halves = halves(xp, count)
+                        number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                        lost36 = product_error(count*6.283185307179586, count_halves,
+                            number2_halves)
+                        back22 = total37 - root
+                        rest10 = total37 - back22
+                        one9 = root - rest10
+                        two9 = total36 - back22
+                        lost37 = one9 + two9
+                        both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                        left = total35 - total38*whole32
+                        total38_halves = halves(xp, total38)
+                        whole32_halves = halves(xp, whole32)
+                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                        left = left - both_low*total38 + lost35
+                        lost35 = left/whole32
+                        eta = total38
+                        eta_low = lost35
+                        total39 = (eta*eta)
+                        eta_halves = halves(xp, eta)
+                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                        cos_series_of2 = cos_series(xp, -total39)
+                        bent2 = cos_series_of2*(total39*total39)
+                        total40 = 0.5*total39 - bent2
+                        back22 = total40 - 0.5*total39
+                        lost37 = -back22 - bent2
+                        sin_series_of2 = sin_series(xp, -total39)
+                        total41 = 1.0 - sin_series_of2*total39
+                        back22 = total41 - 1.0
+                        lost36 = -back22 - sin_series_of2*total39
+                        lift_low = 0.5*lost35*total41 + lost37
+                        total39 = eta*total41
+                        total41_halves = halves(xp, total41)
+                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                        some2 = root
+                        total41 = total39/some2
+                        left = total39 - some2*total41
+                        total41_halves = halves(xp, total41)
+                        some2_halves = halves(xp, some2)
+                        left = left - product_error(total41*some2, total41_halves, some2_halves)
+                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                        lost36 = left/some2
+                        given4 = half
+                        total39 = 1.0 - 0.5*given4
+                        back22 = total39 - 1.0
+                        lost37 = -back22 - 0.5*given4
+                        decay_series_of3 = decay_series(xp, given4)
+                        curved4 = decay_series_of3*(given4*given4)
+                        total45 = curved4 + total39
+                        back22 = total45 - total39
+                        lost35 = curved4 - back22
+                        mean_low5 = lost37 + lost35
+                        total39 = given4*total45
+                        given4_halves = halves(xp, given4)
+                        total45_halves = halves(xp, total45)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
+                        total47 = 1.0 - total39
+                        back22 = total47 - 1.0
+                        lost37 = -back22 - total39
+                        fall_low5 = lost37 - lost35
+                        total39 = total45 - total41
+                        back22 = total39 - total45
+                        rest10 = total39 - back22
+                        one9 = total45 - rest10
+                        two9 = -back22 - total41
+                        lost37 = one9 + two9
+                        total49 = given4*total39
+                        total39_halves = halves(xp, total39)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
+                        total39 = total40 - total49
+                        back22 = total39 - total40
+                        rest10 = total39 - back22
+                        one9 = total40 - rest10
+                        two9 = -back22 - total49
+                        lost35 = one9 + two9
+                        low22 = lift_low - lost37 + lost35
+                        total49 = low22 + total39
+                        back22 = total49 - total39
+                        rest10 = total49 - back22
+                        one9 = total39 - rest10
+                        two9 = low22 - back22
+                        lost35 = one9 + two9
+                        total39 = total47*total49
+                        total47_halves = halves(xp, total47)
+                        total49_halves = halves(xp, total49)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
+                        low22 = fall_low5*total49 + lost35
+                        total49 = total39/stiff
+                        left = total39 - stiff*total49
+                        total49_halves = halves(xp, total49)
+                        stiff_halves = halves(xp, stiff)
+                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                        left = left + low22
+                        lost35 = left/stiff
+                        e = xp.exp(-delta)
+                        total39 = e + 1.0
+                        back22 = total39 - 1.0
+                        lost37 = e - back22
+                        total273 = total39 + total263
+                        back22 = total273 - total39
+                        lost273 = total263 - back22
+                        total39 = total41*total47
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
+                        total482 = total45 - total39
+                        back22 = total482 - total45
+                        rest10 = total482 - back22
+                        one9 = total45 - rest10
+                        two9 = -back22 - total39
+                        lost482 = one9 + two9
+                        low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
+                        total41 = given4*total482
+                        total482_halves = halves(xp, total482)
+                        lost482 = given4*low22 + product_error(total41, given4_halves,
+                            total482_halves)
+                        total482 = total40*total47
+                        total40_halves = halves(xp, total40)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
+                        total47 = total41 + total482
+                        back22 = total47 - total41
+                        rest10 = total47 - back22
+                        one9 = total41 - rest10
+                        two9 = total482 - back22
+                        lost512 = one9 + two9
+                        low22 = fall_low5*total40 + lost482 + lost36 + lost512
+                        total40 = total47/stiff
+                        left = total47 - stiff*total40
+                        total40_halves = halves(xp, total40)
+                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                        left = left + low22
+                        lost512 = left/stiff
+
+                        def yes(lost2, square2):
+                            given3 = square2
+                            total19 = 0.5*given3 + 1.0
+                            back13 = total19 - 1.0
+                            lost19 = 0.5*given3 - back13
+                            cos_series_of = cos_series(xp, given3)
+                            curved3 = cos_series_of*(given3*given3)
+                            total20 = curved3 + total19
+                            back13 = total20 - total19
+                            lost20 = curved3 - back13
+                            even_low = lost19 + 0.5*lost2 + lost20
+                            return even_low
+
+                        def no(root, root_low):
+                            sine = xp.sin(root)
+                            even_low2 = -root_low*sine
+                            return even_low2
+
+                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                            (root, root_low))
+
+                        twice2_halves = halves(xp, twice2)
+                        even_halves = halves(xp, even)
+                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
+                        apart_of = lost28 + total28
+                        fall_of = lost35 + total49
+                        nyquist_of = lost37 + lost36 + lost273 + total273
+                        rise_of = lost512 + total40
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff,
+                        total28, total34, total35, total36, total37, total38, total563, whole32):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        back22 = total35 - total34
+                        rest10 = total35 - back22
+                        one9 = total34 - rest10
+                        two9 = low2 - back22
+                        lost35 = one9 + two9
+                        count_halves = halves(xp, count)
+                        number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                        lost36 = product_error(count*6.283185307179586, count_halves,
+                            number2_halves)
+                        back22 = total37 - root
+                        rest10 = total37 - back22
+                        one9 = root - rest10
+                        two9 = total36 - back22
+                        lost37 = one9 + two9
+                        both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                        left = total35 - total38*whole32
+                        total38_halves = halves(xp, total38)
+                        whole32_halves = halves(xp, whole32)
+                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                        left = left - both_low*total38 + lost35
+                        lost35 = left/whole32
+                        eta = total38
+                        eta_low = lost35
+                        total39 = (eta*eta)
+                        eta_halves = halves(xp, eta)
+                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                        cos_series_of2 = cos_series(xp, -total39)
+                        bent2 = cos_series_of2*(total39*total39)
+                        total40 = 0.5*total39 - bent2
+                        back22 = total40 - 0.5*total39
+                        lost37 = -back22 - bent2
+                        sin_series_of2 = sin_series(xp, -total39)
+                        total41 = 1.0 - sin_series_of2*total39
+                        back22 = total41 - 1.0
+                        lost36 = -back22 - sin_series_of2*total39
+                        lift_low = 0.5*lost35*total41 + lost37
+                        total39 = eta*total41
+                        total41_halves = halves(xp, total41)
+                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                        some2 = root
+                        total41 = total39/some2
+                        left = total39 - some2*total41
+                        total41_halves = halves(xp, total41)
+                        some2_halves = halves(xp, some2)
+                        left = left - product_error(total41*some2, total41_halves, some2_halves)
+                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                        lost36 = left/some2
+                        given4 = half
+                        total39 = 1.0 - 0.5*given4
+                        back22 = total39 - 1.0
+                        lost37 = -back22 - 0.5*given4
+                        decay_series_of3 = decay_series(xp, given4)
+                        curved4 = decay_series_of3*(given4*given4)
+                        total45 = curved4 + total39
+                        back22 = total45 - total39
+                        lost35 = curved4 - back22
+                        mean_low5 = lost37 + lost35
+                        total39 = given4*total45
+                        given4_halves = halves(xp, given4)
+                        total45_halves = halves(xp, total45)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
+                        total47 = 1.0 - total39
+                        back22 = total47 - 1.0
+                        lost37 = -back22 - total39
+                        fall_low5 = lost37 - lost35
+                        total39 = total45 - total41
+                        back22 = total39 - total45
+                        rest10 = total39 - back22
+                        one9 = total45 - rest10
+                        two9 = -back22 - total41
+                        lost37 = one9 + two9
+                        total49 = given4*total39
+                        total39_halves = halves(xp, total39)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
+                        total39 = total40 - total49
+                        back22 = total39 - total40
+                        rest10 = total39 - back22
+                        one9 = total40 - rest10
+                        two9 = -back22 - total49
+                        lost35 = one9 + two9
+                        low22 = lift_low - lost37 + lost35
+                        total49 = low22 + total39
+                        back22 = total49 - total39
+                        rest10 = total49 - back22
+                        one9 = total39 - rest10
+                        two9 = low22 - back22
+                        lost35 = one9 + two9
+                        total39 = total47*total49
+                        total47_halves = halves(xp, total47)
+                        total49_halves = halves(xp, total49)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
+                        low22 = fall_low5*total49 + lost35
+                        total49 = total39/stiff
+                        left = total39 - stiff*total49
+                        total49_halves = halves(xp, total49)
+                        stiff_halves = halves(xp, stiff)
+                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                        left = left + low22
+                        lost35 = left/stiff
+                        expm1_of = xp.expm1(-half)
+                        grown = -0.5*expm1_of
+                        angle = 0.5*root
+                        wave = xp.cos(angle)
+                        sin_of = xp.sin(angle)
+                        back22 = 0.5*root_low*sin_of
+                        total39 = wave - back22
+                        back82 = total39 - wave
+                        rest10 = total39 - back82
+                        one9 = wave - rest10
+                        two9 = -back22 - back82
+                        lost37 = one9 + two9
+                        total102 = (total39*total39)
+                        total39_halves = halves(xp, total39)
+                        lost102 = product_error(total102, total39_halves, total39_halves)
+                        low22 = lost102 + 2.0*lost37*total39
+                        total39 = envelope*total102
+                        envelope_halves = halves(xp, envelope)
+                        total102_halves = halves(xp, total102)
+                        lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                            total102_halves)
+                        total102 = (grown*grown) + total39
+                        back82 = total102 - total39
+                        rest10 = total102 - back82
+                        one9 = total39 - rest10
+                        two9 = (grown*grown) - back82
+                        lost102 = one9 + two9
+                        low22 = lost37 + lost102
+                        total39 = total41*total47
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
+                        total482 = total45 - total39
+                        back82 = total482 - total45
+                        rest10 = total482 - back82
+                        one9 = total45 - rest10
+                        two9 = -back82 - total39
+                        lost102 = one9 + two9
+                        low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
+                        total41 = given4*total482
+                        total482_halves = halves(xp, total482)
+                        lost102 = given4*low24 + product_error(total41, given4_halves,
+                            total482_halves)
+                        total482 = total40*total47
+                        total40_halves = halves(xp, total40)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
+                        total47 = total41 + total482
+                        back82 = total47 - total41
+                        rest10 = total47 - back82
+                        one9 = total41 - rest10
+                        two9 = total482 - back82
+                        lost37 = one9 + two9
+                        low24 = fall_low5*total40 + lost102 + lost36 + lost37
+                        total40 = total47/stiff
+                        left = total47 - stiff*total40
+                        total40_halves = halves(xp, total40)
+                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                        left = left + low24
+                        lost37 = left/stiff
+                        apart_of = lost28 + total28
+                        fall_of = lost35 + total49
+                        nyquist_of = 4.0*low22 + 4.0*total102
+                        rise_of = lost37 + total40
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32), no,
+                        (count, envelope, half, lost2, lost28, lost563, low2, root, size,
+                        stiff, total28, total34, total35, total36, total37, total38, total563,
+                        whole32))
+                    )
+
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                    stiff, total263, total28, total563, twice2):
+
+                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2):
+                        e = xp.exp(-delta)
+                        total253 = e + 1.0
+                        back182 = total253 - 1.0
+                        lost253 = e - back182
+                        total273 = total253 + total263
+                        back182 = total273 - total253
+                        lost273 = total263 - back182
+
+                        def yes(lost2, square2):
+                            given3 = square2
+                            total19 = 0.5*given3 + 1.0
+                            back13 = total19 - 1.0
+                            lost19 = 0.5*given3 - back13
+                            cos_series_of = cos_series(xp, given3)
+                            curved3 = cos_series_of*(given3*given3)
+                            total20 = curved3 + total19
+                            back13 = total20 - total19
+                            lost20 = curved3 - back13
+                            even_low = lost19 + 0.5*lost2 + lost20
+                            sin_series_of = sin_series(xp, given3)
+                            bent = given3*sin_series_of
+                            total20 = bent + 1.0
+                            back13 = total20 - 1.0
+                            lost20 = bent - back13
+                            odd_low = 0.16666666666666666*lost2 + lost20
+                            odd = total20
+                            return even_low, odd, odd_low
+
+                        def no(lost2, root, size):
+                            sign_low = -lost2
+                            left = size - (root*root)
+                            root_halves = halves(xp, root)
+                            left = left - product_error(root*root, root_halves, root_halves)
+                            left = left + sign_low
+                            whole = xp.where(root == 0.0, 1.0, root)
+                            root_low = 0.5*left/whole
+                            sine = xp.sin(root)
+                            cosine = xp.cos(root)
+                            some = root
+                            total22 = sine/some
+                            left = sine - some*total22
+                            total22_halves = halves(xp, total22)
+                            some_halves = halves(xp, some)
+                            left = left - product_error(total22*some, total22_halves, some_halves)
+                            left = cosine*root_low + left - root_low*total22
+                            lost22 = left/some
+                            even_low2 = -root_low*sine
+                            odd = total22
+                            odd_low2 = lost22
+                            return even_low2, odd, odd_low2
+
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (lost2, root, size))
+
+                        total253 = half*odd
+                        half_halves = halves(xp, half)
+                        odd_halves = halves(xp, odd)
+                        lost23 = half*odd_low2 + product_error(total253, half_halves, odd_halves)
+                        total252 = total253 - even
+                        back182 = total252 - total253
+                        rest42 = total252 - back182
+                        one32 = total253 - rest42
+                        two32 = -back182 - even
+                        lost252 = one32 + two32
+                        total262 = envelope + total252
+                        back182 = total262 - total252
+                        rest42 = total262 - back182
+                        one32 = total252 - rest42
+                        two32 = envelope - back182
+                        lost262 = one32 + two32
+                        total252 = envelope*total262
+                        envelope_halves = halves(xp, envelope)
+                        total262_halves = halves(xp, total262)
+                        lost262 = (
+                            envelope*(lost23 - even_low2 + lost252 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
+                        total262 = total252/stiff
+                        left16 = total252 - stiff*total262
+                        total262_halves = halves(xp, total262)
+                        stiff_halves = halves(xp, stiff)
+                        left16 = left16 - product_error(total262*stiff, total262_halves,
+                            stiff_halves)
+                        left16 = left16 + lost262
+                        lost262 = left16/stiff
+                        twice2_halves = halves(xp, twice2)
+                        even_halves = halves(xp, even)
+                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
+                        total252 = even + total253
+                        back182 = total252 - even
+                        rest42 = total252 - back182
+                        one32 = even - rest42
+                        two32 = total253 - back182
+                        lost242 = one32 + two32
+                        total253 = envelope*total252
+                        total252_halves = halves(xp, total252)
+                        lost242 = (
+                            envelope*(even_low2 + lost23 + lost242) +
+                            product_error(total253, envelope_halves, total252_halves)
+                        )
+                        total252 = 1.0 - total253
+                        back182 = total252 - 1.0
+                        lost23 = -back182 - total253
+                        total253 = total252/stiff
+                        left16 = total252 - stiff*total253
+                        total253_halves = halves(xp, total253)
+                        left16 = left16 - product_error(total253*stiff, total253_halves,
+                            stiff_halves)
+                        left16 = left16 - lost242 + lost23
+                        lost23 = left16/stiff
+                        apart_of = lost28 + total28
+                        fall_of = lost262 + total262
+                        nyquist_of = lost253 + lost252 + lost273 + total273
+                        rise_of = lost23 + total253
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563):
+                        sign_low = -lost2
+                        left = size - (root*root)
+                        root_halves = halves(xp, root)
+                        left = left - product_error(root*root, root_halves, root_halves)
+                        left = left + sign_low
+                        whole = xp.where(root == 0.0, 1.0, root)
+                        root_low = 0.5*left/whole
+                        expm1_of = xp.expm1(-half)
+                        grown = -0.5*expm1_of
+                        angle = 0.5*root
+                        wave = xp.cos(angle)
+                        sin_of = xp.sin(angle)
+                        back72 = 0.5*root_low*sin_of
+                        total92 = wave - back72
+                        back82 = total92 - wave
+                        rest33 = total92 - back82
+                        one23 = wave - rest33
+                        two23 = -back72 - back82
+                        lost92 = one23 + two23
+                        total102 = (total92*total92)
+                        total92_halves = halves(xp, total92)
+                        lost102 = product_error(total102, total92_halves, total92_halves)
+                        low4 = lost102 + 2.0*lost92*total92
+                        total92 = envelope*total102
+                        envelope_halves = halves(xp, envelope)
+                        total102_halves = halves(xp, total102)
+                        lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                            total102_halves)
+                        total102 = (grown*grown) + total92
+                        back82 = total102 - total92
+                        rest33 = total102 - back82
+                        one23 = total92 - rest33
+                        two23 = (grown*grown) - back82
+                        lost102 = one23 + two23
+                        low4 = lost92 + lost102
+
+                        def yes(lost2, square2):
+                            given3 = square2
+                            total19 = 0.5*given3 + 1.0
+                            back13 = total19 - 1.0
+                            lost19 = 0.5*given3 - back13
+                            cos_series_of = cos_series(xp, given3)
+                            curved3 = cos_series_of*(given3*given3)
+                            total20 = curved3 + total19
+                            back13 = total20 - total19
+                            lost20 = curved3 - back13
+                            even_low = lost19 + 0.5*lost2 + lost20
+                            sin_series_of = sin_series(xp, given3)
+                            bent = given3*sin_series_of
+                            total20 = bent + 1.0
+                            back13 = total20 - 1.0
+                            lost20 = bent - back13
+                            odd_low = 0.16666666666666666*lost2 + lost20
+                            odd = total20
+                            return even_low, odd, odd_low
+
+                        def no(root, root_low):
+                            sine = xp.sin(root)
+                            cosine = xp.cos(root)
+                            some = root
+                            total22 = sine/some
+                            left10 = sine - some*total22
+                            total22_halves = halves(xp, total22)
+                            some_halves = halves(xp, some)
+                            left10 = left10 - product_error(total22*some, total22_halves,
+                                some_halves)
+                            left10 = cosine*root_low + left10 - root_low*total22
+                            lost22 = left10/some
+                            even_low2 = -root_low*sine
+                            odd = total22
+                            odd_low2 = lost22
+                            return even_low2, odd, odd_low2
+
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (root, root_low))
+
+                        total92 = half*odd
+                        half_halves = halves(xp, half)
+                        odd_halves = halves(xp, odd)
+                        lost102 = half*odd_low2 + product_error(total92, half_halves, odd_halves)
+                        total252 = total92 - even
+                        back82 = total252 - total92
+                        rest33 = total252 - back82
+                        one23 = total92 - rest33
+                        two23 = -back82 - even
+                        lost92 = one23 + two23
+                        total262 = envelope + total252
+                        back82 = total262 - total252
+                        rest33 = total262 - back82
+                        one23 = total252 - rest33
+                        two23 = envelope - back82
+                        lost262 = one23 + two23
+                        total252 = envelope*total262
+                        total262_halves = halves(xp, total262)
+                        lost262 = (
+                            envelope*(lost102 - even_low2 + lost92 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
+                        total262 = total252/stiff
+                        left = total252 - stiff*total262
+                        total262_halves = halves(xp, total262)
+                        stiff_halves = halves(xp, stiff)
+                        left = left - product_error(total262*stiff, total262_halves, stiff_halves)
+                        left = left + lost262
+                        lost262 = left/stiff
+                        total252 = even + total92
+                        back82 = total252 - even
+                        rest33 = total252 - back82
+                        one23 = even - rest33
+                        two23 = total92 - back82
+                        lost92 = one23 + two23
+                        total92 = envelope*total252
+                        total252_halves = halves(xp, total252)
+                        lost92 = (
+                            envelope*(even_low2 + lost102 + lost92) +
+                            product_error(total92, envelope_halves, total252_halves)
+                        )
+                        total252 = 1.0 - total92
+                        back82 = total252 - 1.0
+                        lost102 = -back82 - total92
+                        total92 = total252/stiff
+                        left = total252 - stiff*total92
+                        total92_halves = halves(xp, total92)
+                        left = left - product_error(total92*stiff, total92_halves, stiff_halves)
+                        left = left - lost92 + lost102
+                        lost102 = left/stiff
+                        apart_of = lost28 + total28
+                        fall_of = lost262 + total262
+                        nyquist_of = 4.0*low4 + 4.0*total102
+                        rise_of = lost102 + total92
+                        together_of = 2.0*lost563 + 2.0*total563
+                        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2), no,
+                        (envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563))
+                    )
+
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root,
+                    size, square2, stiff, total27, total28, total30, total31, total29, total37,
+                    total38, total563, twice2, whole32), no,
+                    (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2,
+                    stiff, total27, total28, total563, twice2))
+                )
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (delta, gamma, half, lost2, total2))
+            )
+
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+        def no(delta, gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            square2 = total2
+            envelope = xp.exp(-half)
+            stiff = gamma
+            mean3 = decay(xp, delta)
+            twice2 = 2.0*envelope
+
+            def yes(lost2, square2):
+                given3 = square2
+                total19 = 0.5*given3 + 1.0
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total19 = curved3 + total19
+                sin_series_of = sin_series(xp, given3)
+                bent = given3*sin_series_of
+                total21 = bent + 1.0
+                back15 = total21 - 1.0
+                lost21 = bent - back15
+                odd_low = 0.16666666666666666*lost2 + lost21
+                even = total19
+                odd = total21
+                return even, odd, odd_low
+
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left = left - product_error(total22*some, total22_halves, some_halves)
+                left = cosine*root_low + left - root_low*total22
+                lost22 = left/some
+                even = cosine
+                odd = total22
+                odd_low2 = lost22
+                return even, odd, odd_low2
+
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
+
+            total24 = envelope*odd
+            envelope_halves = halves(xp, envelope)
+            odd_halves = halves(xp, odd)
+            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+            total25 = mean3 - total24
+            back16 = total25 - mean3
+            rest4 = total25 - back16
+            one3 = mean3 - rest4
+            two3 = -back16 - total24
+            lost25 = one3 + two3
+            total24 = total25/stiff
+            left13 = total25 - stiff*total24
+            total24_halves = halves(xp, total24)
+            stiff_halves = halves(xp, stiff)
+            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
+            left13 = left13 - lost24 + lost25
+            lost25 = left13/stiff
+            total25 = even*twice2
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total29 = 39.47841760435743*turns
+            turns_halves = halves(xp, turns)
+            number5_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+            lost24 = product_error(total29, turns_halves, number5_halves)
+            total30 = 2.5061182034958845e-15*turns
+            number6_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+            lost30 = product_error(total30, turns_halves, number6_halves)
+            total31 = -total2 - total29
+            back16 = total2 + total31
+            rest4 = total31 - back16
+            one3 = -rest4 - total2
+            two3 = -back16 - total29
+            lost31 = one3 + two3
+            total29 = total31 - lost24
+            back16 = total29 - total31
+            rest4 = total29 - back16
+            one3 = total31 - rest4
+            two3 = -back16 - lost24
+            lost24 = one3 + two3
+            total31 = total29 - total30
+            back16 = total31 - total29
+            rest4 = total31 - back16
+            one3 = total29 - rest4
+            two3 = -back16 - total30
+            lost33 = one3 + two3
+            total30 = total31 - lost2
+            back16 = total30 - total31
+            rest4 = total30 - back16
+            one3 = total31 - rest4
+            two3 = -back16 - lost2
+            lost34 = one3 + two3
+            low2 = lost31 - lost30 + lost24 + lost33 + lost34 - 1.4920070805839235e-31*turns
+            total31 = low2 + total30
+            total29 = 6.283185307179586*count
+            total37 = root + total29
+            whole32 = xp.where(total37 == 0.0, 1.0, total37)
+            total38 = total31/whole32
+            far = (total38*total38)
+
+            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2,
+                stiff, total26, total263, total34, total35, total36, total37, total38, twice2,
+                whole32):
+
+                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff,
+                    total26, total263, total34, total35, total36, total37, total38, twice2,
+                    whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    back22 = total35 - total34
+                    rest10 = total35 - back22
+                    one9 = total34 - rest10
+                    two9 = low2 - back22
+                    lost35 = one9 + two9
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                    lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                    back22 = total37 - root
+                    rest10 = total37 - back22
+                    one9 = root - rest10
+                    two9 = total36 - back22
+                    lost37 = one9 + two9
+                    both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                    left = total35 - total38*whole32
+                    total38_halves = halves(xp, total38)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                    left = left - both_low*total38 + lost35
+                    lost35 = left/whole32
+                    eta = total38
+                    eta_low = lost35
+                    total39 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total39)
+                    bent2 = cos_series_of2*(total39*total39)
+                    total40 = 0.5*total39 - bent2
+                    back22 = total40 - 0.5*total39
+                    lost37 = -back22 - bent2
+                    sin_series_of2 = sin_series(xp, -total39)
+                    total41 = 1.0 - sin_series_of2*total39
+                    back22 = total41 - 1.0
+                    lost36 = -back22 - sin_series_of2*total39
+                    lift_low = 0.5*lost35*total41 + lost37
+                    total39 = eta*total41
+                    total41_halves = halves(xp, total41)
+                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                    some2 = root
+                    total41 = total39/some2
+                    left = total39 - some2*total41
+                    total41_halves = halves(xp, total41)
+                    some2_halves = halves(xp, some2)
+                    left = left - product_error(total41*some2, total41_halves, some2_halves)
+                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                    lost36 = left/some2
+                    given4 = half
+                    total39 = 1.0 - 0.5*given4
+                    back22 = total39 - 1.0
+                    lost37 = -back22 - 0.5*given4
+                    decay_series_of3 = decay_series(xp, given4)
+                    curved4 = decay_series_of3*(given4*given4)
+                    total45 = curved4 + total39
+                    back22 = total45 - total39
+                    lost35 = curved4 - back22
+                    mean_low5 = lost37 + lost35
+                    total39 = given4*total45
+                    given4_halves = halves(xp, given4)
+                    total45_halves = halves(xp, total45)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
+                    total47 = 1.0 - total39
+                    back22 = total47 - 1.0
+                    lost37 = -back22 - total39
+                    fall_low5 = lost37 - lost35
+                    total39 = total45 - total41
+                    back22 = total39 - total45
+                    rest10 = total39 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total41
+                    lost37 = one9 + two9
+                    total49 = given4*total39
+                    total39_halves = halves(xp, total39)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
+                    total39 = total40 - total49
+                    back22 = total39 - total40
+                    rest10 = total39 - back22
+                    one9 = total40 - rest10
+                    two9 = -back22 - total49
+                    lost35 = one9 + two9
+                    low22 = lift_low - lost37 + lost35
+                    total49 = low22 + total39
+                    back22 = total49 - total39
+                    rest10 = total49 - back22
+                    one9 = total39 - rest10
+                    two9 = low22 - back22
+                    lost35 = one9 + two9
+                    total39 = total47*total49
+                    total47_halves = halves(xp, total47)
+                    total49_halves = halves(xp, total49)
+                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                    low22 = fall_low5*total49 + lost35
+                    total49 = total39/stiff
+                    left = total39 - stiff*total49
+                    total49_halves = halves(xp, total49)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                    left = left + low22
+                    lost35 = left/stiff
+                    e = xp.exp(-delta)
+                    total39 = e + 1.0
+                    back22 = total39 - 1.0
+                    lost37 = e - back22
+                    total273 = total39 + total263
+                    back22 = total273 - total39
+                    lost273 = total263 - back22
+                    total39 = total41*total47
+                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                    total482 = total45 - total39
+                    back22 = total482 - total45
+                    rest10 = total482 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total39
+                    lost482 = one9 + two9
+                    low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
+                    total41 = given4*total482
+                    total482_halves = halves(xp, total482)
+                    lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                    total482 = total40*total47
+                    total40_halves = halves(xp, total40)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
+                    total39 = total41 + total482
+                    back22 = total39 - total41
+                    rest10 = total39 - back22
+                    one9 = total41 - rest10
+                    two9 = total482 - back22
+                    lost512 = one9 + two9
+                    low22 = fall_low5*total40 + lost482 + lost36 + lost512
+                    total41 = total39/stiff
+                    left = total39 - stiff*total41
+                    total41_halves = halves(xp, total41)
+                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
+                    left = left + low22
+                    lost512 = left/stiff
+                    total39 = 1.0 - total47
+                    back22 = total39 - 1.0
+                    lost482 = -back22 - total47
+                    low22 = lost482 - fall_low5
+                    total47 = low22 + total39
+                    back22 = total47 - total39
+                    lost482 = low22 - back22
+                    total39 = (total47*total47)
+                    total47_halves = halves(xp, total47)
+                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves,
+                        total47_halves)
+                    total47 = total39 + 2.0*total482
+                    back22 = total47 - total39
+                    rest10 = total47 - back22
+                    one9 = total39 - rest10
+                    two9 = 2.0*total482 - back22
+                    lost372 = one9 + two9
+                    low22 = 2.0*fall_low5*total40 + lost482 + lost372 + 2.0*lost36
+                    total40 = total47/stiff
+                    left = total47 - stiff*total40
+                    total40_halves = halves(xp, total40)
+                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                    left = left + low22
+                    lost372 = left/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    apart_of = lost26 + total26
+                    fall_of = lost35 + total49
+                    nyquist_of = lost37 + lost482 + lost273 + total273
+                    rise_of = lost512 + total41
+                    together_of = lost372 + total40
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    back22 = total35 - total34
+                    rest10 = total35 - back22
+                    one9 = total34 - rest10
+                    two9 = low2 - back22
+                    lost35 = one9 + two9
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                    lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                    back22 = total37 - root
+                    rest10 = total37 - back22
+                    one9 = root - rest10
+                    two9 = total36 - back22
+                    lost37 = one9 + two9
+                    both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
+                    left = total35 - total38*whole32
+                    total38_halves = halves(xp, total38)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
+                    left = left - both_low*total38 + lost35
+                    lost35 = left/whole32
+                    eta = total38
+                    eta_low = lost35
+                    total39 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total39)
+                    bent2 = cos_series_of2*(total39*total39)
+                    total40 = 0.5*total39 - bent2
+                    back22 = total40 - 0.5*total39
+                    lost37 = -back22 - bent2
+                    sin_series_of2 = sin_series(xp, -total39)
+                    total41 = 1.0 - sin_series_of2*total39
+                    back22 = total41 - 1.0
+                    lost36 = -back22 - sin_series_of2*total39
+                    lift_low = 0.5*lost35*total41 + lost37
+                    total39 = eta*total41
+                    total41_halves = halves(xp, total41)
+                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
+                    some2 = root
+                    total41 = total39/some2
+                    left = total39 - some2*total41
+                    total41_halves = halves(xp, total41)
+                    some2_halves = halves(xp, some2)
+                    left = left - product_error(total41*some2, total41_halves, some2_halves)
+                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
+                    lost36 = left/some2
+                    given4 = half
+                    total39 = 1.0 - 0.5*given4
+                    back22 = total39 - 1.0
+                    lost37 = -back22 - 0.5*given4
+                    decay_series_of3 = decay_series(xp, given4)
+                    curved4 = decay_series_of3*(given4*given4)
+                    total45 = curved4 + total39
+                    back22 = total45 - total39
+                    lost35 = curved4 - back22
+                    mean_low5 = lost37 + lost35
+                    total39 = given4*total45
+                    given4_halves = halves(xp, given4)
+                    total45_halves = halves(xp, total45)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
+                    total47 = 1.0 - total39
+                    back22 = total47 - 1.0
+                    lost37 = -back22 - total39
+                    fall_low5 = lost37 - lost35
+                    total39 = total45 - total41
+                    back22 = total39 - total45
+                    rest10 = total39 - back22
+                    one9 = total45 - rest10
+                    two9 = -back22 - total41
+                    lost37 = one9 + two9
+                    total49 = given4*total39
+                    total39_halves = halves(xp, total39)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
+                    total39 = total40 - total49
+                    back22 = total39 - total40
+                    rest10 = total39 - back22
+                    one9 = total40 - rest10
+                    two9 = -back22 - total49
+                    lost35 = one9 + two9
+                    low22 = lift_low - lost37 + lost35
+                    total49 = low22 + total39
+                    back22 = total49 - total39
+                    rest10 = total49 - back22
+                    one9 = total39 - rest10
+                    two9 = low22 - back22
+                    lost35 = one9 + two9
+                    total39 = total47*total49
+                    total47_halves = halves(xp, total47)
+                    total49_halves = halves(xp, total49)
+                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                    low22 = fall_low5*total49 + lost35
+                    total49 = total39/stiff
+                    left = total39 - stiff*total49
+                    total49_halves = halves(xp, total49)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
+                    left = left + low22
+                    lost35 = left/stiff
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back22 = 0.5*root_low*sin_of
+                    total39 = wave - back22
+                    back82 = total39 - wave
+                    rest10 = total39 - back82
+                    one9 = wave - rest10
+                    two9 = -back22 - back82
+                    lost37 = one9 + two9
+                    total102 = (total39*total39)
+                    total39_halves = halves(xp, total39)
+                    lost102 = product_error(total102, total39_halves, total39_halves)
+                    low22 = lost102 + 2.0*lost37*total39
+                    total39 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total39
+                    back82 = total102 - total39
+                    rest10 = total102 - back82
+                    one9 = total39 - rest10
+                    two9 = (grown*grown) - back82
+                    lost102 = one9 + two9
+                    low22 = lost37 + lost102
+                    total39 = total41*total47
+                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                    total482 = total45 - total39
+                    back82 = total482 - total45
+                    rest10 = total482 - back82
+                    one9 = total45 - rest10
+                    two9 = -back82 - total39
+                    lost102 = one9 + two9
+                    low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
+                    total41 = given4*total482
+                    total482_halves = halves(xp, total482)
+                    lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
+                    total482 = total40*total47
+                    total40_halves = halves(xp, total40)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
+                    total39 = total41 + total482
+                    back82 = total39 - total41
+                    rest10 = total39 - back82
+                    one9 = total41 - rest10
+                    two9 = total482 - back82
+                    lost37 = one9 + two9
+                    low24 = fall_low5*total40 + lost102 + lost36 + lost37
+                    total41 = total39/stiff
+                    left = total39 - stiff*total41
+                    total41_halves = halves(xp, total41)
+                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
+                    left = left + low24
+                    lost37 = left/stiff
+                    total39 = 1.0 - total47
+                    back82 = total39 - 1.0
+                    lost102 = -back82 - total47
+                    low24 = lost102 - fall_low5
+                    total47 = low24 + total39
+                    back82 = total47 - total39
+                    lost102 = low24 - back82
+                    total39 = (total47*total47)
+                    total47_halves = halves(xp, total47)
+                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves,
+                        total47_halves)
+                    total47 = total39 + 2.0*total482
+                    back82 = total47 - total39
+                    rest10 = total47 - back82
+                    one9 = total39 - rest10
+                    two9 = 2.0*total482 - back82
+                    lost372 = one9 + two9
+                    low24 = 2.0*fall_low5*total40 + lost102 + lost372 + 2.0*lost36
+                    total40 = total47/stiff
+                    left = total47 - stiff*total40
+                    total40_halves = halves(xp, total40)
+                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
+                    left = left + low24
+                    lost372 = left/stiff
+                    apart_of = lost26 + total26
+                    fall_of = lost35 + total49
+                    nyquist_of = 4.0*low22 + 4.0*total102
+                    rise_of = lost37 + total41
+                    together_of = lost372 + total40
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2,
+                    root, size, square2, stiff, total26, total263, total34, total35, total36,
+                    total37, total38, twice2, whole32), no,
+                    (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32))
+                )
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                stiff, total26, total263, twice2):
+
+                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size,
+                    square2, stiff, total26, total263, twice2):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    total23 = half*odd
+                    half_halves = halves(xp, half)
+                    odd_halves = halves(xp, odd)
+                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                    total252 = total23 - even
+                    back162 = total252 - total23
+                    rest42 = total252 - back162
+                    one32 = total23 - rest42
+                    two32 = -back162 - even
+                    lost252 = one32 + two32
+                    total262 = envelope + total252
+                    back162 = total262 - total252
+                    rest42 = total262 - back162
+                    one32 = total252 - rest42
+                    two32 = envelope - back162
+                    lost262 = one32 + two32
+                    total252 = envelope*total262
+                    total282 = total252/stiff
+                    left = total252 - stiff*total282
+                    total282_halves = halves(xp, total282)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    e = xp.exp(-delta)
+                    total253 = e + 1.0
+                    back162 = total253 - 1.0
+                    lost253 = e - back162
+                    total273 = total253 + total263
+                    back162 = total273 - total253
+                    lost273 = total263 - back162
+                    total253 = even + total23
+                    back162 = total253 - even
+                    rest42 = total253 - back162
+                    one32 = even - rest42
+                    two32 = total23 - back162
+                    lost242 = one32 + two32
+                    total23 = envelope*total253
+                    total264 = 1.0 - total23
+                    back162 = total264 - 1.0
+                    lost264 = -back162 - total23
+                    total274 = total264/stiff
+                    left162 = total264 - stiff*total274
+                    total274_halves = halves(xp, total274)
+                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
+                    back162 = -0.5*root_low*wave
+                    total264 = sin_of - back162
+                    back83 = total264 - sin_of
+                    rest42 = total264 - back83
+                    one32 = sin_of - rest42
+                    two32 = -back162 - back83
+                    lost93 = one32 + two32
+                    total103 = (total264*total264)
+                    total264_halves = halves(xp, total264)
+                    lost103 = product_error(total103, total264_halves, total264_halves)
+                    low5 = lost103 + 2.0*lost93*total264
+                    total264 = envelope*total103
+                    envelope_halves = halves(xp, envelope)
+                    total103_halves = halves(xp, total103)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total264
+                    back83 = total103 - total264
+                    rest42 = total103 - back83
+                    one32 = total264 - rest42
+                    two32 = (grown*grown) - back83
+                    lost103 = one32 + two32
+                    low5 = lost93 + lost103
+                    total264 = total103/stiff
+                    left72 = total103 - stiff*total264
+                    total264_halves = halves(xp, total264)
+                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
+                    left72 = left72 + low5
+                    lost103 = left72/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    total262_halves = halves(xp, total262)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
+                    left = left + lost262
+                    lost262 = left/stiff
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    total253_halves = halves(xp, total253)
+                    lost242 = (
+                        envelope*(even_low2 + lost23 + lost242) +
+                        product_error(total23, envelope_halves, total253_halves)
+                    )
+                    left162 = left162 - lost242 + lost264
+                    lost264 = left162/stiff
+                    apart_of = lost26 + total26
+                    fall_of = lost262 + total282
+                    nyquist_of = lost253 + lost252 + lost273 + total273
+                    rise_of = lost264 + total274
+                    together_of = 4.0*lost103 + 4.0*total264
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    total23 = half*odd
+                    half_halves = halves(xp, half)
+                    odd_halves = halves(xp, odd)
+                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
+                    total252 = total23 - even
+                    back162 = total252 - total23
+                    rest42 = total252 - back162
+                    one32 = total23 - rest42
+                    two32 = -back162 - even
+                    lost252 = one32 + two32
+                    total262 = envelope + total252
+                    back162 = total262 - total252
+                    rest42 = total262 - back162
+                    one32 = total252 - rest42
+                    two32 = envelope - back162
+                    lost262 = one32 + two32
+                    total252 = envelope*total262
+                    total282 = total252/stiff
+                    left = total252 - stiff*total282
+                    total282_halves = halves(xp, total282)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back162 = 0.5*root_low*sin_of
+                    total92 = wave - back162
+                    back82 = total92 - wave
+                    rest42 = total92 - back82
+                    one32 = wave - rest42
+                    two32 = -back162 - back82
+                    lost92 = one32 + two32
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low4 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest42 = total102 - back82
+                    one32 = total92 - rest42
+                    two32 = (grown*grown) - back82
+                    lost102 = one32 + two32
+                    low4 = lost92 + lost102
+                    total92 = even + total23
+                    back82 = total92 - even
+                    rest42 = total92 - back82
+                    one32 = even - rest42
+                    two32 = total23 - back82
+                    lost102 = one32 + two32
+                    total23 = envelope*total92
+                    total264 = 1.0 - total23
+                    back82 = total264 - 1.0
+                    lost92 = -back82 - total23
+                    total274 = total264/stiff
+                    left162 = total264 - stiff*total274
+                    total274_halves = halves(xp, total274)
+                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
+                    back82 = -0.5*root_low*wave
+                    total264 = sin_of - back82
+                    back162 = total264 - sin_of
+                    rest42 = total264 - back162
+                    one32 = sin_of - rest42
+                    two32 = -back82 - back162
+                    lost93 = one32 + two32
+                    total103 = (total264*total264)
+                    total264_halves = halves(xp, total264)
+                    lost103 = product_error(total103, total264_halves, total264_halves)
+                    low5 = lost103 + 2.0*lost93*total264
+                    total264 = envelope*total103
+                    total103_halves = halves(xp, total103)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total264
+                    back162 = total103 - total264
+                    rest42 = total103 - back162
+                    one32 = total264 - rest42
+                    two32 = (grown*grown) - back162
+                    lost103 = one32 + two32
+                    low5 = lost93 + lost103
+                    total264 = total103/stiff
+                    left72 = total103 - stiff*total264
+                    total264_halves = halves(xp, total264)
+                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
+                    left72 = left72 + low5
+                    lost103 = left72/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    total262_halves = halves(xp, total262)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
+                    left = left + lost262
+                    lost262 = left/stiff
+                    total92_halves = halves(xp, total92)
+                    lost102 = (
+                        envelope*(even_low2 + lost23 + lost102) +
+                        product_error(total23, envelope_halves, total92_halves)
+                    )
+                    left162 = left162 - lost102 + lost92
+                    lost92 = left162/stiff
+                    apart_of = lost26 + total26
+                    fall_of = lost262 + total282
+                    nyquist_of = 4.0*low4 + 4.0*total102
+                    rise_of = lost92 + total274
+                    together_of = 4.0*lost103 + 4.0*total264
+                    return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26,
+                    odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no,
+                    (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26))
+                )
+
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2,
+                stiff, total24, total25, total30, total31, total29, total37, total38, twice2,
+                whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root,
+                size, square2, stiff, total24, total25, twice2))
+            )
+
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
+
+        return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+    def no(delta, gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
+
+            def yes(delta, gamma, half, lost2, root, size, total2, total3):
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                given5 = 0.5*half
+                total27 = 1.0 - 0.5*given5
+                back3 = total27 - 1.0
+                lost54 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total55 = curved5 + total27
+                back3 = total55 - total27
+                lost55 = curved5 - back3
+                mean_low6 = lost54 + lost55
+                total27 = given5*total55
+                given5_halves = halves(xp, given5)
+                total55_halves = halves(xp, total55)
+                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
+                total55 = 1.0 - total27
+                back3 = total55 - 1.0
+                lost54 = -back3 - total27
+                fall_low6 = lost54 - lost55
+                total27 = (total55*total55)
+                total55_halves = halves(xp, total55)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
+                total55 = (total27*total27)
+                total27_halves = halves(xp, total27)
+                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
+                rest6 = fall_series(xp, gamma, delta)
+                total27 = rest6 + 0.5
+                back3 = total27 - rest6
+                rest5 = total27 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost55 = one4 + two4
+                total61 = total55*total27
+                total55_halves = halves(xp, total55)
+                total27_halves = halves(xp, total27)
+                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
+                half2 = half
+                given5 = 0.5*half2
+                total55 = 1.0 - 0.5*given5
+                back3 = total55 - 1.0
+                lost532 = -back3 - 0.5*given5
+                decay_series_of4 = decay_series(xp, given5)
+                curved5 = decay_series_of4*(given5*given5)
+                total542 = curved5 + total55
+                back3 = total542 - total55
+                lost542 = curved5 - back3
+                mean_low6 = lost532 + lost542
+                total55 = given5*total542
+                given5_halves = halves(xp, given5)
+                total542_halves = halves(xp, total542)
+                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
+                total542 = 1.0 - total55
+                back3 = total542 - 1.0
+                lost532 = -back3 - total55
+                fall_low6 = lost532 - lost542
+                total55 = (total542*total542)
+                total542_halves = halves(xp, total542)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
+                rest5 = rise_series(xp, half2, total2)
+                total542 = rest5 + 0.5
+                back3 = total542 - rest5
+                rest6 = total542 - back3
+                one4 = rest5 - rest6
+                two4 = 0.5 - back3
+                lost542 = one4 + two4
+                total592 = total55*total542
+                total55_halves = halves(xp, total55)
+                total542_halves = halves(xp, total542)
+                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+                rest6 = together_series(xp, half, total2)
+                total55 = rest6 + 0.5
+                back3 = total55 - rest6
+                rest5 = total55 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost553 = one4 + two4
+                total563 = envelope*total55
+                total55_halves = halves(xp, total55)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    return fall_, fall_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    return fall_, fall_low2
+
+                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+                total55 = fall_ + 1.0
+                back3 = total55 - 1.0
+                lost283 = fall_ - back3
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
+                    total10 = given2*total11
+                    given2_halves = halves(xp, given2)
+                    total11_halves = halves(xp, total11)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
+                    total13 = 1.0 - total10
+                    back8 = total13 - 1.0
+                    lost10 = -back8 - total10
+                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                    fall2 = total13
+                    return fall2, fall_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    fall2 = sunk2
+                    fall_low4 = sunk_low2
+                    return fall2, fall_low4
+
+                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
+
+                fast = fall_*fall2
+                fall__halves = halves(xp, fall_)
+                fall2_halves = halves(xp, fall2)
+                lost292 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+                low32 = fall2*fall_low2 + lost292
+                total302 = fast + 1.0
+                back3 = total302 - 1.0
+                lost292 = fast - back3
+                total312 = total55*total302
+                total55_halves = halves(xp, total55)
+                total302_halves = halves(xp, total302)
+                lost292 = (
+                    total55*(lost292 + low32) + product_error(total312, total55_halves,
+                    total302_halves)
+                )
+                apart_of = lost3 + total28
+                fall_of = lost54*total27 + lost55 + total61
+                nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
+                rise_of = lost532*total542 + lost542 + total592
+                together_of = 2.0*lost553 + 2.0*total563
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            def no(gamma, half, lost2, root, size, total2, total3):
+                sign_low = lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                back3 = total3 - half
+                lost3 = root - back3
+                p_low = lost3 + root_low
+                whole = xp.where(total3 == 0.0, 1.0, total3)
+                q = gamma/whole
+                off = gamma - q*whole
+                whole_halves = halves(xp, whole)
+                q_halves = halves(xp, q)
+                off = off - product_error(whole*q, whole_halves, q_halves)
+                off = off - p_low*q
+                q_low = off/whole
+                rate2 = 2.0*root
+                envelope = xp.exp(-half)
+                rest5 = apart_series(xp, half, total2)
+                total27 = rest5 + 0.16666666666666666
+                back3 = total27 - rest5
+                rest6 = total27 - back3
+                one4 = rest5 - rest6
+                two4 = 0.16666666666666666 - back3
+                lost3 = one4 + two4
+                total28 = envelope*total27
+                envelope_halves = halves(xp, envelope)
+                total27_halves = halves(xp, total27)
+                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+                rest6 = together_series(xp, half, total2)
+                total27 = rest6 + 0.5
+                back3 = total27 - rest6
+                rest5 = total27 - back3
+                one4 = rest6 - rest5
+                two4 = 0.5 - back3
+                lost553 = one4 + two4
+                total563 = envelope*total27
+                total27_halves = halves(xp, total27)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total27_halves)
+
+                def yes(q, q_low):
+                    given = q
+                    total4 = 1.0 - 0.5*given
+                    back4 = total4 - 1.0
+                    lost4 = -back4 - 0.5*given
+                    decay_series_of = decay_series(xp, given)
+                    curved = decay_series_of*(given*given)
+                    total5 = curved + total4
+                    back4 = total5 - total4
+                    lost5 = curved - back4
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
+                    total4 = given*total5
+                    given_halves = halves(xp, given)
+                    total5_halves = halves(xp, total5)
+                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                    total7 = 1.0 - total4
+                    back4 = total7 - 1.0
+                    lost4 = -back4 - total4
+                    fall_low = lost4 - lost5 - q_low*total5
+                    fall_ = total7
+                    mean = total5
+                    return fall_, fall_low, mean, mean_low
+
+                def no(q, q_low):
+                    sunk = xp.exp(-q)
+                    sunk_low = -q_low*sunk
+                    total8 = 1.0 - sunk
+                    back7 = total8 - 1.0
+                    lost8 = -back7 - sunk
+                    bottom = q
+                    total9 = total8/bottom
+                    left4 = total8 - bottom*total9
+                    total9_halves = halves(xp, total9)
+                    bottom_halves = halves(xp, bottom)
+                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                    left4 = left4 + lost8 - q_low*total9 - sunk_low
+                    lost8 = left4/bottom
+                    fall_ = sunk
+                    fall_low2 = sunk_low
+                    mean = total9
+                    mean_low2 = lost8
+                    return fall_, fall_low2, mean, mean_low2
+
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
+
+                total27 = fall_ + 1.0
+                back3 = total27 - 1.0
+                lost283 = fall_ - back3
+
+                def yes(root, root_low):
+                    given2 = 2.0*root
+                    total10 = 1.0 - 0.5*given2
+                    back8 = total10 - 1.0
+                    lost10 = -back8 - 0.5*given2
+                    decay_series_of2 = decay_series(xp, given2)
+                    curved2 = decay_series_of2*(given2*given2)
+                    total11 = curved2 + total10
+                    back8 = total11 - total10
+                    lost11 = curved2 - back8
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
+                    total10 = given2*total11
+                    given2_halves = halves(xp, given2)
+                    total11_halves = halves(xp, total11)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
+                    total13 = 1.0 - total10
+                    back8 = total13 - 1.0
+                    lost10 = -back8 - total10
+                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                    fall2 = total13
+                    mean2 = total11
+                    return fall2, fall_low3, mean2, mean_low3
+
+                def no(root, root_low):
+                    sunk2 = xp.exp(-2.0*root)
+                    sunk_low2 = -2.0*root_low*sunk2
+                    total14 = 1.0 - sunk2
+                    back11 = total14 - 1.0
+                    lost14 = -back11 - sunk2
+                    bottom2 = 2.0*root
+                    total15 = total14/bottom2
+                    left7 = total14 - bottom2*total15
+                    total15_halves = halves(xp, total15)
+                    bottom2_halves = halves(xp, bottom2)
+                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                    lost14 = left7/bottom2
+                    fall2 = sunk2
+                    fall_low4 = sunk_low2
+                    mean2 = total15
+                    mean_low4 = lost14
+                    return fall2, fall_low4, mean2, mean_low4
+
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
+
+                fast = fall_*fall2
+                total162 = fall2*mean
+                fall2_halves = halves(xp, fall2)
+                mean_halves = halves(xp, mean)
+                lost162 = fall2*mean_low2 + product_error(total162, fall2_halves, mean_halves)
+                pulled_low = fall_low4*mean + lost162
+                total172 = mean2 - total162
+                back3 = total172 - mean2
+                rest5 = total172 - back3
+                one4 = mean2 - rest5
+                two4 = -back3 - total162
+                lost162 = one4 + two4
+                total162 = total172/whole
+                left = total172 - total162*whole
+                total162_halves = halves(xp, total162)
+                left = left - product_error(total162*whole, total162_halves, whole_halves)
+                left = left + lost162 + mean_low4 - p_low*total162 - pulled_low
+                lost162 = left/whole
+                total172 = fall_*total162
+                fall__halves = halves(xp, fall_)
+                lost162 = fall_*lost162 + product_error(total172, fall__halves, total162_halves)
+                creep_ = fall_low2*total162 + lost162 + total172
+                lost162 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+                low32 = fall2*fall_low2 + lost162
+                total172 = fast + 1.0
+                back3 = total172 - 1.0
+                lost162 = fast - back3
+                total162 = total27*total172
+                total27_halves = halves(xp, total27)
+                total172_halves = halves(xp, total172)
+                lost162 = (
+                    total27*(lost162 + low32) + product_error(total162, total27_halves,
+                    total172_halves)
+                )
+                total27 = fall_*mean2
+                mean2_halves = halves(xp, mean2)
+                lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
+                pulled_low = fall_low2*mean2 + lost163
+                total173 = mean - total27
+                back3 = total173 - mean
+                rest5 = total173 - back3
+                one4 = mean - rest5
+                two4 = -back3 - total27
+                lost163 = one4 + two4
+                total27 = total173/whole
+                left = total173 - total27*whole
+                total27_halves = halves(xp, total27)
+                left = left - product_error(total27*whole, total27_halves, whole_halves)
+                left = left + lost163 + mean_low2 - p_low*total27 - pulled_low
+                lost163 = left/whole
+                apart_of = lost3 + total28
+                fall_of = creep_
+                nyquist_of = lost162 + total172*(fall_low2 + lost283) + total162
+                rise_of = lost163 + total27
+                together_of = 2.0*lost553 + 2.0*total563
+                return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
+
+            return apart_of, fall_of, nyquist_of, rise_of, together_of
+
+        def no(delta, gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
+
+            twice = 2.0*fall_
+            total283 = fall_ + 1.0
+            back3 = total283 - 1.0
+            lost3 = fall_ - back3
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
+
+            fast = fall_*fall2
+            total16 = mean2*twice
+            twice_halves = halves(xp, twice)
+            mean2_halves = halves(xp, mean2)
+            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            total17 = mean - total16
+            back3 = total17 - mean
+            rest3 = total17 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total16
+            lost17 = one2 + two2
+            total16 = fast*mean
+            fast_halves = halves(xp, fast)
+            mean_halves = halves(xp, mean)
+            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
+            top = total17 + total16
+            low = lost17 - lost16 + lost18 + mean_low2
+            total16 = fall2*mean
+            fall2_halves = halves(xp, fall2)
+            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
+            pulled_low = fall_low4*mean + lost18
+            total17 = mean2 - total16
+            back3 = total17 - mean2
+            rest3 = total17 - back3
+            one2 = mean2 - rest3
+            two2 = -back3 - total16
+            lost18 = one2 + two2
+            total16 = total17/whole
+            left = total17 - total16*whole
+            total16_halves = halves(xp, total16)
+            left = left - product_error(total16*whole, total16_halves, whole_halves)
+            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
+            lost18 = left/whole
+            total17 = fall_*total16
+            fall__halves = halves(xp, fall_)
+            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
+            creep_ = fall_low2*total16 + lost18 + total17
+            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+            low32 = fall2*fall_low2 + lost18
+            total17 = fast + 1.0
+            back3 = total17 - 1.0
+            lost18 = fast - back3
+            total16 = total283*total17
+            total283_halves = halves(xp, total283)
+            total17_halves = halves(xp, total17)
+            lost18 = (
+                total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
+            )
+            total283 = fall_*mean2
+            lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
+            pulled_low = fall_low2*mean2 + lost17
+            total173 = mean - total283
+            back3 = total173 - mean
+            rest3 = total173 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total283
+            lost17 = one2 + two2
+            total283 = total173/whole
+            left = total173 - total283*whole
+            total283_halves = halves(xp, total283)
+            left = left - product_error(total283*whole, total283_halves, whole_halves)
+            left = left + lost17 + mean_low2 - p_low*total283 - pulled_low
+            lost17 = left/whole
+            total173 = 1.0 - fast
+            back3 = total173 - 1.0
+            lost16 = -back3 - fast
+            total533 = mean*total173
+            total173_halves = halves(xp, total173)
+            lost16 = mean*(lost16 - low32) + product_error(total533, mean_halves, total173_halves)
+            moved_low = lost16 + mean_low2*total173
+            total173 = total533/whole
+            left = total533 - total173*whole
             total173_halves = halves(xp, total173)
             left = left - product_error(total173*whole, total173_halves, whole_halves)
             left = left + moved_low - p_low*total173
@@ -5522,8 +14259,8 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
                 return -1.0
 
             def no(q, square):
-                lead = square
-                one = q/lead
+                lead_ = square
+                one = q/lead_
                 return one
 
             one = select(xp, square == 0.0, yes, (square,), no, (q, square))
@@ -5552,8 +14289,8 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
                 return -1.0
 
             def no(q, square):
-                lead = square
-                one = q/lead
+                lead_ = square
+                one = q/lead_
                 return one
 
             one = select(xp, square == 0.0, yes, (square,), no, (q, square))
@@ -5883,8 +14620,8 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, acros
     return ahead_of, in_phase_of
 
 
-def apart_nyquist_together(xp, gamma, delta):
-    """(n1 - n0)/delta; 1 + a + e; n1 + n0"""
+def apart_nyquist_together_single(xp, gamma, delta):
+    """The same in single precision."""
     half = 0.5*delta
     square = (half*half)
     total = square - gamma
@@ -5923,10 +14660,10 @@ def apart_nyquist_together(xp, gamma, delta):
             rest5 = total27 - back17
             one4 = rest6 - rest5
             two4 = 0.5 - back17
-            lost302 = one4 + two4
-            total312 = envelope*total27
+            lost55 = one4 + two4
+            total56 = envelope*total27
             total27_halves = halves(xp, total27)
-            lost302 = envelope*lost302 + product_error(total312, envelope_halves, total27_halves)
+            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
 
             def yes(square2):
                 given3 = square2
@@ -5948,8 +14685,8 @@ def apart_nyquist_together(xp, gamma, delta):
 
             total27 = even*twice2
 
-            def yes(delta, even, lost2, lost28, lost312, square2, total2, total262, total28,
-                total312, twice2):
+            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28,
+                total56, twice2):
                 e = xp.exp(-delta)
                 total252 = e + 1.0
                 back18 = total252 - 1.0
@@ -5992,10 +14729,10 @@ def apart_nyquist_together(xp, gamma, delta):
                 lost262 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
                 apart_of = lost28 + total28
                 nyquist_of = lost252 + lost262 + lost272 + total272
-                together_of = 2.0*lost312 + 2.0*total312
+                together_of = 2.0*lost56 + 2.0*total56
                 return apart_of, nyquist_of, together_of
 
-            def no(envelope, half, lost2, lost28, lost312, total2, total28, total312):
+            def no(envelope, half, lost2, lost28, lost56, total2, total28, total56):
                 size = xp.abs(total2)
                 root = square_root(xp, size)
                 sign_low = -lost2
@@ -6034,13 +14771,13 @@ def apart_nyquist_together(xp, gamma, delta):
                 low2 = lost92 + lost102
                 apart_of = lost28 + total28
                 nyquist_of = 4.0*low2 + 4.0*total102
-                together_of = 2.0*lost312 + 2.0*total312
+                together_of = 2.0*lost56 + 2.0*total56
                 return apart_of, nyquist_of, together_of
 
             apart_of, nyquist_of, together_of = (
-                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost302, square2,
-                total2, total27, total28, total312, twice2), no,
-                (envelope, half, lost2, lost27, lost302, total2, total28, total312))
+                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2,
+                total2, total27, total28, total56, twice2), no,
+                (envelope, half, lost2, lost27, lost55, total2, total28, total56))
             )
 
             return apart_of, nyquist_of, together_of
@@ -6048,52 +14785,11 @@ def apart_nyquist_together(xp, gamma, delta):
         def no(delta, gamma, half, lost2, total2):
             size = xp.abs(total2)
             root = square_root(xp, size)
-            sign_low = -lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
             square2 = total2
             envelope = xp.exp(-half)
             stiff = gamma
             mean3 = decay(xp, delta)
-            expm1_of = xp.expm1(-half)
-            grown = -0.5*expm1_of
-            angle = 0.5*root
-            wave = xp.cos(angle)
-            sin_of = xp.sin(angle)
             twice2 = 2.0*envelope
-            back73 = -0.5*root_low*wave
-            total93 = sin_of - back73
-            back83 = total93 - sin_of
-            rest33 = total93 - back83
-            one23 = sin_of - rest33
-            two23 = -back73 - back83
-            lost93 = one23 + two23
-            total103 = (total93*total93)
-            total93_halves = halves(xp, total93)
-            lost103 = product_error(total103, total93_halves, total93_halves)
-            low4 = lost103 + 2.0*lost93*total93
-            total93 = envelope*total103
-            envelope_halves = halves(xp, envelope)
-            total103_halves = halves(xp, total103)
-            lost93 = envelope*low4 + product_error(total93, envelope_halves, total103_halves)
-            total103 = (grown*grown) + total93
-            back83 = total103 - total93
-            rest33 = total103 - back83
-            one23 = total93 - rest33
-            two23 = (grown*grown) - back83
-            lost103 = one23 + two23
-            low4 = lost93 + lost103
-            total93 = total103/stiff
-            left = total103 - stiff*total93
-            total93_halves = halves(xp, total93)
-            stiff_halves = halves(xp, stiff)
-            left = left - product_error(total93*stiff, total93_halves, stiff_halves)
-            left = left + low4
-            lost103 = left/stiff
 
             def yes(lost2, square2):
                 given3 = square2
@@ -6111,112 +14807,538 @@ def apart_nyquist_together(xp, gamma, delta):
                 odd = total21
                 return even, odd, odd_low
 
-            def no(root, root_low):
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
                 sine = xp.sin(root)
                 cosine = xp.cos(root)
                 some = root
                 total22 = sine/some
-                left10 = sine - some*total22
+                left = sine - some*total22
                 total22_halves = halves(xp, total22)
                 some_halves = halves(xp, some)
-                left10 = left10 - product_error(total22*some, total22_halves, some_halves)
-                left10 = cosine*root_low + left10 - root_low*total22
-                lost22 = left10/some
+                left = left - product_error(total22*some, total22_halves, some_halves)
+                left = cosine*root_low + left - root_low*total22
+                lost22 = left/some
                 even = cosine
                 odd = total22
                 odd_low2 = lost22
                 return even, odd, odd_low2
 
             even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (root, root_low))
+                (lost2, root, size))
 
-            total103 = envelope*odd
+            total24 = envelope*odd
+            envelope_halves = halves(xp, envelope)
             odd_halves = halves(xp, odd)
-            lost93 = envelope*odd_low2 + product_error(total103, envelope_halves, odd_halves)
-            total25 = mean3 - total103
-            back83 = total25 - mean3
-            rest33 = total25 - back83
-            one23 = mean3 - rest33
-            two23 = -back83 - total103
-            lost25 = one23 + two23
-            total103 = total25/stiff
-            left = total25 - stiff*total103
-            total103_halves = halves(xp, total103)
-            left = left - product_error(total103*stiff, total103_halves, stiff_halves)
-            left = left - lost93 + lost25
-            lost25 = left/stiff
+            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+            total25 = mean3 - total24
+            back16 = total25 - mean3
+            rest4 = total25 - back16
+            one3 = mean3 - rest4
+            two3 = -back16 - total24
+            lost25 = one3 + two3
+            total24 = total25/stiff
+            left13 = total25 - stiff*total24
+            total24_halves = halves(xp, total24)
+            stiff_halves = halves(xp, stiff)
+            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
+            left13 = left13 - lost24 + lost25
+            lost25 = left13/stiff
             total25 = even*twice2
 
-            def yes(delta, even, lost132, lost2, lost26, root, root_low, square2, total132,
-                total26, total262, twice2):
-                e = xp.exp(-delta)
-                total252 = e + 1.0
-                back18 = total252 - 1.0
-                lost252 = e - back18
-                total272 = total252 + total262
-                back18 = total272 - total252
-                lost272 = total262 - back18
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
 
-                def yes(lost2, square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    return even_low
+            def no(root):
+                return 0.0
 
-                def no(root, root_low):
-                    sine = xp.sin(root)
-                    even_low2 = -root_low*sine
-                    return even_low2
+            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
 
-                even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+            turns = (count*count)
+            total142 = 39.478416442871094*turns
+            turns_halves = halves(xp, turns)
+            number5_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
+            lost24 = product_error(total142, turns_halves, number5_halves)
+            total152 = 1.1614863524300745e-06*turns
+            number6_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
+            lost152 = product_error(total152, turns_halves, number6_halves)
+            total162 = -total142 - total2
+            back16 = total162 + total2
+            rest4 = total162 - back16
+            one3 = -rest4 - total2
+            two3 = -back16 - total142
+            lost162 = one3 + two3
+            total142 = total162 - lost24
+            back16 = total142 - total162
+            rest4 = total142 - back16
+            one3 = total162 - rest4
+            two3 = -back16 - lost24
+            lost24 = one3 + two3
+            total162 = total142 - total152
+            back16 = total162 - total142
+            rest4 = total162 - back16
+            one3 = total142 - rest4
+            two3 = -back16 - total152
+            lost182 = one3 + two3
+            total152 = total162 - lost2
+            back16 = total152 - total162
+            rest4 = total152 - back16
+            one3 = total162 - rest4
+            two3 = -back16 - lost2
+            lost192 = one3 + two3
+            low32 = lost162 - lost152 + lost24 + lost182 + lost192 + 1.1704736640094811e-14*turns
+            total162 = low32 + total152
+            total142 = 6.2831854820251465*count
+            total222 = root + total142
+            whole32 = xp.where(total222 == 0.0, 1.0, total222)
+            total232 = total162/whole32
+            far = (total232*total232)
 
-                twice2_halves = halves(xp, twice2)
-                even_halves = halves(xp, even)
-                lost262 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
-                apart_of = lost26 + total26
-                nyquist_of = lost252 + lost262 + lost272 + total272
-                together_of = 4.0*lost132 + 4.0*total132
+            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size,
+                square2, stiff, total192, total202, total212, total222, total232, total26,
+                total262, twice2, whole32):
+
+                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff,
+                    total192, total202, total212, total222, total232, total26, total262, twice2,
+                    whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    e = xp.exp(-delta)
+                    total252 = e + 1.0
+                    back18 = total252 - 1.0
+                    lost252 = e - back18
+                    total272 = total252 + total262
+                    back18 = total272 - total252
+                    lost272 = total262 - back18
+                    back18 = total202 - total192
+                    rest9 = total202 - back18
+                    one8 = total192 - rest9
+                    two8 = low32 - back18
+                    lost202 = one8 + two8
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                    lost212 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                    back18 = total222 - root
+                    rest9 = total222 - back18
+                    one8 = root - rest9
+                    two8 = total212 - back18
+                    lost222 = one8 + two8
+                    both_low = lost212 - 1.7484555314695172e-07*count + lost222 + root_low
+                    left = total202 - total232*whole32
+                    total232_halves = halves(xp, total232)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
+                    left = left - both_low*total232 + lost202
+                    lost202 = left/whole32
+                    eta = total232
+                    eta_low = lost202
+                    total252 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost202 = 2.0*eta*eta_low + product_error(total252, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total252)
+                    bent2 = cos_series_of2*(total252*total252)
+                    total253 = 0.5*total252 - bent2
+                    back18 = total253 - 0.5*total252
+                    lost222 = -back18 - bent2
+                    sin_series_of2 = sin_series(xp, -total252)
+                    total252 = 1.0 - sin_series_of2*total252
+                    lift_low = 0.5*lost202*total252 + lost222
+                    given22 = half
+                    total252 = 1.0 - 0.5*given22
+                    back18 = total252 - 1.0
+                    lost222 = -back18 - 0.5*given22
+                    decay_series_of3 = decay_series(xp, given22)
+                    curved22 = decay_series_of3*(given22*given22)
+                    total302 = curved22 + total252
+                    back18 = total302 - total252
+                    lost202 = curved22 - back18
+                    mean_low5 = lost222 + lost202
+                    total252 = given22*total302
+                    given22_halves = halves(xp, given22)
+                    total302_halves = halves(xp, total302)
+                    lost202 = given22*mean_low5 + product_error(total252, given22_halves,
+                        total302_halves)
+                    total302 = 1.0 - total252
+                    back18 = total302 - 1.0
+                    lost222 = -back18 - total252
+                    fall_low5 = lost222 - lost202
+                    total252 = 1.0 - total302
+                    back18 = total252 - 1.0
+                    lost222 = -back18 - total302
+                    low42 = lost222 - fall_low5
+                    total34 = low42 + total252
+                    back18 = total34 - total252
+                    lost222 = low42 - back18
+                    total252 = (total34*total34)
+                    total34_halves = halves(xp, total34)
+                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves,
+                        total34_halves)
+                    total34 = total253*total302
+                    total302_halves = halves(xp, total302)
+                    total253_halves = halves(xp, total253)
+                    lost202 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
+                    total302 = total252 + 2.0*total34
+                    back18 = total302 - total252
+                    rest9 = total302 - back18
+                    one8 = total252 - rest9
+                    two8 = 2.0*total34 - back18
+                    lost212 = one8 + two8
+                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost202 + lost212
+                    total253 = total302/stiff
+                    left = total302 - stiff*total253
+                    total253_halves = halves(xp, total253)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
+                    left = left + low42
+                    lost212 = left/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    apart_of = lost26 + total26
+                    nyquist_of = lost252 + lost202 + lost272 + total272
+                    together_of = lost212 + total253
+                    return apart_of, nyquist_of, together_of
+
+                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff,
+                    total26, total262, twice2):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    e = xp.exp(-delta)
+                    total252 = e + 1.0
+                    back18 = total252 - 1.0
+                    lost252 = e - back18
+                    total272 = total252 + total262
+                    back18 = total272 - total252
+                    lost272 = total262 - back18
+                    back18 = -0.5*root_low*wave
+                    total252 = sin_of - back18
+                    back83 = total252 - sin_of
+                    rest33 = total252 - back83
+                    one23 = sin_of - rest33
+                    two23 = -back18 - back83
+                    lost93 = one23 + two23
+                    total103 = (total252*total252)
+                    total252_halves = halves(xp, total252)
+                    lost103 = product_error(total103, total252_halves, total252_halves)
+                    low4 = lost103 + 2.0*lost93*total252
+                    total252 = envelope*total103
+                    envelope_halves = halves(xp, envelope)
+                    total103_halves = halves(xp, total103)
+                    lost93 = envelope*low4 + product_error(total252, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total252
+                    back83 = total103 - total252
+                    rest33 = total103 - back83
+                    one23 = total252 - rest33
+                    two23 = (grown*grown) - back83
+                    lost103 = one23 + two23
+                    low4 = lost93 + lost103
+                    total252 = total103/stiff
+                    left = total103 - stiff*total252
+                    total252_halves = halves(xp, total252)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total252*stiff, total252_halves, stiff_halves)
+                    left = left + low4
+                    lost103 = left/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    apart_of = lost26 + total26
+                    nyquist_of = lost252 + lost93 + lost272 + total272
+                    together_of = 4.0*lost103 + 4.0*total252
+                    return apart_of, nyquist_of, together_of
+
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, even, half, lost2, lost26, low32, root, size, square2,
+                    stiff, total192, total202, total212, total222, total232, total26, total262,
+                    twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root,
+                    size, square2, stiff, total26, total262, twice2))
+                )
+
                 return apart_of, nyquist_of, together_of
 
-            def no(envelope, grown, lost132, lost26, root_low, sin_of, total132, total26, wave):
-                back72 = 0.5*root_low*sin_of
-                total92 = wave - back72
-                back82 = total92 - wave
-                rest32 = total92 - back82
-                one22 = wave - rest32
-                two22 = -back72 - back82
-                lost92 = one22 + two22
-                total102 = (total92*total92)
-                total92_halves = halves(xp, total92)
-                lost102 = product_error(total102, total92_halves, total92_halves)
-                low2 = lost102 + 2.0*lost92*total92
-                total92 = envelope*total102
-                envelope_halves = halves(xp, envelope)
-                total102_halves = halves(xp, total102)
-                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
-                total102 = (grown*grown) + total92
-                back82 = total102 - total92
-                rest32 = total102 - back82
-                one22 = total92 - rest32
-                two22 = (grown*grown) - back82
-                lost102 = one22 + two22
-                low2 = lost92 + lost102
-                apart_of = lost26 + total26
-                nyquist_of = 4.0*low2 + 4.0*total102
-                together_of = 4.0*lost132 + 4.0*total132
+            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192,
+                total202, total212, total222, total232, total26, whole32):
+
+                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back72 = 0.5*root_low*sin_of
+                    total92 = wave - back72
+                    back82 = total92 - wave
+                    rest32 = total92 - back82
+                    one22 = wave - rest32
+                    two22 = -back72 - back82
+                    lost92 = one22 + two22
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low2 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest32 = total102 - back82
+                    one22 = total92 - rest32
+                    two22 = (grown*grown) - back82
+                    lost102 = one22 + two22
+                    low2 = lost92 + lost102
+                    back82 = total202 - total192
+                    rest32 = total202 - back82
+                    one22 = total192 - rest32
+                    two22 = low32 - back82
+                    lost102 = one22 + two22
+                    count_halves = halves(xp, count)
+                    number5_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
+                    lost92 = product_error(count*6.2831854820251465, count_halves, number5_halves)
+                    back82 = total222 - root
+                    rest32 = total222 - back82
+                    one22 = root - rest32
+                    two22 = total212 - back82
+                    lost222 = one22 + two22
+                    both_low = lost92 - 1.7484555314695172e-07*count + lost222 + root_low
+                    left = total202 - total232*whole32
+                    total232_halves = halves(xp, total232)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
+                    left = left - both_low*total232 + lost102
+                    lost102 = left/whole32
+                    eta = total232
+                    eta_low = lost102
+                    total92 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost102 = 2.0*eta*eta_low + product_error(total92, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total92)
+                    bent2 = cos_series_of2*(total92*total92)
+                    total253 = 0.5*total92 - bent2
+                    back82 = total253 - 0.5*total92
+                    lost222 = -back82 - bent2
+                    sin_series_of2 = sin_series(xp, -total92)
+                    total92 = 1.0 - sin_series_of2*total92
+                    lift_low = 0.5*lost102*total92 + lost222
+                    given22 = half
+                    total92 = 1.0 - 0.5*given22
+                    back82 = total92 - 1.0
+                    lost222 = -back82 - 0.5*given22
+                    decay_series_of3 = decay_series(xp, given22)
+                    curved22 = decay_series_of3*(given22*given22)
+                    total302 = curved22 + total92
+                    back82 = total302 - total92
+                    lost102 = curved22 - back82
+                    mean_low5 = lost222 + lost102
+                    total92 = given22*total302
+                    given22_halves = halves(xp, given22)
+                    total302_halves = halves(xp, total302)
+                    lost102 = given22*mean_low5 + product_error(total92, given22_halves,
+                        total302_halves)
+                    total302 = 1.0 - total92
+                    back82 = total302 - 1.0
+                    lost222 = -back82 - total92
+                    fall_low5 = lost222 - lost102
+                    total92 = 1.0 - total302
+                    back82 = total92 - 1.0
+                    lost222 = -back82 - total302
+                    low42 = lost222 - fall_low5
+                    total34 = low42 + total92
+                    back82 = total34 - total92
+                    lost222 = low42 - back82
+                    total92 = (total34*total34)
+                    total34_halves = halves(xp, total34)
+                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves,
+                        total34_halves)
+                    total34 = total253*total302
+                    total302_halves = halves(xp, total302)
+                    total253_halves = halves(xp, total253)
+                    lost102 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
+                    total302 = total92 + 2.0*total34
+                    back82 = total302 - total92
+                    rest32 = total302 - back82
+                    one22 = total92 - rest32
+                    two22 = 2.0*total34 - back82
+                    lost92 = one22 + two22
+                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost102 + lost92
+                    total253 = total302/stiff
+                    left = total302 - stiff*total253
+                    total253_halves = halves(xp, total253)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
+                    left = left + low42
+                    lost92 = left/stiff
+                    apart_of = lost26 + total26
+                    nyquist_of = 4.0*low2 + 4.0*total102
+                    together_of = lost92 + total253
+                    return apart_of, nyquist_of, together_of
+
+                def no(envelope, half, lost2, lost26, root, size, stiff, total26):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back72 = 0.5*root_low*sin_of
+                    total92 = wave - back72
+                    back82 = total92 - wave
+                    rest32 = total92 - back82
+                    one22 = wave - rest32
+                    two22 = -back72 - back82
+                    lost92 = one22 + two22
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low2 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest32 = total102 - back82
+                    one22 = total92 - rest32
+                    two22 = (grown*grown) - back82
+                    lost102 = one22 + two22
+                    low2 = lost92 + lost102
+                    back82 = -0.5*root_low*wave
+                    total92 = sin_of - back82
+                    back72 = total92 - sin_of
+                    rest32 = total92 - back72
+                    one22 = sin_of - rest32
+                    two22 = -back82 - back72
+                    lost102 = one22 + two22
+                    total103 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost92 = product_error(total103, total92_halves, total92_halves)
+                    low4 = lost92 + 2.0*lost102*total92
+                    total92 = envelope*total103
+                    total103_halves = halves(xp, total103)
+                    lost102 = envelope*low4 + product_error(total92, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total92
+                    back72 = total103 - total92
+                    rest32 = total103 - back72
+                    one22 = total92 - rest32
+                    two22 = (grown*grown) - back72
+                    lost92 = one22 + two22
+                    low4 = lost102 + lost92
+                    total92 = total103/stiff
+                    left = total103 - stiff*total92
+                    total92_halves = halves(xp, total92)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total92*stiff, total92_halves, stiff_halves)
+                    left = left + low4
+                    lost92 = left/stiff
+                    apart_of = lost26 + total26
+                    nyquist_of = 4.0*low2 + 4.0*total102
+                    together_of = 4.0*lost92 + 4.0*total92
+                    return apart_of, nyquist_of, together_of
+
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32), no,
+                    (envelope, half, lost2, lost26, root, size, stiff, total26))
+                )
+
                 return apart_of, nyquist_of, together_of
 
             apart_of, nyquist_of, together_of = (
-                select(xp, total25 > 0.0, yes, (delta, even, lost103, lost2, lost25, root,
-                root_low, square2, total93, total103, total25, twice2), no,
-                (envelope, grown, lost103, lost25, root_low, sin_of, total93, total103, wave))
+                select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2,
+                lost25, low32, root, size, square2, stiff, total152, total162, total142,
+                total222, total232, total24, total25, twice2, whole32), no,
+                (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152,
+                total162, total142, total222, total232, total24, whole32))
             )
 
             return apart_of, nyquist_of, together_of
@@ -6270,10 +15392,10 @@ def apart_nyquist_together(xp, gamma, delta):
             rest5 = total27 - back3
             one4 = rest6 - rest5
             two4 = 0.5 - back3
-            lost302 = one4 + two4
-            total312 = envelope*total27
+            lost55 = one4 + two4
+            total56 = envelope*total27
             total27_halves = halves(xp, total27)
-            lost302 = envelope*lost302 + product_error(total312, envelope_halves, total27_halves)
+            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
 
             def yes(q, q_low):
                 given = q
@@ -6360,7 +15482,7 @@ def apart_nyquist_together(xp, gamma, delta):
                 total30_halves)
             apart_of = lost3 + total28
             nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
-            together_of = 2.0*lost302 + 2.0*total312
+            together_of = 2.0*lost55 + 2.0*total56
             return apart_of, nyquist_of, together_of
 
         def no(delta, gamma, half, lost2, root, size, total3):
@@ -6521,12 +15643,1064 @@ def apart_nyquist_together(xp, gamma, delta):
             total282 = 1.0 - fast
             back3 = total282 - 1.0
             lost17 = -back3 - fast
-            total283 = mean*total282
+            total53 = mean*total282
             total282_halves = halves(xp, total282)
-            lost17 = mean*(lost17 - low3) + product_error(total283, mean_halves, total282_halves)
+            lost17 = mean*(lost17 - low3) + product_error(total53, mean_halves, total282_halves)
             moved_low = lost17 + mean_low2*total282
-            total282 = total283/whole
-            left = total283 - total282*whole
+            total282 = total53/whole
+            left = total53 - total282*whole
+            total282_halves = halves(xp, total282)
+            left = left - product_error(total282*whole, total282_halves, whole_halves)
+            left = left + moved_low - p_low*total282
+            lost17 = left/whole
+            apart_of = (low + top)/whole3
+            nyquist_of = lost18 + total16*(fall_low2 + lost3) + total17
+            together_of = lost17 + total282
+            return apart_of, nyquist_of, together_of
+
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (delta, gamma, half, lost2, root, size, total3))
+
+        return apart_of, nyquist_of, together_of
+
+    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes,
+        (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+
+    return apart_of, nyquist_of, together_of
+
+
+def apart_nyquist_together(xp, gamma, delta):
+    """(n1 - n0)/delta; 1 + a + e; n1 + n0"""
+    if gamma.dtype == xp.float32:
+        return apart_nyquist_together_single(xp, gamma, delta)
+    half = 0.5*delta
+    square = (half*half)
+    total = square - gamma
+    back = total - square
+    rest = total - back
+    one = square - rest
+    two = -back - gamma
+    lost = one + two
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total2 = rest + total
+    back = total2 - total
+    lost = rest - back
+
+    def yes(delta, gamma, half, lost2, total2):
+        reach = 0.25*gamma
+
+        def yes(delta, half, lost2, total2):
+            square2 = total2
+            envelope = xp.exp(-half)
+            rest5 = apart_series(xp, half, total2)
+            total27 = rest5 + 0.16666666666666666
+            back17 = total27 - rest5
+            rest6 = total27 - back17
+            one4 = rest5 - rest6
+            two4 = 0.16666666666666666 - back17
+            lost27 = one4 + two4
+            total28 = envelope*total27
+            envelope_halves = halves(xp, envelope)
+            total27_halves = halves(xp, total27)
+            lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
+            twice2 = 2.0*envelope
+            rest6 = together_series(xp, half, total2)
+            total27 = rest6 + 0.5
+            back17 = total27 - rest6
+            rest5 = total27 - back17
+            one4 = rest6 - rest5
+            two4 = 0.5 - back17
+            lost55 = one4 + two4
+            total56 = envelope*total27
+            total27_halves = halves(xp, total27)
+            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
+
+            def yes(square2):
+                given3 = square2
+                total19 = 0.5*given3 + 1.0
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total19 = curved3 + total19
+                even = total19
+                return even
+
+            def no(total2):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                cosine = xp.cos(root)
+                even = cosine
+                return even
+
+            even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
+
+            total27 = even*twice2
+
+            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28,
+                total56, twice2):
+                e = xp.exp(-delta)
+                total252 = e + 1.0
+                back18 = total252 - 1.0
+                lost252 = e - back18
+                total272 = total252 + total262
+                back18 = total272 - total252
+                lost272 = total262 - back18
+
+                def yes(lost2, square2):
+                    given3 = square2
+                    total19 = 0.5*given3 + 1.0
+                    back13 = total19 - 1.0
+                    lost19 = 0.5*given3 - back13
+                    cos_series_of = cos_series(xp, given3)
+                    curved3 = cos_series_of*(given3*given3)
+                    total20 = curved3 + total19
+                    back13 = total20 - total19
+                    lost20 = curved3 - back13
+                    even_low = lost19 + 0.5*lost2 + lost20
+                    return even_low
+
+                def no(lost2, total2):
+                    size = xp.abs(total2)
+                    root = square_root(xp, size)
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    sine = xp.sin(root)
+                    even_low2 = -root_low*sine
+                    return even_low2
+
+                even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+
+                twice2_halves = halves(xp, twice2)
+                even_halves = halves(xp, even)
+                lost262 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                apart_of = lost28 + total28
+                nyquist_of = lost252 + lost262 + lost272 + total272
+                together_of = 2.0*lost56 + 2.0*total56
+                return apart_of, nyquist_of, together_of
+
+            def no(envelope, half, lost2, lost28, lost56, total2, total28, total56):
+                size = xp.abs(total2)
+                root = square_root(xp, size)
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                expm1_of = xp.expm1(-half)
+                grown = -0.5*expm1_of
+                angle = 0.5*root
+                wave = xp.cos(angle)
+                sin_of = xp.sin(angle)
+                back72 = 0.5*root_low*sin_of
+                total92 = wave - back72
+                back82 = total92 - wave
+                rest32 = total92 - back82
+                one22 = wave - rest32
+                two22 = -back72 - back82
+                lost92 = one22 + two22
+                total102 = (total92*total92)
+                total92_halves = halves(xp, total92)
+                lost102 = product_error(total102, total92_halves, total92_halves)
+                low2 = lost102 + 2.0*lost92*total92
+                total92 = envelope*total102
+                envelope_halves = halves(xp, envelope)
+                total102_halves = halves(xp, total102)
+                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                total102 = (grown*grown) + total92
+                back82 = total102 - total92
+                rest32 = total102 - back82
+                one22 = total92 - rest32
+                two22 = (grown*grown) - back82
+                lost102 = one22 + two22
+                low2 = lost92 + lost102
+                apart_of = lost28 + total28
+                nyquist_of = 4.0*low2 + 4.0*total102
+                together_of = 2.0*lost56 + 2.0*total56
+                return apart_of, nyquist_of, together_of
+
+            apart_of, nyquist_of, together_of = (
+                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2,
+                total2, total27, total28, total56, twice2), no,
+                (envelope, half, lost2, lost27, lost55, total2, total28, total56))
+            )
+
+            return apart_of, nyquist_of, together_of
+
+        def no(delta, gamma, half, lost2, total2):
+            size = xp.abs(total2)
+            root = square_root(xp, size)
+            square2 = total2
+            envelope = xp.exp(-half)
+            stiff = gamma
+            mean3 = decay(xp, delta)
+            twice2 = 2.0*envelope
+
+            def yes(lost2, square2):
+                given3 = square2
+                total19 = 0.5*given3 + 1.0
+                cos_series_of = cos_series(xp, given3)
+                curved3 = cos_series_of*(given3*given3)
+                total19 = curved3 + total19
+                sin_series_of = sin_series(xp, given3)
+                bent = given3*sin_series_of
+                total21 = bent + 1.0
+                back15 = total21 - 1.0
+                lost21 = bent - back15
+                odd_low = 0.16666666666666666*lost2 + lost21
+                even = total19
+                odd = total21
+                return even, odd, odd_low
+
+            def no(lost2, root, size):
+                sign_low = -lost2
+                left = size - (root*root)
+                root_halves = halves(xp, root)
+                left = left - product_error(root*root, root_halves, root_halves)
+                left = left + sign_low
+                whole = xp.where(root == 0.0, 1.0, root)
+                root_low = 0.5*left/whole
+                sine = xp.sin(root)
+                cosine = xp.cos(root)
+                some = root
+                total22 = sine/some
+                left = sine - some*total22
+                total22_halves = halves(xp, total22)
+                some_halves = halves(xp, some)
+                left = left - product_error(total22*some, total22_halves, some_halves)
+                left = cosine*root_low + left - root_low*total22
+                lost22 = left/some
+                even = cosine
+                odd = total22
+                odd_low2 = lost22
+                return even, odd, odd_low2
+
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
+
+            total24 = envelope*odd
+            envelope_halves = halves(xp, envelope)
+            odd_halves = halves(xp, odd)
+            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
+            total25 = mean3 - total24
+            back16 = total25 - mean3
+            rest4 = total25 - back16
+            one3 = mean3 - rest4
+            two3 = -back16 - total24
+            lost25 = one3 + two3
+            total24 = total25/stiff
+            left13 = total25 - stiff*total24
+            total24_halves = halves(xp, total24)
+            stiff_halves = halves(xp, stiff)
+            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
+            left13 = left13 - lost24 + lost25
+            lost25 = left13/stiff
+            total25 = even*twice2
+
+            def yes(root):
+                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+                return count
+
+            def no(root):
+                return 0.0
+
+            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
+
+            turns = (count*count)
+            total142 = 39.47841760435743*turns
+            turns_halves = halves(xp, turns)
+            number5_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
+            lost24 = product_error(total142, turns_halves, number5_halves)
+            total152 = 2.5061182034958845e-15*turns
+            number6_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
+            lost152 = product_error(total152, turns_halves, number6_halves)
+            total162 = -total142 - total2
+            back16 = total162 + total2
+            rest4 = total162 - back16
+            one3 = -rest4 - total2
+            two3 = -back16 - total142
+            lost162 = one3 + two3
+            total142 = total162 - lost24
+            back16 = total142 - total162
+            rest4 = total142 - back16
+            one3 = total162 - rest4
+            two3 = -back16 - lost24
+            lost24 = one3 + two3
+            total162 = total142 - total152
+            back16 = total162 - total142
+            rest4 = total162 - back16
+            one3 = total142 - rest4
+            two3 = -back16 - total152
+            lost182 = one3 + two3
+            total152 = total162 - lost2
+            back16 = total152 - total162
+            rest4 = total152 - back16
+            one3 = total162 - rest4
+            two3 = -back16 - lost2
+            lost192 = one3 + two3
+            low32 = lost162 - lost152 + lost24 + lost182 + lost192 - 1.4920070805839235e-31*turns
+            total162 = low32 + total152
+            total142 = 6.283185307179586*count
+            total222 = root + total142
+            whole32 = xp.where(total222 == 0.0, 1.0, total222)
+            total232 = total162/whole32
+            far = (total232*total232)
+
+            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size,
+                square2, stiff, total192, total202, total212, total222, total232, total26,
+                total262, twice2, whole32):
+
+                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff,
+                    total192, total202, total212, total222, total232, total26, total262, twice2,
+                    whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    e = xp.exp(-delta)
+                    total252 = e + 1.0
+                    back18 = total252 - 1.0
+                    lost252 = e - back18
+                    total272 = total252 + total262
+                    back18 = total272 - total252
+                    lost272 = total262 - back18
+                    back18 = total202 - total192
+                    rest9 = total202 - back18
+                    one8 = total192 - rest9
+                    two8 = low32 - back18
+                    lost202 = one8 + two8
+                    count_halves = halves(xp, count)
+                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                    lost212 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                    back18 = total222 - root
+                    rest9 = total222 - back18
+                    one8 = root - rest9
+                    two8 = total212 - back18
+                    lost222 = one8 + two8
+                    both_low = 2.4492935982947064e-16*count + lost212 + lost222 + root_low
+                    left = total202 - total232*whole32
+                    total232_halves = halves(xp, total232)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
+                    left = left - both_low*total232 + lost202
+                    lost202 = left/whole32
+                    eta = total232
+                    eta_low = lost202
+                    total252 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost202 = 2.0*eta*eta_low + product_error(total252, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total252)
+                    bent2 = cos_series_of2*(total252*total252)
+                    total253 = 0.5*total252 - bent2
+                    back18 = total253 - 0.5*total252
+                    lost222 = -back18 - bent2
+                    sin_series_of2 = sin_series(xp, -total252)
+                    total252 = 1.0 - sin_series_of2*total252
+                    lift_low = 0.5*lost202*total252 + lost222
+                    given22 = half
+                    total252 = 1.0 - 0.5*given22
+                    back18 = total252 - 1.0
+                    lost222 = -back18 - 0.5*given22
+                    decay_series_of3 = decay_series(xp, given22)
+                    curved22 = decay_series_of3*(given22*given22)
+                    total302 = curved22 + total252
+                    back18 = total302 - total252
+                    lost202 = curved22 - back18
+                    mean_low5 = lost222 + lost202
+                    total252 = given22*total302
+                    given22_halves = halves(xp, given22)
+                    total302_halves = halves(xp, total302)
+                    lost202 = given22*mean_low5 + product_error(total252, given22_halves,
+                        total302_halves)
+                    total302 = 1.0 - total252
+                    back18 = total302 - 1.0
+                    lost222 = -back18 - total252
+                    fall_low5 = lost222 - lost202
+                    total252 = 1.0 - total302
+                    back18 = total252 - 1.0
+                    lost222 = -back18 - total302
+                    low42 = lost222 - fall_low5
+                    total34 = low42 + total252
+                    back18 = total34 - total252
+                    lost222 = low42 - back18
+                    total252 = (total34*total34)
+                    total34_halves = halves(xp, total34)
+                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves,
+                        total34_halves)
+                    total34 = total253*total302
+                    total302_halves = halves(xp, total302)
+                    total253_halves = halves(xp, total253)
+                    lost202 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
+                    total302 = total252 + 2.0*total34
+                    back18 = total302 - total252
+                    rest9 = total302 - back18
+                    one8 = total252 - rest9
+                    two8 = 2.0*total34 - back18
+                    lost212 = one8 + two8
+                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost202 + lost212
+                    total253 = total302/stiff
+                    left = total302 - stiff*total253
+                    total253_halves = halves(xp, total253)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
+                    left = left + low42
+                    lost212 = left/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    apart_of = lost26 + total26
+                    nyquist_of = lost252 + lost202 + lost272 + total272
+                    together_of = lost212 + total253
+                    return apart_of, nyquist_of, together_of
+
+                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff,
+                    total26, total262, twice2):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    e = xp.exp(-delta)
+                    total252 = e + 1.0
+                    back18 = total252 - 1.0
+                    lost252 = e - back18
+                    total272 = total252 + total262
+                    back18 = total272 - total252
+                    lost272 = total262 - back18
+                    back18 = -0.5*root_low*wave
+                    total252 = sin_of - back18
+                    back83 = total252 - sin_of
+                    rest33 = total252 - back83
+                    one23 = sin_of - rest33
+                    two23 = -back18 - back83
+                    lost93 = one23 + two23
+                    total103 = (total252*total252)
+                    total252_halves = halves(xp, total252)
+                    lost103 = product_error(total103, total252_halves, total252_halves)
+                    low4 = lost103 + 2.0*lost93*total252
+                    total252 = envelope*total103
+                    envelope_halves = halves(xp, envelope)
+                    total103_halves = halves(xp, total103)
+                    lost93 = envelope*low4 + product_error(total252, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total252
+                    back83 = total103 - total252
+                    rest33 = total103 - back83
+                    one23 = total252 - rest33
+                    two23 = (grown*grown) - back83
+                    lost103 = one23 + two23
+                    low4 = lost93 + lost103
+                    total252 = total103/stiff
+                    left = total103 - stiff*total252
+                    total252_halves = halves(xp, total252)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total252*stiff, total252_halves, stiff_halves)
+                    left = left + low4
+                    lost103 = left/stiff
+
+                    def yes(lost2, square2):
+                        given3 = square2
+                        total19 = 0.5*given3 + 1.0
+                        back13 = total19 - 1.0
+                        lost19 = 0.5*given3 - back13
+                        cos_series_of = cos_series(xp, given3)
+                        curved3 = cos_series_of*(given3*given3)
+                        total20 = curved3 + total19
+                        back13 = total20 - total19
+                        lost20 = curved3 - back13
+                        even_low = lost19 + 0.5*lost2 + lost20
+                        return even_low
+
+                    def no(root, root_low):
+                        sine = xp.sin(root)
+                        even_low2 = -root_low*sine
+                        return even_low2
+
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
+
+                    twice2_halves = halves(xp, twice2)
+                    even_halves = halves(xp, even)
+                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
+                    apart_of = lost26 + total26
+                    nyquist_of = lost252 + lost93 + lost272 + total272
+                    together_of = 4.0*lost103 + 4.0*total252
+                    return apart_of, nyquist_of, together_of
+
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, even, half, lost2, lost26, low32, root, size, square2,
+                    stiff, total192, total202, total212, total222, total232, total26, total262,
+                    twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root,
+                    size, square2, stiff, total26, total262, twice2))
+                )
+
+                return apart_of, nyquist_of, together_of
+
+            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192,
+                total202, total212, total222, total232, total26, whole32):
+
+                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back72 = 0.5*root_low*sin_of
+                    total92 = wave - back72
+                    back82 = total92 - wave
+                    rest32 = total92 - back82
+                    one22 = wave - rest32
+                    two22 = -back72 - back82
+                    lost92 = one22 + two22
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low2 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest32 = total102 - back82
+                    one22 = total92 - rest32
+                    two22 = (grown*grown) - back82
+                    lost102 = one22 + two22
+                    low2 = lost92 + lost102
+                    back82 = total202 - total192
+                    rest32 = total202 - back82
+                    one22 = total192 - rest32
+                    two22 = low32 - back82
+                    lost102 = one22 + two22
+                    count_halves = halves(xp, count)
+                    number5_halves = halves(xp, xp.full_like(count, 6.283185307179586))
+                    lost92 = product_error(count*6.283185307179586, count_halves, number5_halves)
+                    back82 = total222 - root
+                    rest32 = total222 - back82
+                    one22 = root - rest32
+                    two22 = total212 - back82
+                    lost222 = one22 + two22
+                    both_low = 2.4492935982947064e-16*count + lost92 + lost222 + root_low
+                    left = total202 - total232*whole32
+                    total232_halves = halves(xp, total232)
+                    whole32_halves = halves(xp, whole32)
+                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
+                    left = left - both_low*total232 + lost102
+                    lost102 = left/whole32
+                    eta = total232
+                    eta_low = lost102
+                    total92 = (eta*eta)
+                    eta_halves = halves(xp, eta)
+                    lost102 = 2.0*eta*eta_low + product_error(total92, eta_halves, eta_halves)
+                    cos_series_of2 = cos_series(xp, -total92)
+                    bent2 = cos_series_of2*(total92*total92)
+                    total253 = 0.5*total92 - bent2
+                    back82 = total253 - 0.5*total92
+                    lost222 = -back82 - bent2
+                    sin_series_of2 = sin_series(xp, -total92)
+                    total92 = 1.0 - sin_series_of2*total92
+                    lift_low = 0.5*lost102*total92 + lost222
+                    given22 = half
+                    total92 = 1.0 - 0.5*given22
+                    back82 = total92 - 1.0
+                    lost222 = -back82 - 0.5*given22
+                    decay_series_of3 = decay_series(xp, given22)
+                    curved22 = decay_series_of3*(given22*given22)
+                    total302 = curved22 + total92
+                    back82 = total302 - total92
+                    lost102 = curved22 - back82
+                    mean_low5 = lost222 + lost102
+                    total92 = given22*total302
+                    given22_halves = halves(xp, given22)
+                    total302_halves = halves(xp, total302)
+                    lost102 = given22*mean_low5 + product_error(total92, given22_halves,
+                        total302_halves)
+                    total302 = 1.0 - total92
+                    back82 = total302 - 1.0
+                    lost222 = -back82 - total92
+                    fall_low5 = lost222 - lost102
+                    total92 = 1.0 - total302
+                    back82 = total92 - 1.0
+                    lost222 = -back82 - total302
+                    low42 = lost222 - fall_low5
+                    total34 = low42 + total92
+                    back82 = total34 - total92
+                    lost222 = low42 - back82
+                    total92 = (total34*total34)
+                    total34_halves = halves(xp, total34)
+                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves,
+                        total34_halves)
+                    total34 = total253*total302
+                    total302_halves = halves(xp, total302)
+                    total253_halves = halves(xp, total253)
+                    lost102 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
+                    total302 = total92 + 2.0*total34
+                    back82 = total302 - total92
+                    rest32 = total302 - back82
+                    one22 = total92 - rest32
+                    two22 = 2.0*total34 - back82
+                    lost92 = one22 + two22
+                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost102 + lost92
+                    total253 = total302/stiff
+                    left = total302 - stiff*total253
+                    total253_halves = halves(xp, total253)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
+                    left = left + low42
+                    lost92 = left/stiff
+                    apart_of = lost26 + total26
+                    nyquist_of = 4.0*low2 + 4.0*total102
+                    together_of = lost92 + total253
+                    return apart_of, nyquist_of, together_of
+
+                def no(envelope, half, lost2, lost26, root, size, stiff, total26):
+                    sign_low = -lost2
+                    left = size - (root*root)
+                    root_halves = halves(xp, root)
+                    left = left - product_error(root*root, root_halves, root_halves)
+                    left = left + sign_low
+                    whole = xp.where(root == 0.0, 1.0, root)
+                    root_low = 0.5*left/whole
+                    expm1_of = xp.expm1(-half)
+                    grown = -0.5*expm1_of
+                    angle = 0.5*root
+                    wave = xp.cos(angle)
+                    sin_of = xp.sin(angle)
+                    back72 = 0.5*root_low*sin_of
+                    total92 = wave - back72
+                    back82 = total92 - wave
+                    rest32 = total92 - back82
+                    one22 = wave - rest32
+                    two22 = -back72 - back82
+                    lost92 = one22 + two22
+                    total102 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost102 = product_error(total102, total92_halves, total92_halves)
+                    low2 = lost102 + 2.0*lost92*total92
+                    total92 = envelope*total102
+                    envelope_halves = halves(xp, envelope)
+                    total102_halves = halves(xp, total102)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
+                    total102 = (grown*grown) + total92
+                    back82 = total102 - total92
+                    rest32 = total102 - back82
+                    one22 = total92 - rest32
+                    two22 = (grown*grown) - back82
+                    lost102 = one22 + two22
+                    low2 = lost92 + lost102
+                    back82 = -0.5*root_low*wave
+                    total92 = sin_of - back82
+                    back72 = total92 - sin_of
+                    rest32 = total92 - back72
+                    one22 = sin_of - rest32
+                    two22 = -back82 - back72
+                    lost102 = one22 + two22
+                    total103 = (total92*total92)
+                    total92_halves = halves(xp, total92)
+                    lost92 = product_error(total103, total92_halves, total92_halves)
+                    low4 = lost92 + 2.0*lost102*total92
+                    total92 = envelope*total103
+                    total103_halves = halves(xp, total103)
+                    lost102 = envelope*low4 + product_error(total92, envelope_halves,
+                        total103_halves)
+                    total103 = (grown*grown) + total92
+                    back72 = total103 - total92
+                    rest32 = total103 - back72
+                    one22 = total92 - rest32
+                    two22 = (grown*grown) - back72
+                    lost92 = one22 + two22
+                    low4 = lost102 + lost92
+                    total92 = total103/stiff
+                    left = total103 - stiff*total92
+                    total92_halves = halves(xp, total92)
+                    stiff_halves = halves(xp, stiff)
+                    left = left - product_error(total92*stiff, total92_halves, stiff_halves)
+                    left = left + low4
+                    lost92 = left/stiff
+                    apart_of = lost26 + total26
+                    nyquist_of = 4.0*low2 + 4.0*total102
+                    together_of = 4.0*lost92 + 4.0*total92
+                    return apart_of, nyquist_of, together_of
+
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32), no,
+                    (envelope, half, lost2, lost26, root, size, stiff, total26))
+                )
+
+                return apart_of, nyquist_of, together_of
+
+            apart_of, nyquist_of, together_of = (
+                select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2,
+                lost25, low32, root, size, square2, stiff, total152, total162, total142,
+                total222, total232, total24, total25, twice2, whole32), no,
+                (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152,
+                total162, total142, total222, total232, total24, whole32))
+            )
+
+            return apart_of, nyquist_of, together_of
+
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+
+        return apart_of, nyquist_of, together_of
+
+    def no(delta, gamma, half, lost2, total2):
+        size = xp.abs(total2)
+        root = square_root(xp, size)
+        total3 = half + root
+        reach = 0.4444444444444444*total3
+
+        def yes(gamma, half, lost2, root, size, total2, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            envelope = xp.exp(-half)
+            rest5 = apart_series(xp, half, total2)
+            total27 = rest5 + 0.16666666666666666
+            back3 = total27 - rest5
+            rest6 = total27 - back3
+            one4 = rest5 - rest6
+            two4 = 0.16666666666666666 - back3
+            lost3 = one4 + two4
+            total28 = envelope*total27
+            envelope_halves = halves(xp, envelope)
+            total27_halves = halves(xp, total27)
+            lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
+            rest6 = together_series(xp, half, total2)
+            total27 = rest6 + 0.5
+            back3 = total27 - rest6
+            rest5 = total27 - back3
+            one4 = rest6 - rest5
+            two4 = 0.5 - back3
+            lost55 = one4 + two4
+            total56 = envelope*total27
+            total27_halves = halves(xp, total27)
+            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                return fall_, fall_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                fall_ = sunk
+                fall_low2 = sunk_low
+                return fall_, fall_low2
+
+            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+
+            total27 = fall_ + 1.0
+            back3 = total27 - 1.0
+            lost282 = fall_ - back3
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                return fall2, fall_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                return fall2, fall_low4
+
+            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+
+            fast = fall_*fall2
+            fall__halves = halves(xp, fall_)
+            fall2_halves = halves(xp, fall2)
+            lost29 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+            low3 = fall2*fall_low2 + lost29
+            total30 = fast + 1.0
+            back3 = total30 - 1.0
+            lost29 = fast - back3
+            total31 = total27*total30
+            total27_halves = halves(xp, total27)
+            total30_halves = halves(xp, total30)
+            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves,
+                total30_halves)
+            apart_of = lost3 + total28
+            nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
+            together_of = 2.0*lost55 + 2.0*total56
+            return apart_of, nyquist_of, together_of
+
+        def no(delta, gamma, half, lost2, root, size, total3):
+            sign_low = lost2
+            left = size - (root*root)
+            root_halves = halves(xp, root)
+            left = left - product_error(root*root, root_halves, root_halves)
+            left = left + sign_low
+            whole = xp.where(root == 0.0, 1.0, root)
+            root_low = 0.5*left/whole
+            back3 = total3 - half
+            lost3 = root - back3
+            p_low = lost3 + root_low
+            whole = xp.where(total3 == 0.0, 1.0, total3)
+            q = gamma/whole
+            off = gamma - q*whole
+            whole_halves = halves(xp, whole)
+            q_halves = halves(xp, q)
+            off = off - product_error(whole*q, whole_halves, q_halves)
+            off = off - p_low*q
+            q_low = off/whole
+            rate2 = 2.0*root
+            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
+
+            def yes(q, q_low):
+                given = q
+                total4 = 1.0 - 0.5*given
+                back4 = total4 - 1.0
+                lost4 = -back4 - 0.5*given
+                decay_series_of = decay_series(xp, given)
+                curved = decay_series_of*(given*given)
+                total5 = curved + total4
+                back4 = total5 - total4
+                lost5 = curved - back4
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
+                total4 = given*total5
+                given_halves = halves(xp, given)
+                total5_halves = halves(xp, total5)
+                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
+                total7 = 1.0 - total4
+                back4 = total7 - 1.0
+                lost4 = -back4 - total4
+                fall_low = lost4 - lost5 - q_low*total5
+                fall_ = total7
+                mean = total5
+                return fall_, fall_low, mean, mean_low
+
+            def no(q, q_low):
+                sunk = xp.exp(-q)
+                sunk_low = -q_low*sunk
+                total8 = 1.0 - sunk
+                back7 = total8 - 1.0
+                lost8 = -back7 - sunk
+                bottom = q
+                total9 = total8/bottom
+                left4 = total8 - bottom*total9
+                total9_halves = halves(xp, total9)
+                bottom_halves = halves(xp, bottom)
+                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
+                left4 = left4 + lost8 - q_low*total9 - sunk_low
+                lost8 = left4/bottom
+                fall_ = sunk
+                fall_low2 = sunk_low
+                mean = total9
+                mean_low2 = lost8
+                return fall_, fall_low2, mean, mean_low2
+
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
+
+            twice = 2.0*fall_
+            total282 = fall_ + 1.0
+            back3 = total282 - 1.0
+            lost3 = fall_ - back3
+
+            def yes(root, root_low):
+                given2 = 2.0*root
+                total10 = 1.0 - 0.5*given2
+                back8 = total10 - 1.0
+                lost10 = -back8 - 0.5*given2
+                decay_series_of2 = decay_series(xp, given2)
+                curved2 = decay_series_of2*(given2*given2)
+                total11 = curved2 + total10
+                back8 = total11 - total10
+                lost11 = curved2 - back8
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
+                total10 = given2*total11
+                given2_halves = halves(xp, given2)
+                total11_halves = halves(xp, total11)
+                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                total13 = 1.0 - total10
+                back8 = total13 - 1.0
+                lost10 = -back8 - total10
+                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
+                fall2 = total13
+                mean2 = total11
+                return fall2, fall_low3, mean2, mean_low3
+
+            def no(root, root_low):
+                sunk2 = xp.exp(-2.0*root)
+                sunk_low2 = -2.0*root_low*sunk2
+                total14 = 1.0 - sunk2
+                back11 = total14 - 1.0
+                lost14 = -back11 - sunk2
+                bottom2 = 2.0*root
+                total15 = total14/bottom2
+                left7 = total14 - bottom2*total15
+                total15_halves = halves(xp, total15)
+                bottom2_halves = halves(xp, bottom2)
+                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
+                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
+                lost14 = left7/bottom2
+                fall2 = sunk2
+                fall_low4 = sunk_low2
+                mean2 = total15
+                mean_low4 = lost14
+                return fall2, fall_low4, mean2, mean_low4
+
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
+
+            fast = fall_*fall2
+            total16 = mean2*twice
+            twice_halves = halves(xp, twice)
+            mean2_halves = halves(xp, mean2)
+            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
+            total17 = mean - total16
+            back3 = total17 - mean
+            rest3 = total17 - back3
+            one2 = mean - rest3
+            two2 = -back3 - total16
+            lost17 = one2 + two2
+            total16 = fast*mean
+            fast_halves = halves(xp, fast)
+            mean_halves = halves(xp, mean)
+            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
+            top = total17 + total16
+            low = lost17 - lost16 + lost18 + mean_low2
+            fall__halves = halves(xp, fall_)
+            fall2_halves = halves(xp, fall2)
+            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
+            low3 = fall2*fall_low2 + lost18
+            total16 = fast + 1.0
+            back3 = total16 - 1.0
+            lost18 = fast - back3
+            total17 = total282*total16
+            total282_halves = halves(xp, total282)
+            total16_halves = halves(xp, total16)
+            lost18 = (
+                total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            )
+            total282 = 1.0 - fast
+            back3 = total282 - 1.0
+            lost17 = -back3 - fast
+            total53 = mean*total282
+            total282_halves = halves(xp, total282)
+            lost17 = mean*(lost17 - low3) + product_error(total53, mean_halves, total282_halves)
+            moved_low = lost17 + mean_low2*total282
+            total282 = total53/whole
+            left = total53 - total282*whole
             total282_halves = halves(xp, total282)
             left = left - product_error(total282*whole, total282_halves, whole_halves)
             left = left + moved_low - p_low*total282
@@ -8109,6 +18283,26 @@ def between(xp, share, early, late):
     return early + more*share
 
 
+def lead(xp, theta, l, epsilon):
+    """negative beyond the angle in phase with the delay"""
+
+    def yes(epsilon, l, theta):
+        early = sin_next(xp, l, theta)
+        late = sin_next(xp, l + 1.0, theta)
+        sine = early + epsilon*(late - early)
+        return sine
+
+    def no(l):
+        return -1.0
+
+    return select(xp, theta*(l + 1.0) < 4.0, yes, (epsilon, l, theta), no, (l,))
+
+
+def rated(xp, number, value):
+    """the value, NaN for number < 0"""
+    return xp.where(number < 0.0, xp.nan, value)
+
+
 def spread(xp, k, x):
     """((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3"""
     turn_ = x*(k + 1.0)
@@ -9137,8 +19331,8 @@ def passivity_boundary(theta, delta, d):
     theta: angle on the unit circle, omega T [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: 0 < theta < pi, delta >= 0, d >= 0, theta <= pi/(d + 1), beyond which it bounds
-    nothing, behind a fraction of a period it ends before, where alpha is 0.
+    Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d +
+    1) for whole delays, for d <= 2/9 the curve goes on to pi.
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, delta, d = arrays(theta, delta, d)
@@ -9147,29 +19341,31 @@ def passivity_boundary(theta, delta, d):
     def work(theta, delta, d):
 
         def yes(d, delta, theta):
-            t0 = delta/spread(xp, d, theta)
-            t1 = 0.5*theta
-            t1 = sinc(xp, t1)
+            t0 = lead(xp, theta, d, xp.full_like(d, 0.0))
+            t1 = delta/spread(xp, d, theta)
+            t2 = 0.5*theta
+            t2 = sinc(xp, t2)
             sin_next_of = sin_next(xp, d, theta)
-            t1 = sin_next_of*(t1*t1)*(d + 1.0)/theta
-            return 2.0*t0*t1, t0*(chord(xp, d, theta) - t1)
+            t2 = sin_next_of*(t2*t2)*(d + 1.0)/theta
+            return rated(xp, t0, 2.0*t1*t2), rated(xp, t0, t1*(chord(xp, d, theta) - t2))
 
         def no(d, delta, theta):
-            t1 = 0.5*theta
-            t3 = whole_part(xp, d)
-            t4 = t3 + 1.0
+            t2 = 0.5*theta
+            t4 = whole_part(xp, d)
             t5 = some_part(xp, d)
-            t6 = touching(xp, theta, t3, t5)
-            t7 = xp.cos(t6)
-            t8 = t7/t4
-            t6 = xp.sin(t6)
-            t10 = t6 - 0.5*t8
-            t3 = between(xp, t5, straight(xp, t8, t10, t3, t1), straight(xp, t8, t10, t4, t1))
-            t14 = xp.sin(t1)
-            t1 = xp.cos(t1)
-            t1 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*
-                (4.0*(t14*t14)*(t6*t6) + (t1*t1)*(t7*t7)/(t4*t4))))
-            return t1*t8, t10*t1
+            t6 = lead(xp, theta, t4, t5)
+            t7 = t4 + 1.0
+            t8 = touching(xp, theta, t4, t5)
+            t9 = xp.cos(t8)
+            t10 = t9/t7
+            t8 = xp.sin(t8)
+            t12 = t8 - 0.5*t10
+            t4 = between(xp, t5, straight(xp, t10, t12, t4, t2), straight(xp, t10, t12, t7, t2))
+            t16 = xp.sin(t2)
+            t2 = xp.cos(t2)
+            t2 = delta/(0.5*t4 + 0.5*square_root(xp, (t4*t4) + t5*(1.0 - t5)*
+                (4.0*(t8*t8)*(t16*t16) + (t2*t2)*(t9*t9)/(t7*t7))))
+            return rated(xp, t6, t10*t2), rated(xp, t6, t12*t2)
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
