@@ -17,6 +17,8 @@ def number(name: str, value: Any, unit: str, least: str = "") -> float:
     given = value
     if type(value).__module__.split(".")[0] == "pint":
         value = _converted(name, value, unit)
+    if getattr(value, "ndim", None) == 0:
+        value = value.item()
     real = isinstance(value, Real) and not isinstance(value, bool)
     found = _float64(value) if real else math.nan
     low = (least and found < 0) or (least == "> 0" and found == 0)
