@@ -270,6 +270,7 @@ class Page(Record):
             read(line)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
+        self._once("stated", id)
         self.own[id] = Statement(id, self.name, says, printed)
         return self.own[id]
 

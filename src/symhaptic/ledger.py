@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,10 @@ from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
 
 GENERATED = "written by `symhaptic report`; do not edit"
+
+
+class Twice(ValueError):
+    """A statement that two derivations settle."""
 
 
 @dataclass(frozen=True)
@@ -84,9 +88,42 @@ def _corrected(verdict: Verdict) -> str | None:
     return verdict.corrected_latex
 
 
+def once(
+    settled: Iterable[Entry], places: Mapping[str, str]
+) -> tuple[list[Entry], dict[str, list[str]]]:
+    """The entries of statements that one file settles, and the files of each that several do.
+
+    ``places`` are the files of the committed statements, which need not have been run.  None of
+    two verdicts on one statement counts.
+    """
+    by_id: dict[str, list[Entry]] = {}
+    for entry in settled:
+        by_id.setdefault(entry.statement.id, []).append(entry)
+    kept, several = [], {}
+    for id, entries in by_id.items():
+        files = [entry.derivation or "" for entry in entries]
+        files += [places[id]] if id in places and places[id] not in files else []
+        if len(files) == 1:
+            kept += entries
+        else:
+            several[id] = files
+    return kept, several
+
+
+def twice(id: str, files: Iterable[str]) -> str:
+    """What is wrong with a statement that several files settle."""
+    return f"{id!r} has a verdict in {' and in '.join(files)}; one file may settle a statement"
+
+
 def ledger(settled: Iterable[Entry]) -> list[Entry]:
-    """Every statement of the paper in its order, then the users' own; the last verdict counts."""
-    found = {entry.statement.id: entry for entry in settled}
+    """Every statement of the paper in its order, then the users' own.
+
+    Raises :class:`Twice` where two files settle one of them.
+    """
+    entries, several = once(settled, {})
+    for id, files in several.items():
+        raise Twice(twice(id, files))
+    found = {entry.statement.id: entry for entry in entries}
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
     return entries + [entry for entry in found.values() if entry.own]
 
@@ -107,6 +144,12 @@ def expected(path: Path) -> dict[str, str]:
     """The committed verdict of each statement."""
     data = json.loads(path.read_text(encoding="utf-8"))
     return {record["id"]: record["verdict"] for record in data["statements"]}
+
+
+def places(path: Path) -> dict[str, str]:
+    """The derivation of each statement, as far as the committed ledger tells."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {r["id"]: r["derivation"] for r in data["statements"] if r["derivation"]}
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
