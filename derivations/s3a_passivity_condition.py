@@ -79,7 +79,17 @@ def derive(page):
         note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
         "of the held force it allows walls that are not passive, and forbids some that are",
     )
-    page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
+    page.say(
+        "The mass is not in (5). That it takes nothing on the whole is seen where it still is: a "
+        "motion at the frequency $\\omega$ gives $\\Re\\{(ms^2+bs)/s\\}$ per squared velocity "
+        "to the device, with $s=j\\omega$, which is the same for any two masses."
+    )
+    balance = passivity.balance()
+    page.settle(
+        "s3a-mass-free",
+        page.free_of("the energy balance", balance, m),
+        page.same("the condition", balance, b - need),
+    )
 
     page.say("Without delay the kernel is a constant, and one cosine is left.")
     undelayed = page.step(

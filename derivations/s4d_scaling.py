@@ -90,7 +90,7 @@ def derive(page):
     page.settle(
         "s6-mass",
         heavier,
-        page.free_of("passivity", passivity.dirichlet_form(), m),
+        page.free_of("the energy balance", passivity.balance(), m),
         provided=KEPT,
         **too_stiff,
         shows=r"twice the mass with the same damper gives less than twice the stiffness",

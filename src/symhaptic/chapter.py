@@ -21,10 +21,11 @@ from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
 from symhaptic.proof.certificate import Zero
-from symhaptic.proof.checks import Check, Decimals, Free, Minimal, Roots, Sign, Units
+from symhaptic.proof.checks import AllZeros, Check, Decimals, Free, Minimal, Roots, Sign, Units, confirmed
 from symhaptic.proof.decide import Form, parts
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
+from symhaptic.proof.seal import KEY
 from symhaptic.proof.settle import Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of, shown
@@ -127,7 +128,7 @@ class Page(Record):
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
-        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),))
+        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),), KEY)
 
     def limit(
         self,
@@ -193,7 +194,7 @@ class Page(Record):
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
         self._roots(title, "<", bound(largest, above=True), check)
-        return Evidence("balls around the roots", (check,))
+        return Evidence("balls around the roots", (check,), KEY)
 
     def outside(
         self,
@@ -212,7 +213,7 @@ class Page(Record):
         if not largest > 1:
             raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
         self._roots(title, ">", bound(largest, above=False), check)
-        return Witness(dict(at or {}), "balls around the roots", check)
+        return Witness(dict(at or {}), "balls around the roots", check, KEY)
 
     def _roots(self, title: str, sign: str, size: str, check: Roots) -> None:
         """The line that says on which side of 1 the largest root lies."""
@@ -221,21 +222,38 @@ class Page(Record):
         self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
-        """``expr`` does not change with the symbols: its derivatives are identically zero."""
-        checks = tuple(Free(expr, symbol) for symbol in symbols)
+        """``expr`` contains the symbols and does not change with them.
+
+        Its difference for two values of a symbol is zero in the normal form.
+        """
+        checks = tuple(Free(sp.sympify(expr), symbol) for symbol in symbols)
         for check in checks:
-            if not check.holds():
+            if check.symbol not in check.expr.free_symbols:
+                raise FalseStep(
+                    f"{what}: {check.symbol} is not in it, so nothing is shown to drop out"
+                )
+            if not confirmed(check):
                 raise FalseStep(f"{what}: it changes with {check.symbol}")
         self.checks += [(what, check) for check in checks]
         names = ", ".join(f"${latex(s)}$" for s in symbols)
-        return Evidence(f"derivative with respect to {names} is zero", checks)
+        return Evidence(f"the same for any two values of {names}", checks, KEY)
+
+    def all_zeros(
+        self, what: str, coefficients: Sequence[arb], lower: arb, upper: arb, zeros: Sequence[arb]
+    ) -> Evidence:
+        """A real polynomial (lowest power first) has these zeros in an interval, and no other."""
+        check = AllZeros(tuple(coefficients), (lower, upper), tuple(zeros))
+        if not check.holds():
+            raise FalseStep(f"{what}: these are not all the zeros")
+        self.checks.append((what, check))
+        return Evidence("balls around all roots of the polynomials", (check,), KEY)
 
     def same(self, what: str, *forms: Form) -> Evidence:
         """All the forms are proved equal, without being written on the page."""
         method, before = "", len(self.checks)
         for left, right in itertools.pairwise(forms):
             method = self._proved(what, left, right)
-        return Evidence(method, tuple(check for _, check in self.checks[before:]))
+        return Evidence(method, tuple(check for _, check in self.checks[before:]), KEY)
 
     def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
         """Columns of numbers or formulas as they were computed; text may hold formulas in $."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from symhaptic.paper import Statement
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.checks import Check, Limit, Same
 from symhaptic.proof.decide import Form, compare, parts
+from symhaptic.proof.seal import Sealed
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.sign import Fact, facts_below
@@ -39,11 +40,12 @@ def line_at_work() -> int:
 
 
 @dataclass(frozen=True)
-class Evidence:
+class Evidence(Sealed):
     """An exact proof of something said in words."""
 
     method: str
     checks: tuple[Check, ...] = ()
+    key: InitVar[object] = None
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ from sympy import Expr
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.points import Point
+from symhaptic.proof.seal import KEY
 from symhaptic.proof.sign import Fact, NotShown, rule
 
 _BITS = 96
@@ -95,7 +96,7 @@ def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
     rests = frozenset((sp.sympify(end), False) for pair in domain for end in pair)
     plural = "piece" if found.pieces == 1 else "pieces"
     reason = f"ball arithmetic on {found.pieces} {plural}"
-    return Fact(found.expr, True, reason, rests, certificates=(found,))
+    return Fact(found.expr, True, reason, rests, certificates=(found,), key=KEY)
 
 
 def search(expr: Expr, box: Box, given: Given | None = None) -> Positive | Denied | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import InitVar, dataclass, field, replace
 from typing import TypeAlias
 
 import sympy as sp
@@ -19,6 +19,7 @@ from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import decimals, holds, measured, rounding
 from symhaptic.proof.decide import Form, compare, differ, equal, named, parts
 from symhaptic.proof.points import Point
+from symhaptic.proof.seal import Sealed
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
@@ -31,12 +32,13 @@ WRONG = frozenset({Kind.MISPRINT, Kind.REFUTED})
 
 
 @dataclass(frozen=True)
-class Witness:
+class Witness(Sealed):
     """Something that a statement in words excludes was proved to happen at a point."""
 
     at: Mapping[Expr, Expr]
     method: str
     check: Check | None = None
+    key: InitVar[object] = None
 
 
 Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | Witness | None
