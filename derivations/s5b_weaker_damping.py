@@ -12,6 +12,7 @@ from symhaptic.notation import d, delta, gamma, phi, t
 from symhaptic.plant_balls import BALLS, NUMBERS, SLOPES, named
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
+from symhaptic.proof.enclosed import given
 from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 GIVEN = named({s: s for s in (*NUMBERS, *SLOPES)})
@@ -62,7 +63,7 @@ def derive(page):
         "Passive over stable stiffness",
         [(r"\eta|_{\delta=0.01}", known[one]), (r"\eta|_{\delta=0.02}", known[two])],
     )
-    closer = box.positive(one - two, {}, Known(known))
+    closer = box.positive(one - two, {}, Known(given(known)))
     page.settle(
         "s5a-smaller-delta",
         *facts,

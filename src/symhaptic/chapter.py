@@ -20,9 +20,19 @@ from symhaptic.latex import latex
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
-from symhaptic.proof.certificate import Zero
-from symhaptic.proof.checks import AllZeros, Check, Decimals, Free, Minimal, Roots, Sign, Units, confirmed
+from symhaptic.proof.checks import (
+    AllZeros,
+    Check,
+    Decimals,
+    Free,
+    Minimal,
+    Roots,
+    Sign,
+    Units,
+    confirmed,
+)
 from symhaptic.proof.decide import Form, parts
+from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.seal import KEY
@@ -111,20 +121,31 @@ class Page(Record):
     def enclosed(
         self,
         title: str,
-        values: Sequence[tuple[Expr | str, arb | Zero]],
+        values: Sequence[tuple[Expr | str, Source]],
         because: str = "",
         places: int = 24,
     ) -> None:
-        """Positive numbers by their first decimals, which the balls around them settle."""
+        """Positive numbers by their first decimals, which the balls around them settle.
+
+        A number is given by what shows it, and a name that is a number has these decimals, too.
+        """
         rows = []
-        for name, value in values:
-            if isinstance(value, Zero):
-                self.certificates.append(value)
-                value = value.ball
+        for name, source in values:
+            value = self._shown(source)
             text = decimals(value, places)
+            if isinstance(name, Expr) and not name.free_symbols:
+                own = Decimals(enclosed(name).ball, text)
+                if not (own.holds() and own.value.overlaps(value)):
+                    raise FalseStep(f"{title}: {name} is not {text}...")
             self.checks.append((title, Decimals(value, text)))
             rows.append((name, "=", text + r"\ldots"))
         self._equation(title, rows, "enclosed", "ball arithmetic", because)
+
+    def _shown(self, source: Source) -> arb:
+        """A ball, whose certificates are kept."""
+        number = enclosed(source)
+        self.certificates += number.certificates
+        return number.ball
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
@@ -304,7 +325,7 @@ class Page(Record):
         specialise: Callable[[Expr], Expr] | None = None,
         corrected: Sequence[str] | None = None,
         misprint: bool = True,
-        value: Expr | arb | Sequence[Expr | arb] | None = None,
+        value: Source | Sequence[Source] | None = None,
         shows: str | None = None,
         note: str | None = None,
     ) -> Verdict:
@@ -315,7 +336,7 @@ class Page(Record):
         ``provided`` names a condition that the paper leaves out and ``unless`` a point without
         it where the statement fails, that is where the printed form (after ``specialise``) and
         the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
-        ``value`` is the number that the text quotes, exact or in a ball, or several of them.
+        ``value`` is the number that the text quotes, or several, each given by what shows it.
         """
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
@@ -341,7 +362,7 @@ class Page(Record):
             specialise=specialise,
             corrected=None if corrected is None else tuple(corrected),
             misprint=misprint,
-            values=tuple(values),
+            values=tuple(v if isinstance(v, Expr) else self._shown(v) for v in values),
             quoted=statement.quoted,
             shows=shows,
             note=note,

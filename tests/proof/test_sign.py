@@ -6,7 +6,6 @@ from sympy import Rational, S, cos, pi, sin
 
 from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.sign import (
-    Fact,
     Interval,
     NotShown,
     assume,
