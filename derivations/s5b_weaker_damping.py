@@ -4,7 +4,7 @@ The passive region shrinks in proportion to $\delta$, the stable one hardly, say
 terms of the largest stiffness that asks whether $\alpha_{\max}/\delta$ falls as $\delta$ grows.
 """
 
-from sympy import Rational, S, diff, symbols, tan
+from sympy import Rational, S, diff, latex, symbols, tan
 
 from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import boundary
@@ -44,7 +44,10 @@ def derive(page):
         curve = STIFFNESS.subs(t, tan(phi / (2 * (delay + 1)))).subs(BALLS)
         below = curve.subs(phi, NEAR) - curve
         for side in ((S.Zero, LOW), (HIGH, Rational(42, 10))):
-            facts.append(box.positive(below, {**RANGES, phi: side}, GIVEN))
+            fact = box.positive(below, {**RANGES, phi: side}, GIVEN)
+            on = rf"{latex(side[0])}\le\varphi\le{latex(side[1])},\ " + IN_23
+            name = rf"\alpha|_{{\varphi=1.1}}-\alpha"
+            facts.append(page.positive(f"$d={delay}$, lower there", fact, on, name=name))
         falls = box.positive(curve - delta * dash(curve), {**RANGES, phi: (LOW, HIGH)}, GIVEN)
         page.positive(
             f"$d={delay}$",

@@ -15,8 +15,11 @@ from typing import Any
 import sympy as sp
 from flint import arb
 from sympy import Expr
+from sympy.core.function import AppliedUndef
 
+from symhaptic.grounds import not_defined, unproved
 from symhaptic.latex import latex
+from symhaptic.notation import SYMBOLS
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
@@ -36,7 +39,7 @@ from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.seal import KEY
-from symhaptic.proof.settle import Settlement, Truth, Witness
+from symhaptic.proof.settle import ACCEPTED, Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
@@ -58,10 +61,32 @@ class Page(Record):
             unit = shown(dimension_of(meaning))
         except UnitError as wrong:
             raise FalseStep(f"{title}: {wrong}") from None
+        self._same_unit(title, name, meaning)
         self.checks.append((title, Units(meaning)))
+        self._defined(name, meaning)
         note = "units agree" if unit == "1" else f"units agree: {unit}"
         self._equation(title, [(name, "=", meaning)], "definition", note, because)
         return meaning
+
+    def _same_unit(self, title: str, name: Expr | str, meaning: Expr) -> None:
+        """The units of a name, where it is no text and has one, are those of its meaning."""
+        if isinstance(name, str) or meaning == 0:
+            return
+        known = all(s.name in SYMBOLS for s in name.free_symbols)
+        try:
+            ours, theirs = dimension_of(name), dimension_of(meaning)
+        except UnitError as wrong:
+            if known:
+                raise FalseStep(f"{title}: {wrong}") from None
+            return
+        if ours != theirs:
+            raise FalseStep(
+                f"{title}: {name} is in {shown(ours)}, what it stands for in {shown(theirs)}"
+            )
+
+    def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
+        if isinstance(name, Expr):
+            self.definitions.append((name, meaning))
 
     # -- steps --------------------------------------------------------------------------
 
@@ -84,6 +109,7 @@ class Page(Record):
         method = ""
         for left, right in itertools.pairwise(chain):
             method = self._proved(title, left, right)
+        self._defined(name, chain[0])
         written = chain if name is None else chain[1:]
         left = written[0] if name is None else name
         rights = written[1:] if name is None else written
@@ -172,7 +198,10 @@ class Page(Record):
         self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
     ) -> Fact:
         """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
+        if fact.made is None:
+            raise FalseStep(f"{title}: {fact.expr} is assumed, not proved")
         self._keep(fact)
+        self.supposed |= fact.rests
         sign = ">" if fact.strict else r"\ge"
         left = latex(fact.expr) if name is None else name
         right = rf"0\qquad ({on})"
@@ -350,6 +379,12 @@ class Page(Record):
         for ground in grounds:
             if isinstance(ground, Fact):
                 self._keep(ground)
+                if wrong := unproved(ground, self.supposed):
+                    raise FalseStep(f"{id}: {wrong}")
+        for fact in _facts(truth):
+            if wrong := unproved(fact, self.supposed):
+                raise FalseStep(f"{id}: {wrong}")
+        self._put_in(id, given)
         values = () if value is None else value if isinstance(value, Sequence) else (value,)
         settlement = Settlement(
             derived=tuple(forms),
@@ -367,7 +402,12 @@ class Page(Record):
             shows=shows,
             note=note,
         )
-        return self._record(statement, settlement, checks)
+        verdict = self._record(statement, settlement, checks)
+        if verdict.kind in ACCEPTED:
+            for form in forms:
+                if isinstance(form, sp.Eq) and isinstance(form.lhs, (sp.Symbol, AppliedUndef)):
+                    self._defined(form.lhs, form.rhs)
+        return verdict
 
     def settle_external(
         self,
@@ -385,8 +425,20 @@ class Page(Record):
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
         derived = tuple(p for form in follows for p in parts(form))
+        self._put_in(id, given)
         settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
         return self._record(statement, settlement)
+
+    def _put_in(self, id: str, given: Mapping[Expr, Expr] | None) -> None:
+        """Only definitions are put into a statement."""
+        if wrong := not_defined(given or {}, self.definitions):
+            raise FalseStep(f"{id}: {wrong}")
+
+
+def _facts(truth: Truth) -> tuple[Fact, ...]:
+    """The fact in what is true at a counterexample."""
+    last = truth[-1] if isinstance(truth, tuple) and truth else truth
+    return (last,) if isinstance(last, Fact) else ()
 
 
 def _checks(ground: Any) -> tuple[Check, ...]:

@@ -94,6 +94,10 @@ class Record:
     """Of the balls that the chapter rests on; they are checked again when it has been run."""
     checks: list[tuple[str, Check]] = field(default_factory=list)
     """What was asked and confirmed, under its title, to be asked again with something changed."""
+    definitions: list[tuple[Expr, Expr]] = field(default_factory=list)
+    """What a symbol or a function stands for on this page."""
+    supposed: frozenset[tuple[Expr, bool]] = frozenset()
+    """The domains of the signs that the page shows, as what the facts rest on."""
     _lines: dict[tuple[str, str], int] = field(default_factory=dict)
     """Where each id was stated and where it was settled."""
     _count: int = 0
