@@ -46,7 +46,7 @@ def derive(page):
         for side in ((S.Zero, LOW), (HIGH, Rational(42, 10))):
             fact = box.positive(below, {**RANGES, phi: side}, GIVEN)
             on = rf"{latex(side[0])}\le\varphi\le{latex(side[1])},\ " + IN_23
-            name = rf"\alpha|_{{\varphi=1.1}}-\alpha"
+            name = r"\alpha|_{\varphi=1.1}-\alpha"
             facts.append(page.positive(f"$d={delay}$, lower there", fact, on, name=name))
         falls = box.positive(curve - delta * dash(curve), {**RANGES, phi: (LOW, HIGH)}, GIVEN)
         page.positive(

@@ -9,6 +9,7 @@ in which :meth:`Page.show` writes what was proved just before, are not checked.
 from __future__ import annotations
 
 import itertools
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -17,7 +18,7 @@ from flint import arb
 from sympy import Expr
 from sympy.core.function import AppliedUndef
 
-from symhaptic.grounds import not_defined, unproved
+from symhaptic.grounds import not_defined, unproved, written_twice
 from symhaptic.latex import latex
 from symhaptic.notation import SYMBOLS
 from symhaptic.paper import STATEMENTS, Statement
@@ -299,10 +300,21 @@ class Page(Record):
         return Evidence("balls around all roots of the polynomials", (check,), KEY)
 
     def same(self, what: str, *forms: Form) -> Evidence:
-        """All the forms are proved equal, without being written on the page."""
+        """All the forms are proved equal, without being written on the page.
+
+        A form beside itself is refused.  Where SymPy makes one expression of two forms as it
+        evaluates them, the method says so.
+        """
         method, before = "", len(self.checks)
+        if len(forms) < 2:
+            raise FalseStep(f"{what}: a comparison needs two sides")
+        caller = sys._getframe(1)
+        if again := written_twice(caller.f_code, caller.f_lasti, skipped=1):
+            raise FalseStep(f"{what}: {again} compared with itself proves nothing")
         for left, right in itertools.pairwise(forms):
             method = self._proved(what, left, right)
+            if parts(left) == parts(right):
+                method = "both sides evaluate to one expression"
         return Evidence(method, tuple(check for _, check in self.checks[before:]), KEY)
 
     def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:

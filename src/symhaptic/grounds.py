@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import ast
+import itertools
+import linecache
 from collections.abc import Iterable, Mapping, Sequence
+from types import CodeType
 
 import sympy as sp
 from sympy import Expr
 
 from symhaptic.notation import SYMBOLS
-from symhaptic.proof.checks import Check, Same
 from symhaptic.proof.decide import equal
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
@@ -49,7 +52,9 @@ def _same(one: Expr, other: Expr) -> bool:
     """Whether two expressions differ by a positive factor only."""
     if one == other:
         return True
-    if one.free_symbols != other.free_symbols or not (one.is_polynomial() and other.is_polynomial()):
+    if one.free_symbols != other.free_symbols or not (
+        one.is_polynomial() and other.is_polynomial()
+    ):
         return False
     ratio = sp.cancel(one / other)
     return bool(ratio.is_Rational and ratio > 0)
@@ -108,8 +113,25 @@ def _alike(one: Expr, other: Expr, given: Mapping[Expr, Expr]) -> bool:
     return one == other or equal(one.xreplace(dict(given)), other.xreplace(dict(given)))
 
 
-def idle(checks: Sequence[Check]) -> bool:
-    """Whether each check compares a thing with itself, symbol by symbol."""
-    return bool(checks) and all(
-        isinstance(check, Same) and check.left == check.right for check in checks
-    )
+def written_twice(call: CodeType, at: int, skipped: int) -> str | None:
+    """An argument of a call that is written twice in a row, or nothing; ``skipped`` come before.
+
+    SymPy evaluates what it is given, so that two sides that were worked out on different ways can
+    be one expression.  Only what the author wrote tells whether a thing is compared with itself.
+    """
+    line, last, first, end = next(itertools.islice(call.co_positions(), at // 2, None))
+    if line is None or last is None or first is None or end is None:
+        return None
+    lines = linecache.getlines(call.co_filename)[line - 1 : last]
+    source = "".join(lines).encode()
+    cut = len("".join(lines[:-1]).encode()) + end
+    try:
+        asked = ast.parse(source[first:cut].decode().strip(), mode="eval").body
+    except SyntaxError:
+        return None
+    if not isinstance(asked, ast.Call):
+        return None
+    for one, other in itertools.pairwise(asked.args[skipped:]):
+        if not isinstance(one, ast.Starred) and ast.dump(one) == ast.dump(other):
+            return ast.unparse(one)
+    return None
