@@ -158,6 +158,8 @@ class Page(Record):
         for name, number in numbers:
             if number.positive_roots_below:
                 raise FalseStep(f"{title}: {name} has a smaller positive root")
+            if not confirmed(Minimal(number)):
+                raise FalseStep(f"{title}: {name} has another minimal polynomial")
             self.checks.append((title, Minimal(number)))
         lines = [(name, "=", number.minimal) for name, number in numbers]
         method = r"irreducible over $\mathbb{Q}$; balls around the roots"
