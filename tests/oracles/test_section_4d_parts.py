@@ -153,8 +153,10 @@ def test_a_period_of_delay_lowers_the_corner_and_can_stabilise():
 @guards("s4d_parts_of_the_arm")
 def test_a_spring_and_a_mass_that_destabilise():
     """In SI units: a device of 0.1 kg at 1 kHz; then with twice the mass and all else kept."""
-    sprung = counterexample("s4d_parts_of_the_arm", "s4d-all-stabilising")
-    assert radius(sprung, gamma=0) < 1 < radius(sprung)
+    at = counterexample("s4d_parts_of_the_arm", "s4d-all-stabilising")
+    assert at["T"] == at["m"] == at["m'"] == 1
+    loose = {"alpha": at["K"], "beta": at["B"], "gamma": at["k"], "delta": at["b"], "d": at["d"]}
+    assert radius(loose) < 1 < radius(loose, gamma=at["k'"], delta=at["b'"])
     m, T = 0.1, 1e-3
     wall = 9 / 800 * m / T**2, -13 / 4000 * m / T
     light = {"alpha": 9 / 800, "beta": -13 / 4000, "gamma": 0, "delta": 0.02, "d": 1}
