@@ -7,8 +7,9 @@ a delay makes stable.
 
 from sympy import Rational, S
 
+from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
-from symhaptic.book.lemmas.stability import CORNER, begins, begins_there, stable_at, unstable_at
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import both

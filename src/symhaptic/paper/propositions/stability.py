@@ -6,16 +6,78 @@ d = p/q periods.  A region is larger than another where it holds all of its wall
 
 from __future__ import annotations
 
-from sympy import Expr, Symbol
+import sympy as sp
+from sympy import Expr, I, S, Symbol, cos, exp, pi, sin
 
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
-from symhaptic.notation.proposition import ForAll, Proposition, implied
+from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, k, m, n_0, n_1, theta
+from symhaptic.notation.proposition import (
+    And,
+    ForAll,
+    Iff,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    implied,
+)
 from symhaptic.paper.propositions.comparison import LOOP, STABLE
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
 PLANT = (gamma >= 0, delta >= 0)
 LATER = Symbol("d'")
+
+NUMBERS = (n_1, n_0, a, e)
+DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
+
+
+SQUARE = n_1**2 + n_0**2 + 2 * n_1 * n_0 * cos(theta)
+"""|N|^2 at z = exp(j theta)."""
+
+TERMS = {2: n_0, 1: n_1 - a * n_0, 0: e * n_0 - a * n_1, -1: e * n_1}
+"""A times the conjugate of N, by powers of z."""
+
+
+def stiffness(delay: Expr = d) -> Expr:
+    """alpha(theta) |N|^2 cos(theta/2), with a zero of the loop at exp(j theta)."""
+    return -sp.Add(*(c * cos((delay + k + S.Half) * theta) for k, c in TERMS.items()))
+
+
+def damping(delay: Expr = d) -> Expr:
+    """beta(theta) |N|^2 sin(theta)."""
+    return -sp.Add(*(c * sin((delay + k) * theta) for k, c in TERMS.items()))
+
+
+def on_boundary(delay: Expr = d) -> Proposition:
+    """alpha = alpha(theta) and beta = beta(theta)."""
+    return And(
+        (
+            Relation(alpha, "=", stiffness(delay) / (cos(theta / 2) * SQUARE)),
+            Relation(beta, "=", damping(delay) / (sin(theta) * SQUARE)),
+        )
+    )
+
+
+def at_angle() -> Proposition:
+    """The loop has a zero at exp(j theta), for real delays on the principal sheet."""
+    turn = exp(I * theta)
+    plant, numerator = turn**2 - a * turn + e, n_1 * turn + n_0
+    wall = (alpha + beta) * turn - beta
+    return Relation(exp(I * (d + 1) * theta) * plant + numerator * wall, "=", S.Zero)
+
+
+def explicit() -> Proposition:
+    """At each angle the walls with a zero there are those of the formulas."""
+    inside = [theta > 0, theta < pi, Relation(SQUARE, "!=", S.Zero)]
+    walls = (alpha, beta, *NUMBERS, theta)
+    return ForAll(walls, implied([DEVICE, *inside], Iff((at_angle(), on_boundary()))))
+
+
+@claims("s4d-explicit-only-undelayed")
+def _explicit_without_delay_and_spring_only(printed: Printed) -> Proposition:
+    """A boundary is explicit, as this one, for d = 0 and gamma = 0 only."""
+    alone = both([Relation(d, "=", S.Zero), Relation(gamma, "=", S.Zero)])
+    return ForAll((gamma, delta, d), implied([*PLANT, d >= 0, explicit()], alone))
 
 
 @claims("s4d-delay-shrinks")
