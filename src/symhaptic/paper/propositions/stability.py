@@ -12,8 +12,10 @@ from sympy import Expr, I, S, Symbol, cos, exp, pi, sin
 from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, k, m, n_0, n_1, theta
 from symhaptic.notation.proposition import (
     And,
+    Exists,
     ForAll,
     Iff,
+    Not,
     Predicate,
     Proposition,
     Relation,
@@ -114,3 +116,20 @@ def _more_of_each_part_is_stable(printed: Printed) -> Proposition:
     before, after = in_units(K, B, T, m, b, k), in_units(K, B, T, mass, damper, spring)
     more = [mass >= m, damper >= b, spring >= k]
     return ForAll((*PHYSICAL, *MORE), implied([*LOOPS, *more, before], after))
+
+
+MOST, AFTER = Symbol("x"), Symbol("beta'")
+
+
+@claims("s4d-too-much-damping")
+def _damping_is_bounded_and_can_destabilise(printed: Printed) -> Proposition:
+    """For each arm and delay one bound of beta for all walls; and a wall that more beta loses."""
+    bounded = Exists((MOST,), ForAll((alpha, beta), implied([STABLE], beta < MOST)))
+    always = ForAll((gamma, delta, d), implied([*PLANT, d >= 0], bounded))
+    return both([always, lost_by_damping()])
+
+
+def lost_by_damping() -> Exists:
+    """Some wall is stable, and is not with more virtual damping."""
+    wall = [*PLANT, d >= 0, beta >= 0, beta < AFTER]
+    return Exists((*LOOP, AFTER), both([*wall, STABLE, Not((STABLE.at({beta: AFTER}),))]))
