@@ -168,7 +168,7 @@ def test_a_spring_and_a_mass_that_destabilise():
         assert (place[-start:].max() > place[start : 2 * start].max()) == grows
 
 
-@guards("s4d_scaling")
+@guards("s4d_scaling", "s4d_scaling_kept")
 def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
     m, b, k, T, K, B = 0.4, 3.0, 250.0, 2e-3, 9e3, 30.0
     for late in (0, 2):
@@ -182,7 +182,7 @@ def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
         assert not np.allclose(kept, before, rtol=0, atol=1e3 * size)
 
 
-@guards("s4d_scaling")
+@guards("s4d_scaling", "s4d_scaling_kept")
 def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_stiffness():
     stiffness, damping = decimals(
         "s4d_scaling", "The bounds of the chapter before for $\\delta=\\frac1{100}$"
@@ -194,6 +194,9 @@ def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_sti
     assert not any(oracle.stable(0.713, beta, 0, 0.01, 0) for beta in np.linspace(-1, 3, 401))
     assert oracle.stable(1e-3, 2.02, 0, 0.02, 0)
     assert not any(oracle.stable(a, 2.02, 0, 0.01, 0) for a in np.geomspace(1e-8, 1, 200))
+    # a spring of one swing per period hides the mass from the held force: n_1 = n_0 = 0
+    assert oracle.stable(0.1, 1.0, 0, 0, 0)
+    assert not any(oracle.stable(0.1, b, 4 * np.pi**2, 0, 0) for b in np.linspace(-3, 3, 61))
     # in SI units: m = 0.1 kg, b = 2 Ns/m; at T = 1 ms the stable wall, at 0.5 ms four times it
     m, b, T = 0.1, 2.0, 1e-3
     K, B = 0.713 * m / T**2, 0.825 * m / T

@@ -9,7 +9,7 @@ from sympy import Expr, Ne, S, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, x, z
-from symhaptic.notation.proposition import Exists, Or, Predicate, Relation
+from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.proof.theorems.analysis import induction
 from symhaptic.proof.theorems.definitions import device_exists, device_static, loop_late
@@ -112,7 +112,7 @@ def _in_whole(found: Theorem) -> Theorem:
     return closed(found, *(is_whole(t, *(assume(whole(s)) for s in t.free_symbols)) for t in sums))
 
 
-def _zero(claim: Predicate, symbol: Symbol, equation: Theorem) -> Theorem:
+def _zero(claim: Proposition, symbol: Symbol, equation: Theorem) -> Theorem:
     """The same with 0 for a symbol."""
     return substituted(claim, symbol, assume(claim), equation)
 
@@ -126,7 +126,7 @@ def _by_the_next(size: Expr) -> Theorem:
     later = cut(placed(later, {FEWER: OVER - 1}), inside)
     side, half = size != n_1, S.Half if size == n_1 else -S.Half
     wanted = 2 + e**2 - beta * size > 0
-    lines = [part(found, found.conclusion.of[side]) for found in (none, later)]
+    lines = [part(found, found.conclusion.parts[side]) for found in (none, later)]
     undelayed = positive(wanted, [lines[0]], [square(e - half)], [sp.Rational(3, 4)])
     delayed = positive(wanted, [lines[1]], [square(e)], [S.One])
     return _bound(by_cases(none_or_more(), undelayed, delayed), size)
@@ -138,7 +138,7 @@ def _without_numbers() -> Theorem:
     inside = cut(_zero(first.conclusion, n_1, NO_FIRST), first)
     static = device_static(assume(DEVICE))
     zero = combined(sp.Eq(1 - a + e, 0), [static, 1], [NO_FIRST, gamma], [NO_LAST, gamma])
-    never = _in_whole(zero_on_circle(inside.conclusion.of[0], z, S.Zero, zero))
+    never = _in_whole(zero_on_circle(inside.conclusion.terms[0], z, S.Zero, zero))
     wall = anything(absurd(inside, never), beta < 0)
     walls = for_all((alpha, beta), [STABLE], chosen(unfolded(LATE), wall))
     return witnessed(walls, BOUND, {x: S.Zero})

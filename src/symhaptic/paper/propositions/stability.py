@@ -133,3 +133,30 @@ def lost_by_damping() -> Exists:
     """Some wall is stable, and is not with more virtual damping."""
     wall = [*PLANT, d >= 0, beta >= 0, beta < AFTER]
     return Exists((*LOOP, AFTER), both([*wall, STABLE, Not((STABLE.at({beta: AFTER}),))]))
+
+
+SOON, HEAVY, DAMPER, SPRING = Symbol("T'"), *MORE
+"""Period, mass, damper and spring of another loop."""
+
+
+@claims("s4d-quadratic-in-period")
+def _four_times_the_stiffness_at_twice_the_rate(printed: Printed) -> Proposition:
+    """Some B makes K stable at T where some B makes 4 K stable at T/2, and only there.
+
+    The paper does not say what becomes of the operator: its damper and spring may change.
+    """
+    before = Exists((B,), in_units(K, B, T, m, b, k))
+    after = Exists((B,), in_units(4 * K, B, T / 2, m, DAMPER, SPRING))
+    given = [*LOOPS, DAMPER >= 0, SPRING >= 0]
+    return ForAll((K, T, m, b, k, d, DAMPER, SPRING), implied(given, Iff((before, after))))
+
+
+@claims("s4d-damping-bound")
+def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
+    """Beside some K a damping B is stable where B (m'/T')/(m/T) is, for another m' and T'."""
+    before = Exists((K,), in_units(K, B, T, m, b, k))
+    scaled = B * (HEAVY / SOON) / (m / T)
+    after = Exists((K,), in_units(K, scaled, SOON, HEAVY, DAMPER, SPRING))
+    given = [*LOOPS, SOON > 0, HEAVY > 0, DAMPER >= 0, SPRING >= 0]
+    symbols = (B, T, m, b, k, d, SOON, HEAVY, DAMPER, SPRING)
+    return ForAll(symbols, implied(given, Iff((before, after))))
