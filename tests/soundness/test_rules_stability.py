@@ -8,6 +8,7 @@ import sympy as sp
 from scipy.signal import cont2discrete
 from sympy import Rational, S, symbols
 
+from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
 from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate, Relation
 from symhaptic.proof.theorems.definitions import device_static, loop_late
@@ -164,3 +165,25 @@ def test_a_device_at_rest_is_balanced_by_its_spring():
         assert abs(1 + a1 + a0 - g * (b1 + b0)) < 1e-12
     with pytest.raises(NotShown):
         device_static(assume(whole(n)))
+
+
+@pytest.mark.parametrize("delay", [0, 1, 2])
+def test_loops_are_stable_where_jurys_inequalities_hold(delay):
+    """The lemma beside eigenvalues; the device's numbers are SciPy's."""
+    found = by_inequalities(delay)
+    assert found.hypotheses == {Predicate("device", (), (gamma, delta, *NAMES))}
+    reading, wanted = found.conclusion.of
+    assert reading == Predicate("stable_substituted", (), (*LOOP[:-1], S(delay)))
+    sides = sp.lambdify((alpha, beta, *NAMES), [r.right for r in wanted.of])
+    rng, seen = np.random.default_rng(delay), set()
+    for _ in range(300):
+        g, dl = rng.uniform(0, 4), rng.uniform(0, 2)
+        top, (_, a1, a0), _ = cont2discrete(([1.0], [1.0, dl, g]), 1.0, method="zoh")
+        wall = rng.uniform(-1, 1.5), rng.uniform(-1.5, 2)
+        loop = np.concatenate([[1.0, a1, a0], np.zeros(delay + 1)])
+        loop[-3:] += np.convolve(top[0][1:], [sum(wall), -wall[1]])
+        largest = np.abs(np.roots(loop)).max()
+        if abs(largest - 1) > 1e-3:  # farther than rounding
+            seen.add(largest < 1)
+            assert (min(sides(*wall, *top[0][1:], -a1, a0)) > 0) == (largest < 1)
+    assert seen == {True, False}

@@ -1,22 +1,21 @@
-"""Points of the stable region, and the walls that put a zero of the loop on the circle."""
+"""Loops that are stable, and loops that are not: at a point, and by Jury's inequalities."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 import sympy as sp
 from sympy import Expr, Symbol
 
+from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    whole,
-)
+from symhaptic.proof.theorems.definitions import loop_of_device, loop_substituted
+from symhaptic.proof.theorems.kernel import Theorem, applied, part, whole
 from symhaptic.proof.theorems.leaves import root_outside, roots_inside
-from symhaptic.proof.theorems.tactics import closed, denied_by, fact
+from symhaptic.proof.theorems.roots import jury
+from symhaptic.proof.theorems.tactics import chained, closed, denied_by, fact
 
 
 def polynomial_at(point: Mapping[Symbol, Expr]) -> Theorem:
@@ -40,3 +39,13 @@ def unstable_at(point: Mapping[Symbol, Expr]) -> Theorem:
     loop = polynomial_at(point)
     zeros: Any = loop.conclusion.of[1]  # type: ignore[attr-defined]
     return denied_by(loop, root_outside(zeros.of[0], z))
+
+
+@cache
+def by_inequalities(delay: int) -> Theorem:
+    """stable <=> Jury's inequalities, in the four numbers of the device, for a whole delay."""
+    late = sp.Integer(delay)
+    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late), z)
+    loop = part(readings, readings.conclusion.parts[1])
+    zeros: Any = loop.conclusion.parts[1]
+    return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))
