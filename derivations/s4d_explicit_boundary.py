@@ -5,15 +5,15 @@ criteria grow with the delay. But the characteristic polynomial is affine in $\a
 and that is enough: on the unit circle one complex equation fixes both.
 """
 
-from sympy import Rational, S, cos, sin, symbols, tan
+from sympy import Rational, S, cos, sin, tan
 
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
 from symhaptic.model import boundary, plant
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta, z
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, z
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.stability import explicit
+from symhaptic.paper.propositions.stability import explicit, on_boundary
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import absurd, assume, part, placed, weakened
 from symhaptic.proof.theorems.tactics import counterexample, every, example, fact, for_all
@@ -21,7 +21,6 @@ from symhaptic.scene import Parts
 
 
 def derive(page):
-    a, e, n_1, n_0 = symbols("a e n_1 n_0")
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
     page.say("With $A=z^2-az+e$ and $N=n_1z+n_0$, a root of the polynomial is a point where")
@@ -104,6 +103,9 @@ def derive(page):
 
 
 def _settled(page):
+    page.same(
+        "as Q", boundary.wall(plant.Sampled(n_1, n_0, a, e)), [p.right for p in on_boundary().parts]
+    )
     exact = page.lemma(
         "Both roads of it: a zero at $e^{j\\theta}$ and this wall are the same",
         zero_on_circle_is_explicit(),
@@ -127,11 +129,14 @@ def _settled(page):
         "s4d-explicit-only-undelayed",
         for_all(arm, given, found),
         instead=every(arm, given, explicit()),
+        corrected=(
+            r"\beta=\frac{\Im Q}{\sin\theta}",
+            r"\alpha=\Re Q-\beta(1-\cos\theta)",
+            r"Q=-e^{jd\theta}A(e^{j\theta})/N(e^{j\theta})",
+        ),
         example=example(there, given),
         misprint=False,
         unless=[counterexample(claim, there, here, late)],
         shows=r"an explicit boundary for $d=1$, $\gamma=\tfrac3{16}$",
-        note="for fractional delays this is the principal sheet of the paper's substitution; "
-        "$\\beta=\\Im Q/\\sin\\theta$, $\\alpha=\\Re Q-\\beta(1-\\cos\\theta)$ with "
-        "$Q=-e^{jd\\theta}A(e^{j\\theta})/N(e^{j\\theta})$ is the same, shorter",
+        note="for fractional delays this is the principal sheet of the paper's substitution",
     )

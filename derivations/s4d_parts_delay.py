@@ -63,6 +63,7 @@ def derive(page):
         "s4d-delay-shrinks",
         for_all(arm, plant, for_all(NUMBERS, [DEVICE], conjoined(here, later))),
         instead=every(arm, plant, corners),
+        corrected=[r"\text{the explicit boundary begins}\ \gamma\ \text{lower with every period}"],
         example=example({gamma: S.Zero, delta: S.One, d: S.Zero}, plant),
         misprint=False,
         unless=[
@@ -73,5 +74,4 @@ def derive(page):
             )
         ],
         shows="a wall inside (23) that is stable at $d=1$ and unstable at $d=0$",
-        note="the explicit boundary begins $\\gamma$ lower with every period",
     )

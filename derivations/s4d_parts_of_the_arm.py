@@ -75,6 +75,7 @@ def derive(page):
         "s4d-all-stabilising",
         for_all(LOOP, passive, robust),
         instead=every(LOOP, passive, STABLE),
+        corrected=[r"\text{no spring destabilises a passive wall (chapter s5a)}"],
         example=_passive_wall(passive),
         misprint=False,
         unless=[
@@ -82,8 +83,7 @@ def derive(page):
             counterexample(claim, _arms(light, 2, S.Zero), steady, falls),
         ],
         shows="a wall that is stable with a free mass and unstable with a spring inside (23)",
-        note="no spring destabilises a passive wall; doubling the mass destabilises a wall at "
-        "$d=1$; more damping can do so outside (23)",
+        note="doubling the mass destabilises a wall at $d=1$; more damping can do so outside (23)",
     )
 
 

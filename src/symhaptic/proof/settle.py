@@ -106,7 +106,7 @@ class Settlement:
         if self.judged is None or self.claim is None:
             raise Unfounded("nothing formal is claimed by the statement")
         right = None
-        if self.judged.corrected is not None:
+        if self.judged.corrected is not None and self.judged.instead is None:
             lines = tuple(p for line in self.judged.corrected for p in read(line))
             right = self.claim(lines)
         return self.judged.decide(self.claim(printed), right)
