@@ -66,18 +66,35 @@ def test_one_period_late_soft_springs_reach_the_line_and_a_stiff_one_does_not():
         gamma, delta = rng.uniform(0.01, 1), rng.uniform(0, 2)
         assert oracle.stable(-gamma + 1e-6, 0, gamma, delta, 1)
     assert oracle.stable(1e-6, 0.5, 0, 0, 1)  # the free mass
-    stiff = counterexample(DELAYED, "s4d-left-bound")
-    gamma = stiff["gamma"]
+    gamma = 4 * np.pi**2 / 9
     for share in (1, 0.999, 0.99):
         betas = np.linspace(-20, 20, 4001)
         assert oracle.moduli(-share * gamma, betas, gamma, 0, 1).max(axis=-1).min() > 1.001
     n1 = float(oracle.numbers(gamma, 0)[0])
-    assert radius(stiff, alpha=0, beta=-0.1 / n1) < 0.97
+    assert oracle.moduli(0, -0.1 / n1, gamma, 0, 1).max() < 0.97
+
+
+@guards("s4d_left_bound_delayed")
+def test_damped_arms_reach_the_line_and_the_undamped_half_swing_has_no_stable_wall():
+    rng = np.random.default_rng(64)
+    for _ in range(60):
+        delta, near = rng.uniform(0.01, 3), rng.uniform(1e-4, 1)
+        step = delta * near / (delta + 2 * near)
+        for d, gamma in ((0, rng.uniform(0, 50)), (1, rng.uniform(0, 2 * delta))):
+            assert oracle.stable(-gamma + step, 0, gamma, delta, d)
+    swing = counterexample(DELAYED, "s4d-left-bound")
+    gamma = swing["gamma"]
+    assert gamma == pytest.approx(np.pi**2)
+    assert swing["alpha"] == -gamma
+    for alpha in rng.uniform(-12, 12, size=20):
+        betas = np.linspace(-12, 12, 97)
+        # a root at -1, to rounding
+        assert oracle.moduli(alpha, betas, gamma, 0, 0).max(axis=-1).min() > 1 - 1e-7
 
 
 @guards("s4d_left_bound_delayed")
 def test_polynomials_on_the_line():
-    gamma = counterexample(DELAYED, "s4d-left-bound")["gamma"]
+    gamma = 4 * np.pi**2 / 9
     n1 = float(oracle.numbers(gamma, 0)[0])
 
     def agrees(others):

@@ -23,7 +23,7 @@ from symhaptic.proof.theorems.tactics import closed, every, for_all, over, posit
 TURN = exp(I * theta)
 PLANT = exp(I * (d + 1) * theta) * (TURN**2 - a * TURN + e)
 WALL = (n_1 * TURN + n_0) * ((alpha + beta) * TURN - beta)
-OTHER = Symbol("theta'")
+OTHER = Symbol("theta_1")
 NAMES = (alpha, beta, n_1, n_0, a, e, d, theta)
 
 

@@ -21,6 +21,7 @@ from symhaptic.notation.proposition import (
     Relation,
     both,
     implied,
+    proposition,
 )
 from symhaptic.paper.propositions.comparison import LOOP, STABLE
 from symhaptic.paper.propositions.registry import claims
@@ -118,7 +119,7 @@ def _more_of_each_part_is_stable(printed: Printed) -> Proposition:
     return ForAll((*PHYSICAL, *MORE), implied([*LOOPS, *more, before], after))
 
 
-MOST, AFTER = Symbol("x"), Symbol("beta'")
+MOST, AFTER = Symbol("x"), Symbol("beta_1")
 
 
 @claims("s4d-too-much-damping")
@@ -160,3 +161,21 @@ def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
     given = [*LOOPS, SOON > 0, HEAVY > 0, DAMPER >= 0, SPRING >= 0]
     symbols = (B, T, m, b, k, d, SOON, HEAVY, DAMPER, SPRING)
     return ForAll(symbols, implied(given, Iff((before, after))))
+
+
+OTHER = Symbol("alpha_1")
+
+
+@claims("s4d-left-bound")
+def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
+    """On the printed line: no wall to its left or on it is stable, and some as near as one likes.
+
+    For every spring, damper and delay.
+    """
+    [line] = map(proposition, printed)
+    stable = STABLE.at({alpha: OTHER})
+    right = ForAll((OTHER, beta), implied([stable], alpha < OTHER))
+    near = Exists((OTHER, beta), both([alpha + MOST > OTHER, stable]))
+    reached = ForAll((MOST,), implied([MOST > 0], near))
+    given = [*PLANT, d >= 0, line]
+    return ForAll((alpha, gamma, delta, d), implied(given, both([right, reached])))
