@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 import sympy as sp
+from chapters import chapter
 from scipy.signal import cont2discrete
 from sympy import Rational, S, symbols
 
@@ -14,6 +17,7 @@ from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate,
 from symhaptic.proof.theorems.definitions import device_static, loop_late
 from symhaptic.proof.theorems.kernel import NotShown, assume, whole
 from symhaptic.proof.theorems.roots import jury, last_coefficient
+from symhaptic.proof.verdict import Unfounded
 
 x, y, n, p, s = symbols("x y n p s")
 NAMES = symbols("n_1 n_0 a e")
@@ -187,3 +191,21 @@ def test_loops_are_stable_where_jurys_inequalities_hold(delay):
             seen.add(largest < 1)
             assert (min(sides(*wall, *top[0][1:], -a1, a0)) > 0) == (largest < 1)
     assert seen == {True, False}
+
+
+# -- what holds instead -------------------------------------------------------------------------
+
+
+def test_words_for_a_reader_stand_beside_a_theorem_and_not_in_its_place():
+    page = chapter("s4d_parts_delay").page
+    settled = page.settled["s4d-delay-shrinks"]
+    assert "lower with every period" in settled.verdict.corrected_latex
+    settlement = settled.settlement
+    judged = settlement.judged
+    for wrong in (
+        dataclasses.replace(judged, instead=None),  # words alone correct nothing
+        dataclasses.replace(judged, instead=settlement.claim(())),
+        dataclasses.replace(judged, unless=()),
+    ):
+        with pytest.raises((Unfounded, ValueError)):
+            dataclasses.replace(settlement, judged=wrong).decide(())
