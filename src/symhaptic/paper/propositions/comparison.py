@@ -9,14 +9,25 @@ from __future__ import annotations
 
 import sympy as sp
 
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, y
-from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, implied
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, l, m, omega, y
+from symhaptic.notation.proposition import (
+    ForAll,
+    Iff,
+    Not,
+    Predicate,
+    Proposition,
+    both,
+    implied,
+    proposition,
+)
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.passivity import at_every_frequency
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
+from symhaptic.proof.theorems.kernel import whole
 
 LOOP = (alpha, beta, gamma, delta, d)
+q = sp.Symbol("q")
 STABLE = Predicate("stable_substituted", (), LOOP)
 
 
@@ -46,3 +57,80 @@ def _passive_region_scales(printed: Printed) -> Proposition:
     """With y times the damping, the walls that are y times as large are passive."""
     walls = (alpha, beta, delta, d, y)
     return ForAll(walls, implied([delta >= 0, d >= 0, y > 0], Iff((passive(), passive(y)))))
+
+
+# -- springs up to the Nyquist frequency ------------------------------------------------
+
+DEVICE = (m, b, k, omega)
+SWINGS = Predicate("swings", (), DEVICE)
+"""The device m x'' + b x' + k x = 0 swings with omega."""
+
+
+def transcribed(id: str) -> Printed:
+    """An equation of the paper, as it is printed."""
+    return next(s for s in EQUATIONS if s.id == id).printed
+
+
+@claims("eq28")
+def _frequency(printed: Printed) -> Proposition:
+    """A device that swings does it with this omega, and with no other."""
+    given = [m > 0, b >= 0, k > b**2 / (4 * m), omega > 0]
+    return ForAll(DEVICE, implied(given, Iff((both(printed), SWINGS))))
+
+
+@claims("eq29")
+def _frequency_in_units(printed: Printed) -> Proposition:
+    """The same with delta and gamma of Table I, b = delta m/T and k = gamma m/T^2."""
+    given = [m > 0, T > 0, delta >= 0, gamma > delta**2 / 4, omega > 0]
+    device = SWINGS.at({b: delta * m / T, k: gamma * m / T**2})
+    return ForAll((m, T, gamma, delta, omega), implied(given, Iff((both(printed), device))))
+
+
+@claims("eq30")
+def _up_to_nyquist(printed: Printed) -> Proposition:
+    """The frequency (29), where it is real, is at most Nyquist's where this holds, and only there.
+
+    Without an oscillation, for gamma < delta^2/4, it holds, too.
+    """
+    given = [T > 0, delta >= 0, gamma >= 0]
+    swings = [gamma >= delta**2 / 4, *transcribed("eq29")]
+    same = implied(swings, Iff((both(printed), proposition(omega <= sp.pi / T))))
+    calm = implied([gamma < delta**2 / 4], both(printed))
+    return ForAll((T, gamma, delta, omega), implied(given, both([same, calm])))
+
+
+@claims("eq31")
+def _spring_of_nyquist(printed: Printed) -> Proposition:
+    """Just this spring makes the device swing with the Nyquist frequency."""
+    there = SWINGS.at({omega: sp.pi / T})
+    given = [m > 0, b >= 0, T > 0]
+    return ForAll((m, b, k, T), implied(given, Iff((both(printed), there))))
+
+
+LATE = l / q
+"""A delay of l/q periods, for which z = w^q makes a polynomial of (18)."""
+MIRROR = -sp.exp(-delta / 2)
+"""Where a pole lies at the Nyquist frequency, at -1 without damping."""
+
+
+def at_nyquist(of: Proposition) -> Proposition:
+    """Of a loop whose spring is that of (30) as an equation, l/q periods late."""
+    return of.at({gamma: sp.pi**2 + delta**2 / 4, d: LATE})
+
+
+@claims("s5c-undamped-limit")
+def _limit_stable_at_best(printed: Printed) -> Proposition:
+    """A pole lies at -1, whatever wall and delay: no loop is more than stable in the limit."""
+    pole = Predicate("pole", (), (*LOOP, -sp.S.One))
+    both_ = both([pole, Not((STABLE,))])
+    given = [whole(l), whole(q), q > 0]
+    return ForAll((alpha, beta, l, q), implied(given, at_nyquist(both_).at({delta: sp.S.Zero})))
+
+
+@claims("s5c-pole-inside")
+def _mirrored_pole(printed: Printed) -> Proposition:
+    """The pole at -exp(-delta/2), whatever wall and delay, is inside."""
+    pole = at_nyquist(Predicate("pole", (), (*LOOP, MIRROR)))
+    inside = [proposition(-1 < MIRROR), proposition(MIRROR < 1)]
+    given = [delta > 0, whole(l), whole(q), q > 0]
+    return ForAll((alpha, beta, delta, l, q), implied(given, both([pole, *inside])))
