@@ -245,6 +245,11 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "as the paper has it: every zero of the characteristic polynomial lies inside the unit "
         "circle, for a delay of d = p/q periods that of the polynomial in w that z = w^q makes",
     ),
+    "degree": (
+        *(1, 2),
+        r"{0}\ \text{{has degree }}{1}\text{{ in }}{s}",
+        "a polynomial in z whose highest power, with a coefficient that is not zero, is this one",
+    ),
     "answers": (
         *(1, 4),
         r"{0}\ \text{{answers }}{1}^k\text{{, held every }}{3}\text{{, by }}{2}\,{1}^k",

@@ -13,34 +13,49 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation import (
+    F_E,
     B,
     K,
     T,
     T_s,
     X,
     X_d,
+    a,
     alpha,
     b,
+    b_D,
+    b_H,
     beta,
     c_1,
     c_2,
     c_3,
     d,
+    d_1,
+    d_2,
     delta,
+    e,
     function,
     gamma,
     k,
+    k_H,
     m,
+    m_D,
+    m_H,
+    n_0,
+    n_1,
     s,
+    t_d,
     z,
 )
 from symhaptic.notation.proposition import (
     ForAll,
+    Iff,
     Predicate,
     Proposition,
     Relation,
     both,
     implied,
+    proposition,
 )
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.registry import claims
@@ -190,3 +205,85 @@ def _numerator(printed: Printed) -> Proposition:
 def _characteristic_polynomial(printed: Printed) -> Proposition:
     """p is the denominator of (16)."""
     return closed_loop(_side("eq16"), _side("eq17"), printed[0].rhs)
+
+
+# -- what the loop depends on --------------------------------------------------------------
+
+
+@claims("s2c-delays-lump")
+def _delays_add_up(printed: Printed) -> Proposition:
+    """Delays of d_1 and d_2 make the polynomial of (18) for their sum.
+
+    A device (n_1 z + n_0)/(z^2 - a z + e) and the wall in the units of Table I, cleared of their
+    divisors.
+    """
+    below, above = z**2 - a * z + e, n_1 * z + n_0
+    push = (alpha + beta * (z - 1) / z) * z**-d_1
+    total = d_1 + d_2
+    two = (below + above * z**-d_2 * push) * z ** (total + 1)
+    one = below * z ** (total + 1) + above * ((alpha + beta) * z - beta)
+    given = [d_1 >= 0, d_2 >= 0, Relation(z, "!=", sp.S.Zero)]
+    over = (a, e, n_1, n_0, alpha, beta, d_1, d_2, z)
+    return ForAll(over, implied(given, Relation(two, "=", one)))
+
+
+@claims("s2d-arm-in-force")
+def _arm_in_the_force(printed: Printed) -> Proposition:
+    """The motion of (2) under F_E is that of (3) under F_E less what the arm needs, at every s."""
+    held, free = ({line.lhs: line.rhs for line in transcribed(id)} for id in ("eq2", "eq3"))
+    need = m * s**2 + b * s + k
+    arm = (m_H * s**2 + b_H * s + k_H) * X
+    given = [m_D > 0, *(part >= 0 for part in (b_D, m_H, b_H, k_H))]
+    both_ways = Iff(
+        (
+            Relation(need.xreplace(held) * X, "=", F_E),
+            Relation(need.xreplace(free) * X, "=", F_E - arm),
+        )
+    )
+    return ForAll((m_D, b_D, m_H, b_H, k_H, F_E, s, X), implied(given, both_ways))
+
+
+UNIT_PLANT = 1 / (s**2 + delta * s + gamma)
+"""The device in units of its mass and of the period."""
+
+
+@claims("s4b-seven-to-five")
+def _seven_to_five(printed: Printed) -> Proposition:
+    """A loop answers as the one of mass and period 1 with the five numbers of Table I, in units.
+
+    The wall is in units of m/T^2, and so is 1/X.
+    """
+    unit = alpha + beta * (z - 1) / z
+    scaled = answers(delayed(UNIT_PLANT, d), m / T**2 * X, sp.S.One)
+    same = Iff((answers(delayed(PLANT, t_d), X), scaled))
+    wall = Relation(WALL * T**2 / m, "=", unit)
+    table = normalised(d, *TABLE_SYMBOLS)
+    over = (*DEVICE, K, B, t_d, d, *TABLE_SYMBOLS, z, X)
+    given = [*GIVEN, t_d >= 0, *table, Relation(z, "!=", sp.S.Zero)]
+    return ForAll(over, implied(given, both([same, wall])))
+
+
+SECOND = {v: Symbol(f"{v.name}_2") for v in (*DEVICE, K, B, t_d)} | {X: X_d}
+"""Another loop."""
+
+
+@claims("s4b-five-parameters")
+def _five_parameters(printed: Printed) -> Proposition:
+    """Two loops with the same five numbers have the same product of device, delay and wall.
+
+    p(z) vanishes where that is -1.
+    """
+    table = normalised(d, *TABLE_SYMBOLS)
+    sides = [*GIVEN, t_d >= 0, *table, answers(delayed(PLANT, t_d), X)]
+    others = [proposition(g).at(SECOND) for g in sides]
+    here, there = X * WALL, (X * WALL).xreplace(SECOND)
+    over = (*SECOND, *SECOND.values(), d, *TABLE_SYMBOLS, z)
+    return ForAll(over, implied([*sides, *others], Relation(here, "=", there)))
+
+
+@claims("s4d-degree")
+def _degree(printed: Printed) -> Proposition:
+    """p of (18), for every device and delay."""
+    given = [gamma >= 0, delta >= 0, d >= 0, *transcribed("eq15")]
+    degree = Predicate("degree", (z,), (_side("eq18"), d + 3))
+    return ForAll((alpha, beta, gamma, delta, d, *NUMBERS), implied(given, degree))

@@ -411,7 +411,7 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
             new = old.xreplace(here)
             if not new.free_symbols and without_value(new):
                 continue  # the relation is false there, whatever it divides by
-            for condition in conditions(old):
+            for condition in conditions(old, at=here):
                 moved = condition.at(here)
                 if not isinstance(moved, Relation):
                     found.add(moved)  # a divisor has no value there
