@@ -15,12 +15,14 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     Terms,
+    conjuncts,
     implied,
     negated,
     proposition,
 )
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
+    NotShown,
     Theorem,
     absurd,
     applied,
@@ -32,6 +34,7 @@ from symhaptic.proof.theorems.kernel import (
     equivalent,
     general,
     instance,
+    part,
 )
 from symhaptic.proof.theorems.leaves import (
     broken,
@@ -165,3 +168,14 @@ def denied_by(equivalence: Theorem, denial: Theorem) -> Theorem:
     """not p, from p <=> q and not q."""
     claim = equivalence.conclusion.of[0]  # type: ignore[attr-defined]
     return absurd(applied(equivalence, assume(claim)), denial, claim)
+
+
+def not_all(claim: Proposition, denial: Theorem) -> Theorem:
+    """not (p and q), from not p."""
+    parts = (part(assume(claim), p) for p in conjuncts(claim))
+    for known in parts:
+        try:
+            return absurd(known, denial, claim)
+        except NotShown:
+            continue
+    raise NotShown(f"{denial.conclusion} denies no part of {claim}")
