@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Ne, S
+from sympy import Eq, Expr, Ne, S, Symbol
 
-from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H
-from symhaptic.notation.proposition import Proposition
+from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
+from symhaptic.notation.proposition import Or, Proposition, Relation, Terms
 from symhaptic.paper.propositions.arm import x, y
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, assume, by_cases, ordered
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    conjoined,
+    ordered,
+    substituted,
+    widened,
+)
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, fact, one, over, positive
 
 PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}
 """An arm and a device in ones."""
@@ -71,3 +80,74 @@ def limits(claim: Proposition) -> list[Theorem]:
     )
     spring = over(T**2 * x - SPRING >= 0, room, mass)
     return _named(claim, [spring, over(T * y - DAMPER >= 0, calm, mass)])
+
+
+def in_seconds(claim: Proposition) -> Theorem:
+    """A relation between numbers over powers of the second, or one of several."""
+    if isinstance(claim, Or):
+        case = next(p for p in claim.of if _difference(p)[0] > 0)
+        return widened(in_seconds(case), claim)
+    share, power = _difference(claim)
+    rate = over(1 / second > 0, one(), second > 0)
+    steps = [[share, *[rate] * power]] if share else []
+    return closed(positive(claim, *steps), positive(Ne(second, 0), second > 0))
+
+
+def _difference(claim: Proposition) -> tuple[Expr, int]:
+    """q and n, where the sides of a relation differ by q/s^n."""
+    assert isinstance(claim, Relation)
+    share, rate = (claim.right - claim.left).as_independent(second, as_Add=False)
+    return share, int(-rate.as_base_exp()[1]) if share else 0
+
+
+def in_numbers(claim: Proposition, at: Terms) -> Theorem:
+    """Relations that hold in numbers, where symbols equal these."""
+    found = []
+    for wanted in claim.parts:
+        known = fact(wanted.at(at))
+        for name, value in at.items():
+            place = Symbol("q")
+            turned = combined(Relation(value, "=", name), [assume(Eq(name, value)), -S.One])
+            known = substituted(wanted.at({name: place}), place, known, turned)
+        found.append(known)
+    return conjoined(*found)
+
+
+def within(spring: Expr, damper: Expr, device: Expr) -> list[Theorem]:
+    """0 <= gamma < T^2 spring/s^2 and 0 <= delta < T (damper + device)/s, of (19).
+
+    From limits in units of a second: of the arm's stiffness and damping per mass, and of the
+    device's damping per mass.
+    """
+    mass, *apart = total()
+    rate = over(1 / second > 0, one(), second > 0)
+    stiff, both = spring / second**2, (damper + device) / second
+    soft, calm, light = (
+        k_H / m_H <= stiff,
+        b_H / m_H <= damper / second,
+        b_D / m_D < device / second,
+    )
+    above = positive(
+        T**2 * (stiff * (m_D + m_H) - k_H) > 0,
+        [T > 0, T > 0, soft, m_H > 0],
+        [spring, T > 0, T > 0, rate, rate, m_D > 0],
+    )
+    slower = positive(
+        T * (both * (m_D + m_H) - b_D - b_H) > 0,
+        [T > 0, light, m_D > 0],
+        [T > 0, calm, m_H > 0],
+        [damper, T > 0, rate, m_D > 0],
+        [device, T > 0, rate, m_H > 0],
+    )
+    parts = [
+        over(SPRING >= 0, positive(T**2 * k_H >= 0, [T > 0, T > 0, k_H >= 0]), mass),
+        positive(T**2 * stiff > SPRING, over(T**2 * stiff - SPRING > 0, above, mass)),
+        over(
+            DAMPER >= 0,
+            positive(T * (b_D + b_H) >= 0, [T > 0, b_D >= 0], [T > 0, b_H >= 0]),
+            mass,
+        ),
+        positive(T * both > DAMPER, over(T * both - DAMPER > 0, slower, mass)),
+    ]
+    clock = positive(Ne(second, 0), second > 0)
+    return [closed(found, mass, *apart, clock) for found in parts]
