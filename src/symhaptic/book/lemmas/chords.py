@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, wraps
 
-from sympy import Expr, S, cos, diff, pi, sin
+from sympy import Expr, I, S, cos, diff, exp, pi, sin
 
 from symhaptic.notation import N, phi, psi
 from symhaptic.notation.proposition import Relation
+from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.analysis import above_its_start, grows, increases
 from symhaptic.proof.theorems.kernel import Theorem, assume, by_cases, ordered, placed
-from symhaptic.proof.theorems.leaves import number, rising, sign_of, tends
+from symhaptic.proof.theorems.leaves import factor, number, rising, sign_of, tends
 from symhaptic.proof.theorems.tactics import closed, over, positive
 
 HALF = S.Half
@@ -164,3 +165,14 @@ def bend() -> Theorem:
 def not_zero(theorem: Theorem) -> Theorem:
     """e != 0 from 0 < e."""
     return positive(Relation(theorem.conclusion.right, "!=", S.Zero), [theorem])  # type: ignore[attr-defined]
+
+
+def lowest_coefficients(theorem: Theorem, sine_: Theorem, angle: Expr) -> list[Theorem]:
+    """That multiples of sin x, x != 0, with powers of exp(j x) are not zero, as series leave them."""
+    found = []
+    for claim in theorem.hypotheses:
+        if isinstance(claim, Relation) and claim.left.has(I):
+            for other in (s * HALF * exp(-n * I * angle) for s in (1, -1) for n in range(5)):
+                if is_zero(claim.left * other - sin(angle)):
+                    found.append(factor(claim.left, sine_, other))
+    return found

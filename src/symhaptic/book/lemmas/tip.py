@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Eq, Expr, I, Ne, S, cos, diff, exp, pi, sin, tan
+from sympy import Eq, Expr, Ne, S, cos, diff, pi, sin, tan
 
-from symhaptic.book.lemmas.chords import HALF, PI, not_zero, sine, size, width
+from symhaptic.book.lemmas.chords import HALF, PI, lowest_coefficients, not_zero, sine, size, width
 from symhaptic.book.lemmas.envelope import (
     LOWER,
     TURN,
@@ -25,7 +25,6 @@ from symhaptic.notation import N, phi, psi, x
 from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.proof.theorems.analysis import above_its_start, increases
 from symhaptic.proof.theorems.kernel import (
-    NotShown,
     Theorem,
     assume,
     by_cases,
@@ -36,7 +35,6 @@ from symhaptic.proof.theorems.kernel import (
 )
 from symhaptic.proof.theorems.leaves import (
     combined,
-    factor,
     identity,
     number,
     sign_of,
@@ -99,7 +97,7 @@ def tip_beside(side: int) -> Theorem:
     slope = closed(slope, *shown, *inside, *divisors_at_tip())
     rising = increases(curve, x, S.Zero, TURN, slope, *shown)
     found = above_its_start(rising, tends(curve, x, S.Zero, S.Zero))
-    found = closed(found, *_lowest_coefficients(found), *divisors_at_tip())
+    found = closed(found, *lowest_coefficients(found, wave(), TURN), *divisors_at_tip())
     found = placed(found, {x: side * (TURN - psi)})
     found = positive(line(STIFFEST, ITS_DAMPING) > 0, [turned(side), found])
     ends = [
@@ -118,22 +116,6 @@ def wave() -> Theorem:
     return closed(
         sign_of(sin, TURN), low, high, *map(not_zero, [size(), positive(2 * N > 0, [2, size()])])
     )
-
-
-def _lowest_coefficients(theorem: Theorem) -> list[Theorem]:
-    """Multiples of sin(pi/(2N)) and powers of exp(j pi/(2N)), as the series leaves them."""
-    found, sine_there = [], not_zero(wave())
-    for claim in theorem.hypotheses:
-        if isinstance(claim, Relation) and claim.left.has(I):
-            for power in range(5):
-                for factor_ in (HALF, -HALF):
-                    try:
-                        found.append(
-                            factor(claim.left, sine_there, factor_ * exp(-power * I * TURN))
-                        )
-                    except NotShown:
-                        continue
-    return found
 
 
 def _beside_tip(side: int) -> list[Theorem]:
