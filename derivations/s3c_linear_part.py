@@ -14,7 +14,7 @@ from symhaptic.book.lemmas.linear_part import (
     met_at_every_frequency,
     on_line,
 )
-from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO, no_border
+from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO, not_passive
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta, y
@@ -108,7 +108,7 @@ def derive(page):
 def _line(page, *derived):
     """Each wall of (8) is on the boundary, behind whole delays."""
     claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
-    symbols, given, _ = taken_apart(claim)
+    symbols, given, then = taken_apart(claim)
     found = page.lemma(
         "A wall of (8) is passive, and needs all of the damping",
         on_line(*map(assume, given[-2:])),
@@ -122,7 +122,7 @@ def _line(page, *derived):
         for_all(symbols, more, weakened(found, *given)),
         *derived,
         example=example(late | {d: S.Zero, y: S.Half, B: -S.Half}, more),
-        unless=[counterexample(claim, late, no_border(claim, late), but=whole(d))],
+        unless=[counterexample(claim, late, not_passive(then, late), but=whole(d))],
         shows=r"half a period late, the wall $K=b/T$, $B=0$ on this line gives energy away",
         note="bounds the walls that satisfy (5) for every real $d$",
     )
