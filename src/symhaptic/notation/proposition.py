@@ -220,6 +220,11 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         r"\text{{all zeros of}}\ {0}\ \text{{in}}\ {s}\ \text{{lie in}}\ |{s}|<1",
         "a polynomial in z, every zero of which lies inside the unit circle",
     ),
+    "hurwitz": (
+        *(1, 1),
+        r"\text{{all zeros of}}\ {0}\ \text{{in}}\ {s}\ \text{{lie in}}\ \Re {s}<0",
+        "a polynomial in s, every zero of which has a negative real part",
+    ),
     "passive": (
         *(1, 2),
         r"\text{{no motion }}x=p/({s}-1)\text{{ gains energy from }}{0}\,x"

@@ -38,6 +38,7 @@ SOURCES = {
     "last_coefficient": "it is, up to its sign, the product of the zeros: Vieta",
     "jury": "half of Jury's inner determinants, and half planes, are enough; Anderson and Jury, "
     "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
+    "hurwitz": "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
     "pole_at": "definition of a pole",
     "held_by_a_pole": "definition of stability",
     "degree": "definition of the degree",
@@ -156,6 +157,30 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
     zeros = Predicate("stable", (variable,), (polynomial,))
     return conditions(*falling), Iff((zeros, wanted))
+
+
+@rule
+def hurwitz(polynomial: Any, variable: Symbol) -> Judgement:
+    """All zeros of a real polynomial have negative real parts <=> n determinants are positive.
+
+    They are the leading minors of Hurwitz' matrix, a_(n+i-2j) in row i and column j.  That the
+    highest coefficient is positive is a hypothesis; the degree n is a number.
+    """
+    polynomial = term(polynomial)
+    falling = _coefficients(polynomial, variable)
+    degree = len(falling) - 1
+    if degree < 1 or not all(real(c) for c in falling):
+        raise NotShown(f"{polynomial} has no zeros, or is not real by its form")
+
+    def entry(row: int, column: int) -> Expr:
+        place = 2 * column - row + 1
+        return falling[place] if 0 <= place <= degree else _ZERO
+
+    minors = [sp.Matrix(n, n, entry).det(method="berkowitz") for n in range(1, degree + 1)]
+    wanted = And(tuple(Relation(_ZERO, "<", sp.expand(m)) for m in minors))
+    zeros = Predicate("hurwitz", (variable,), (polynomial,))
+    defined = {c for c in conditions(polynomial, *falling) if variable not in c.free}
+    return defined | {Relation(_ZERO, "<", falling[0])}, Iff((zeros, wanted))
 
 
 @rule
