@@ -4,11 +4,17 @@ The paper's linear condition comes from continuous time: hold and delay become o
 and the Routh-Hurwitz criterion decides. We repeat that and name everything that is left out.
 """
 
-from sympy import Rational, S, exp, symbols
+from sympy import Eq, Rational, S, exp, symbols
 
+from symhaptic.book.lemmas.linear import forbidden, of_the_walls, stable_with_lag
 from symhaptic.model import lag
 from symhaptic.model.plant import Plant
 from symhaptic.notation import B, K, T, b, k, m, s, t_d, t_e
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
 
@@ -22,15 +28,18 @@ def derive(page):
         a_3 * s**3 + a_2 * s**2 + a_1 * s + a_0,
         because="device times lag, plus wall",
     )
-    routh(page)
+    page.lemma(
+        "Which walls are stable in the loop with the lag",
+        stable_with_lag(),
+        because="of the three minors of a cubic, $a_2=m+bt_e$ is positive, and the third is "
+        "$a_0=k+K$ times the second, $a_2a_1-a_3a_0$",
+        boxed=True,
+    )
     whole = page.step(
         "Hurwitz' determinant for the loop",
         lag.margin(Plant()),
         b + B - K * t_e + b * t_e / m * (b + B + k * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
-        boxed=True,
-        because="$a_2>0$ always, and $a_0=k+K$: the loop with the lag is stable if and only if "
-        "$K>-k$ and this is positive",
     )
     h, heavy = symbols("h"), symbols("m_0")
     kept = page.limit(
@@ -54,13 +63,22 @@ def derive(page):
         "$\\frac{bt_e}m(1+\\frac kK)$ of what is kept: of order $T$ for a given device, but not "
         "zero unless $b=0$, and with the spring in it."
     )
-    effective = {t_e: lag.DELAY}
+    settle(page, linear.subs(t_e, lag.DELAY) > K)
+
+
+def settle(page, derived):
+    """Without damping (24) and K > -k are Hurwitz' conditions of the lag."""
+    claim = CLAIMED["eq24"](STATEMENTS["eq24"].printed)
+    symbols, given, same = taken_apart(claim)
+    more = [*given, Eq(b, 0)]
+    easy = {m: S.One, T: S.One, t_d: HALF, b: S.Zero, k: S.Zero, B: S.One, K: HALF}
+    damped = {m: S.One, T: S.One, t_d: HALF, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF}
     page.settle(
         "eq24",
-        linear.subs(effective) > K,
-        provided=r"b=0,\ \text{for the lag}",
-        unless={m: S.One, T: S.One, t_d: HALF, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF},
-        truth=whole.subs(effective) > 0,
+        for_all(symbols, more, weakened(of_the_walls(same.of[0]), *more)),
+        derived,
+        example=example(easy, more),
+        unless=[counterexample(claim, damped, forbidden(same, damped), but=Eq(b, 0))],
         shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",
         note="as Routh's condition for the lag, which else has $\\frac{bt_e}m(b+B+kt_e)$ more. "
         "For the sampled loop it is neither necessary nor sufficient (chapters s4e\\_line)",
@@ -93,26 +111,4 @@ def neglected(page):
         name=r"\frac1{s^2}(D-s)",
         because="times $K$ and $B$ both are masses: of order $T$ beside $m$, if $K$ is of order "
         "$1/T$ as on the border of (24)",
-    )
-
-
-def routh(page):
-    """The criterion for a cubic."""
-    first, p, q, r = symbols("a_3 p q r")
-    page.say(
-        "A real cubic with $a_3>0$ has a real root $-p$, and is $a_3(s+p)(s^2+qs+r)$ with "
-        "$a_2=a_3(p+q)$ and $a_0=a_3pr$."
-    )
-    page.step(
-        "Routh and Hurwitz for a cubic",
-        lag.routh((first, first * (p + q), first * (p * q + r), first * p * r))[2],
-        first**2 * q * (p * (p + q) + r),
-        name="a_2a_1-a_3a_0",
-    )
-    page.say(
-        "All roots lie on the left if and only if $p,q,r>0$. Then this, $a_2$ and $a_0$ are "
-        "positive. Conversely, if these three are, $p+q>0$, and $p$ and $r$ have one sign. With "
-        "$q\\le0$ we had $p,r>0$ and a positive bracket, and the product would not be positive. "
-        "So $q>0$ and the bracket is positive; $p,r<0$ would make it negative; all three are "
-        "positive."
     )

@@ -1,1 +1,113 @@
-"""The claims of Sec. IV-E: the linear condition."""
+"""The claims of Sec. IV-E: the linear condition.
+
+It is derived for a loop in continuous time whose hold and delay are a first-order lag, with
+t_e = t_d + T/2: stable is that loop where all zeros of its polynomial lie on the left.  What the
+sampled loop does is another matter, and said of the exact boundary.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.model import lag
+from symhaptic.model.plant import Plant
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    alpha,
+    b,
+    b_D,
+    b_H,
+    beta,
+    d,
+    delta,
+    gamma,
+    k,
+    m,
+    s,
+    t_d,
+    t_e,
+    x,
+)
+from symhaptic.notation.proposition import (
+    ForAll,
+    Iff,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.propositions.device import normalised, transcribed
+from symhaptic.paper.propositions.passivity import PASSIVE
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.reading import Printed
+
+LAGGING = Predicate("hurwitz", (s,), (Plant().characteristic * (1 + t_e * s) + lag.WALL,))
+"""The loop with the lag comes to rest."""
+SLOW = LAGGING.at({t_e: lag.DELAY})
+"""The same with the effective delay of hold and t_d."""
+LOOP = (K, B, m, b, k, T, t_d)
+GIVEN = (m > 0, b >= 0, k >= 0, T > 0, t_d >= 0)
+PULLED = K > -k
+"""Sec. IV-E names it as the lower limit of the stiffness."""
+
+
+@claims("eq24")
+def _condition_of_the_lag(printed: Printed) -> Proposition:
+    """The walls with K > -k for which the loop with the lag is stable are those of (24)."""
+    return ForAll(LOOP, implied(GIVEN, Iff((both([PULLED, *printed]), SLOW))))
+
+
+@claims("eq25")
+def _condition_of_the_lag_in_table_1(printed: Printed) -> Proposition:
+    """The same in the numbers of Table I."""
+    table = normalised(d, alpha, beta, gamma, delta)
+    walls = both([alpha > -gamma, *printed])
+    symbols = (*LOOP, alpha, beta, gamma, delta, d)
+    return ForAll(symbols, implied([*GIVEN, *table], Iff((walls, SLOW))))
+
+
+@claims("s4e-stiffness-free")
+def _spring_does_not_matter(printed: Printed) -> Proposition:
+    """Above both lower limits, two springs make the same walls stable in the loop with the lag."""
+    above = [PULLED, K > -x, x >= 0]
+    return ForAll((*LOOP, x), implied([*GIVEN, *above], Iff((SLOW, SLOW.at({k: x})))))
+
+
+@claims("s4e-same-as-passive")
+def _same_as_the_linear_part(printed: Printed) -> Proposition:
+    """(24) says what (9) does, with t_d = d T and the same damping."""
+    linear, passive = (both(transcribed(id)) for id in ("eq24", "eq9"))
+    return ForAll(
+        (K, B, b, T, d, t_d), implied([T > 0, d >= 0, sp.Eq(t_d, d * T)], Iff((linear, passive)))
+    )
+
+
+def on_or_below_the_line() -> Relation:
+    """(25), or equality."""
+    [line] = transcribed("eq25")
+    return Relation(line.rhs, "<=", line.lhs)
+
+
+@claims("s4e-passive-range")
+def _line_is_passive(printed: Printed) -> Proposition:
+    """A wall on the line or below is passive, for the damping that is named.
+
+    Table I has the damping b = b_D + b_H of (2), passive is a wall beside b_D by (3).
+    """
+    damping = both([-delta <= beta, d / (2 * d + 3) * delta >= beta])
+    table = [rule.xreplace({b: b_D + b_H}) for rule in normalised(d, alpha, beta, delta)]
+    given = [m > 0, b_D >= 0, b_H >= 0, T > 0, t_d >= 0, *table, damping, on_or_below_the_line()]
+    symbols = (K, B, m, b_D, b_H, T, t_d, alpha, beta, delta, d)
+    return ForAll(symbols, implied(given, PASSIVE.at({b: b_D})))
+
+
+def lagging(*walls: Expr) -> Proposition:
+    """Walls that are stable in the loop with the lag, whatever the spring."""
+    [linear] = map(proposition, transcribed("eq24"))
+    given = [m > 0, b >= 0, T > 0, t_d >= 0, PULLED, linear]
+    return ForAll(LOOP, implied([*given, *walls], SLOW))
