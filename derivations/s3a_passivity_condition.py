@@ -7,25 +7,29 @@ the device can extract energy.
 
 from sympy import Ne, Rational, S, cos, pi, sin
 
-from symhaptic.book.lemmas.passivity import INSIDE, passive_by_angle
+from symhaptic.book.lemmas.passivity import INSIDE, WALL, passive_by_angle
 from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
-from symhaptic.notation import B, K, T, b, d, m, omega, theta
+from symhaptic.notation import B, K, T, b, d, omega, theta, v, x, y
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
+from symhaptic.proof.theorems.energy import stored
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened, whole
-from symhaptic.proof.theorems.leaves import bounded, combined, square
+from symhaptic.proof.theorems.kernel import applied, assume, weakened, whole
+from symhaptic.proof.theorems.leaves import bounded, combined, identity, square
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,
     counterexample,
+    either_way,
     example,
     follows,
     for_all,
     over,
     positive,
 )
+
+NOTHING = identity(S.Zero, S.Zero)
 
 
 def derive(page):
@@ -70,7 +74,7 @@ def derive(page):
         "displacements, and what the spring stores at the end",
         boxed=True,
     )
-    page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
+    _mass(page)
     page.say(
         "A delay that is no whole number of periods does not act as $z^{-d}$ on the samples. With "
         "half a period of delay, let the device move by $\\tfrac32$ in the first half of each "
@@ -88,6 +92,31 @@ def derive(page):
         because="half a period late; with the wall above it is $-\\tfrac{147}{20}$",
     )
     _settle(page, b > brackets.subs(theta, omega * T))
+
+
+def _mass(page):
+    """A mass stores what is not negative, and nothing at rest: no two masses differ."""
+    light, heavy = (
+        stored(WALL, v, positive(mass * v**2 / 2 >= 0, [S.Half, mass > 0, square(v)]), NOTHING)
+        for mass in (x, y)
+    )
+    page.lemma(
+        "A mass does not matter to passivity",
+        light,
+        because="its energy is paid back when the motion ends at rest, and is not negative if it "
+        "does not",
+    )
+    claim = CLAIMED["s3a-mass-free"](())
+    symbols, given, _ = taken_apart(claim)
+    there = applied(heavy, applied(light, assume(light.conclusion.of[0])))
+    back = applied(light, applied(heavy, assume(heavy.conclusion.of[0])))
+    same = either_way(there, back, light.conclusion.of[0], heavy.conclusion.of[0])
+    point = {x: S.One, y: S(2), K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
+    page.settle(
+        "s3a-mass-free",
+        for_all(symbols, given, weakened(same, *given)),
+        example=example(point, given),
+    )
 
 
 def _settle(page, printed):

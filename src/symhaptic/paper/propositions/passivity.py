@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from symhaptic.notation import B, K, T, b, d, omega, w, x, y
+from symhaptic.notation import B, K, T, b, d, omega, v, w, x, y
 from symhaptic.notation.proposition import (
     Exists,
     ForAll,
@@ -40,6 +40,13 @@ def _condition_is_sufficient(printed: Printed) -> Proposition:
     return ForAll(WALL, implied([*LOOP, at_every_frequency(*printed)], PASSIVE))
 
 
+@claims("s3a-mass-free")
+def _mass_does_not_matter(printed: Printed) -> Proposition:
+    """Of two devices that differ in their mass, x and y, both are passive or none is."""
+    one, other = (Predicate("passive_device", (v,), (mass * v**2 / 2, *WALL)) for mass in (x, y))
+    return ForAll((x, y, *WALL), implied([x > 0, y > 0, *LOOP], Iff((one, other))))
+
+
 @claims("s3a-undelayed")
 def _summary_of_the_undelayed_form(printed: Printed) -> Proposition:
     """The form for d = 0 says the same as (6), its summary."""
@@ -62,7 +69,7 @@ def _summed_up(printed: Printed, six: sp.Expr | Proposition = SIX) -> Propositio
     return Iff((at_every_frequency(*printed), proposition(six)))
 
 
-RANGE = (-b <= B, B <= d * b / (2 * d + 3))
+RANGE = (-b <= B, d * b / (2 * d + 3) >= B)
 """The damping for which (9) is printed."""
 
 BORDER = both(
