@@ -170,3 +170,25 @@ def _about_41_percent(printed: Printed) -> Proposition:
 @claims("s3c-kmax-27")
 def _below_27_percent(printed: Printed) -> Proposition:
     return _share(2, lambda share: share < sp.Rational(27, 100))
+
+
+@claims("s3c-limit-points")
+def _damping_ends_at_that_of_the_device(printed: Printed) -> Proposition:
+    """A wall that meets (5) has no damping beyond these points (x, y), which just meet it."""
+    point = [proposition(e).at({K: x, B: y}) for e in printed]
+    met = at_every_frequency(b - FIVE.rhs >= 0).at({K: x, B: y})
+    ends = [
+        implied(point[:2], both([met, y >= B])),
+        implied(point[2:], both([met, y <= B])),
+    ]
+    return ForAll((*WALL, x, y), implied([*LOOP, at_every_frequency(FIVE)], both(ends)))
+
+
+@claims("s3c-bmax-frequency")
+def _upper_part(printed: Printed) -> Proposition:
+    """There (5) is the linear condition, and the largest damping just meets it."""
+    frequency, linear = printed
+    reached = sp.Eq(FIVE.rhs.subs({K: 0, B: b}), b)
+    inside = omega > 0, omega < sp.pi / T
+    then = both([*inside, Iff((proposition(FIVE), proposition(linear))), reached])
+    return ForAll((*WALL, omega), implied([*LOOP, frequency], then))
