@@ -192,3 +192,17 @@ def _upper_part(printed: Printed) -> Proposition:
     inside = omega > 0, omega < sp.pi / T
     then = both([*inside, Iff((proposition(FIVE), proposition(linear))), reached])
     return ForAll((*WALL, omega), implied([*LOOP, frequency], then))
+
+
+def scaled(period: sp.Expr) -> Proposition:
+    """The walls of (5) scale with b, and their stiffness with y as the period does."""
+    walls = at_every_frequency(FIVE)
+    damped = Iff((walls, walls.at({K: y * K, B: y * B, b: y * b})))
+    slower = Iff((walls, walls.at({K: y * K, T: period})))
+    return ForAll((*WALL, y), implied([*LOOP, y > 0], both([damped, slower])))
+
+
+@claims("s3b-linear-in-T")
+def _linear_in_the_period(printed: Printed) -> Proposition:
+    """Twice the damping, twice the region; twice the period, twice the stiffness."""
+    return scaled(y * T)
