@@ -12,6 +12,7 @@ from symhaptic.notation.proposition import (
     ForAll,
     Iff,
     Not,
+    Or,
     Predicate,
     Proposition,
     both,
@@ -19,6 +20,7 @@ from symhaptic.notation.proposition import (
     proposition,
 )
 from symhaptic.paper.equations import EQUATIONS
+from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -206,3 +208,25 @@ def scaled(period: sp.Expr) -> Proposition:
 def _linear_in_the_period(printed: Printed) -> Proposition:
     """Twice the damping, twice the region; twice the period, twice the stiffness."""
     return scaled(y * T)
+
+
+@claims("fig4")
+def _curves_of_the_figure(printed: Printed) -> Proposition:
+    """For seven delays: (7) up to its end, the line (8) and the tip (11)."""
+    delays = Or(tuple(proposition(sp.Eq(d, sp.Rational(text))) for text in DELAYS))
+    drawn = omega > 0, omega < sp.pi / T, omega <= sp.pi / (T * (d + 1))
+    curve, line, tip = (printed_of(id) for id in ("eq7", "eq8", "eq11"))
+    then = [
+        implied([*drawn, *curve], BORDER),
+        implied([y >= 0, y <= 1, *line], BORDER),
+        implied(tip, STIFFEST),
+    ]
+    return ForAll((*WALL, omega, y), implied([*LOOP, delays], both(then)))
+
+
+@claims("fig5")
+def _stiffness_over_delay(printed: Printed) -> Proposition:
+    """The curve is KT/b of (11), and that wall is the stiffest."""
+    height = sp.Eq(K * T, 2 * b * sp.tan(sp.pi / (4 * (d + 1))))
+    given = [*LOOP, *printed_of("eq11")]
+    return ForAll(WALL, implied(given, both([height, STIFFEST])))
