@@ -5,31 +5,27 @@ coupled to a device whose only loss is its damping $b$. We ask for which $(K,B)$
 the device can extract energy.
 """
 
-from sympy import Ne, Rational, S, cos, pi, sin
+from sympy import Rational, S, cos, pi, sin
 
-from symhaptic.book.lemmas.passivity import INSIDE, WALL, passive_by_angle
+from symhaptic.book.lemmas.largest_damping import margins
+from symhaptic.book.lemmas.mass import no_mass_differs, of_mass
+from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
+from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
-from symhaptic.notation import B, K, T, b, d, omega, theta, v, x, y
+from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.energy import stored
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import applied, assume, weakened, whole
-from symhaptic.proof.theorems.leaves import bounded, combined, identity, square
+from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.leaves import bounded, combined, square
 from symhaptic.proof.theorems.tactics import (
-    at,
     closed,
     counterexample,
-    either_way,
     example,
     follows,
     for_all,
-    over,
-    positive,
 )
-
-NOTHING = identity(S.Zero, S.Zero)
 
 
 def derive(page):
@@ -96,40 +92,19 @@ def derive(page):
 
 def _mass(page):
     """A mass stores what is not negative, and nothing at rest: no two masses differ."""
-    light, heavy = (
-        stored(WALL, v, positive(mass * v**2 / 2 >= 0, [S.Half, mass > 0, square(v)]), NOTHING)
-        for mass in (x, y)
-    )
-    page.lemma(
-        "A mass does not matter to passivity",
-        light,
-        because="its energy is paid back when the motion ends at rest, and is not negative if it "
-        "does not",
-    )
-    claim = CLAIMED["s3a-mass-free"](())
-    symbols, given, _ = taken_apart(claim)
-    there = applied(heavy, applied(light, assume(light.conclusion.of[0])))
-    back = applied(light, applied(heavy, assume(heavy.conclusion.of[0])))
-    same = either_way(there, back, light.conclusion.of[0], heavy.conclusion.of[0])
+    why = "its energy is paid back when the motion ends at rest, and is not negative otherwise"
+    page.lemma("A mass does not matter to passivity", of_mass(x), because=why)
+    symbols, given, _ = taken_apart(CLAIMED["s3a-mass-free"](()))
+    theorem = for_all(symbols, given, weakened(no_mass_differs(x, y), *given))
     point = {x: S.One, y: S(2), K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
-    page.settle(
-        "s3a-mass-free",
-        for_all(symbols, given, weakened(same, *given)),
-        example=example(point, given),
-    )
+    page.settle("s3a-mass-free", theorem, example=example(point, given))
 
 
 def _settle(page, printed):
     """(5) is sufficient for whole delays and walls that do not pull."""
     claim = CLAIMED["eq5"]((printed,))
     symbols, (*loop, frequencies), _ = taken_apart(claim)
-    angle = theta / T
-    inside = over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0)
-    meets = at(assume(frequencies), {omega: angle}, *inside)
-    apart = positive(Ne(T, 0), T > 0), *divisors(theta)
-    margin = closed(positive(passivity.margin() >= 0, [meets]), *apart)
-    always = for_all([theta], INSIDE, margin)
-    passive = follows(passive_by_angle(), assume(K >= 0), always)
+    passive = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
     given = [*loop, frequencies, whole(d), K >= 0]
     theorem = for_all(symbols, given, weakened(passive, *loop))
 
@@ -145,8 +120,6 @@ def _settle(page, printed):
 
     slow = [half, square(1 - cos(omega / 2))], [half, bounded(cos, omega / 2)]
     full = [quarter, square(1 + cos(omega))], [quarter, bounded(cos, omega)]
-    steps = [(half, Rational(3, 2)), (half, S.One)]
-    motion = 30 * steps + 30 * [(time, -way) for time, way in steps]
     page.settle(
         "eq5",
         theorem,
@@ -156,14 +129,14 @@ def _settle(page, printed):
             counterexample(
                 claim,
                 late,
-                *(holds(late, *slow, [Rational(1, 100)]), gains(list(late.values()), motion)),
+                *(holds(late, *slow, [Rational(1, 100)]), gains(list(late.values()), HALF_LATE)),
                 holds=[K >= 0],
                 but=whole(d),
             ),
             counterexample(
                 claim,
                 pulled,
-                *(holds(pulled, [Rational(3, 2)]), gains(list(pulled.values()), 4 * [(1, 1)])),
+                *(holds(pulled, [Rational(3, 2)]), gains(list(pulled.values()), STEPS)),
                 holds=[whole(d)],
                 but=K >= 0,
             ),

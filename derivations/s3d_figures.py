@@ -1,25 +1,19 @@
 r"""What do the plots of the passive walls show?
 
-Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period, and
-Fig. 5 the largest stiffness over the delay. The chapters before tell what both look like. For
-which delays are they the passive walls?
+Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. The
+chapters before tell what it looks like. For which delays are these the passive walls?
 """
 
 from sympy import Rational, S, cos, pi, sin, tan
 
-from symhaptic.book.lemmas.boundary import on_boundary
-from symhaptic.book.lemmas.linear_part import on_line
-from symhaptic.book.lemmas.motions import half_late, not_passive
+from symhaptic.book.lemmas.drawn import drawn
+from symhaptic.book.lemmas.motions import half_late
 from symhaptic.book.lemmas.passivity import PASSIVE
-from symhaptic.book.lemmas.stiffest_passive import divisors as divisors_of_tip
-from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, b, d, epsilon, h, l, omega, theta, x, y
-from symhaptic.notation.proposition import conjuncts
+from symhaptic.notation import B, K, T, b, d, epsilon, h, l, omega, theta, y
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof import box
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.series import limit
@@ -30,15 +24,14 @@ from symhaptic.proof.theorems.kernel import (
     applied,
     assume,
     conjoined,
-    discharged,
     part,
     weakened,
     whole,
     widened,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, number
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
-from symhaptic.report.figures import largest_stiffness, passive_regions
+from symhaptic.proof.theorems.leaves import identity, number
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.report.figures import passive_regions
 
 UNIT = {b: 1, T: 1}
 
@@ -96,14 +89,6 @@ def derive(page):
     page.same("dashed", dashed, corner[0].subs(d, delay))
     page.same("dash-dotted", tip[0], tips)
     _curves(page)
-    larger(page)
-    page.figure(
-        "fig5",
-        "Fig. 5 of the paper: the largest stiffness that satisfies (5).",
-        largest_stiffness,
-    )
-    page.same("the tip", tip[0], tips)
-    _tips(page)
 
 
 def row(text, *values):
@@ -131,27 +116,6 @@ def fractions(page):
     )
 
 
-def larger(page):
-    """A passive wall half a period late that is stiffer than the curve."""
-    exact = fractional.margin().subs({epsilon: S.Half, l: 0, b: 1, T: 1})
-    wall = {K: Rational("1.17"), B: Rational("0.32")}
-    square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
-    page.show(
-        "The wall $KT/b=1.17$, $B/b=0.32$, half a period late",
-        "D/b^2",
-        square,
-        page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),
-        because="with $x=\\cos^2\\frac\\theta2$",
-    )
-    return page.positive(
-        "It is passive",
-        box.positive(square, {x: (0, 1)}),
-        on=r"0\le x\le1",
-        name="D/b^2",
-        because="though the curve of Fig. 5 ends at $2\\tan\\frac\\pi6=1.1547$",
-    )
-
-
 HALF = {d: S.Half, T: S.One, b: S.One}
 TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}
 GAINS = half_late(Rational(17, 10))
@@ -161,11 +125,6 @@ def _curves(page):
     """The curves of whole delays are what the caption says; half a period late the tip is not."""
     claim = CLAIMED["fig4"](())
     symbols, given, then = taken_apart(claim)
-    parts = []
-    for part_, made in zip(then.of, (on_boundary, on_line, stiffest_wall), strict=True):
-        known = conjuncts(part_.of[0])
-        found = weakened(made(*map(assume, known[-2:])), *known)
-        parts.append(discharged(found, *known))
     more = [*given, whole(d)]
     case = TIP | {omega: pi / 2, y: S.One}
     some, none = (
@@ -178,7 +137,7 @@ def _curves(page):
     denied = absurd(part(held, PASSIVE.at(case)), gains(list(PASSIVE.at(case).of), GAINS), there)
     page.settle(
         "fig4",
-        for_all(symbols, more, weakened(conjoined(*parts), *more)),
+        for_all(symbols, more, weakened(drawn(then), *more)),
         example=example(case | {d: S.Zero}, more, widened(identity(S.Zero, S.Zero), none)),
         unless=[
             counterexample(
@@ -187,23 +146,4 @@ def _curves(page):
         ],
         shows=r"half a period late, the tip of the curve for $d=0.5$ gives energy away",
         note="five of the seven curves are what the caption says, the other two are (5)",
-    )
-
-
-def _tips(page):
-    """The height of the curve is that of (11), the stiffest wall behind a whole delay."""
-    claim = CLAIMED["fig5"](())
-    symbols, given, then = taken_apart(claim)
-    stiffness, damping = map(assume, given[-2:])
-    height = combined(then.of[0], [stiffness, T])
-    found = conjoined(closed(height, *divisors_of_tip()), stiffest_wall(stiffness, damping))
-    more = [*given, whole(d)]
-    page.settle(
-        "fig5",
-        for_all(symbols, more, weakened(found, *more)),
-        example=example({d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero}, more),
-        unless=[counterexample(claim, TIP, not_passive(then, TIP, GAINS), but=whole(d))],
-        shows=r"half a period late the wall of (11) gives energy away, and $KT/b=1.17$ can be "
-        "passive where the curve is at 1.1547",
-        note="with the delay rounded up the curve is always safe",
     )

@@ -9,8 +9,10 @@ from sympy import Eq, S, cos, pi
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import ends, sine
 from symhaptic.book.lemmas.linear_part import shares
+from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.region import WHOLE_WALL, first_half
-from symhaptic.notation import B, K, T, b, d, omega, phi, x, y
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, T, b, d, omega, phi, theta, x, y
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
@@ -35,6 +37,15 @@ def divisors(angle: Any) -> tuple[Theorem, ...]:
     """2 - 2 cos and sin(theta/2) are not zero, for 0 < theta < pi."""
     half = sine_of_half(angle)
     return not_zero(half), not_zero(positive(2 - 2 * cos(angle) > 0, [4, half, half]))
+
+
+def margins(frequencies: Any) -> Theorem:
+    """The margin at every angle between 0 and pi, from (5) at every frequency."""
+    angle = theta / T
+    inside = over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0)
+    met = at(assume(frequencies), {omega: angle}, *inside)
+    found = closed(positive(passivity.margin() >= 0, [met]), not_zero(assume(T > 0)))
+    return for_all([theta], INSIDE, closed(found, *divisors(theta)))
 
 
 def on_first_half(frequencies: Any) -> Theorem:
