@@ -145,8 +145,8 @@ def repeated() -> Theorem:
         [by_sine, u * cos(psi) / sin(psi)],
         [by_cosine, -w],
     )
-    divisors = not_zero(inside), not_zero(sine()), not_zero(SIZE)
-    divisors = *divisors, not_zero(positive(sin(low) * sin(psi) > 0, [inside, sine()]))
+    product = positive(sin(low) * sin(psi) > 0, [inside, sine()])
+    divisors = map(not_zero, (inside, sine(), SIZE, product))
     return closed(found, *divisors, positive_low, below)
 
 
