@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from symhaptic.book.lemmas.boundary import on_boundary
+from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.linear_part import on_line
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
 from symhaptic.notation.proposition import conjuncts
