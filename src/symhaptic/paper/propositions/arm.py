@@ -16,10 +16,10 @@ from symhaptic.notation.proposition import (
     implied,
     proposition,
 )
+from symhaptic.paper import tables
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
-from symhaptic.paper.tables import EXCLUDED, TABLE_II
 
 ARM = (T, m_D, m_H, b_D, b_H, k_H)
 GIVEN = (T > 0, m_D > 0, m_H > 0, b_D >= 0, b_H >= 0, k_H >= 0)
@@ -74,8 +74,8 @@ def _joints_in_series(printed: Printed) -> Proposition:
 
 def rows(excluded: bool = False) -> Iterator[dict[Symbol, Expr]]:
     """The arms of Table II in units of kg and s: without the row that is left out, or just it."""
-    for row in TABLE_II:
-        if (row.authors == EXCLUDED) is excluded:
+    for row in tables.TABLE_II:
+        if (row.authors == tables.EXCLUDED) is excluded:
             numbers = [Rational(n) for n in (row.mass, row.stiffness, row.damping)]
             yield {m_H: numbers[0], k_H: numbers[1] / second**2, b_H: numbers[2] / second}
 
