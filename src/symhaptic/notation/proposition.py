@@ -261,8 +261,9 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     "device": (
         *(0, 6),
         r"\frac{{{2}z+{3}}}{{z^2-{4}z+{5}}}\ \text{{samples the device}}\ ({0},{1})",
-        "x_(k+2) - a x_(k+1) + e x_k = n1 F_(k+1) + n0 F_k holds for the samples of every motion "
-        "x'' + delta x' + gamma x = F whose force is held, in units of mass and period",
+        "a = tr Phi, e = det Phi, n1 = Gamma_1 and n0 = Phi_12 Gamma_2 - Phi_22 Gamma_1, where Phi "
+        "and Gamma take the state (x, v) and a held force to the state one period later, of "
+        "x'' + delta x' + gamma x = F, in units of mass and period",
     ),
 }
 """Each predicate: how many symbols it binds, how many terms it has, its LaTeX and its meaning."""

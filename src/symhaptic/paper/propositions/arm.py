@@ -117,13 +117,13 @@ def _far_above(printed: Printed) -> Proposition:
     return both(sp.StrictLessThan(low, high, evaluate=False) for low, high in compared(sp.S(3)))
 
 
-def in_range(row: dict[Symbol, Expr]) -> list[Proposition]:
+def in_range(row: dict[Symbol, Expr]) -> list[Expr]:
     """gamma and delta of an arm alone, at the longest period, beside the upper ends of (23)."""
     _, spring, _, damper = transcribed("eq23")
     at = {second: sp.S.One}
     numbers = [ratio.xreplace(row).xreplace(at) for ratio in RATIOS]
     return [
-        proposition(end.func(LONGEST**power * number, end.rhs, evaluate=False))
+        end.func(LONGEST**power * number, end.rhs, evaluate=False)
         for end, power, number in zip((spring, damper), (2, 1), numbers, strict=True)
     ]
 
@@ -132,7 +132,7 @@ def in_range(row: dict[Symbol, Expr]) -> list[Proposition]:
 def _arms_in_the_plane(printed: Printed) -> Proposition:
     """Of the arms of Table II those of (21) lie in the ranges (23) at 1 ms, the other outside."""
     [hand] = rows(excluded=True)
-    outside = [sp.Gt(p.left, p.right, evaluate=False) for p in in_range(hand)]
+    outside = [sp.Gt(p.lhs, p.rhs, evaluate=False) for p in in_range(hand)]
     return both([*(p for row in rows() for p in in_range(row)), *outside])
 
 

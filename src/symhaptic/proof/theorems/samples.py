@@ -148,7 +148,7 @@ def in_units(
     theirs = (mass / (unit**2 * force), damping / (unit * force), stiffness / force)
     ours = transfer((mass, damping, stiffness), delay, variable)
     other = transfer(theirs, delay / unit, variable)
-    hypotheses = {Relation(_ZERO, "<", unit), Relation(force, "!=", _ZERO)}
+    hypotheses: set[Proposition] = {Relation(_ZERO, "<", unit), Relation(force, "!=", _ZERO)}
     hypotheses |= conditions(mass, damping, stiffness, delay, found, length, unit, force)
     return hypotheses, Iff(
         (
