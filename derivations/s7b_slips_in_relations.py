@@ -6,31 +6,26 @@ stiffness that is called a frequency: each is held against the formula that it s
 
 from sympy import Eq, Ne, Rational, S, pi, sqrt
 
+from symhaptic.book.lemmas.slips import neither_end
 from symhaptic.notation import T, delta, gamma, omega, omega_N, t_d
-from symhaptic.notation.proposition import TRUE, Not, Relation
+from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.slips import (
     END,
     ENDS,
     NOT_NEGATIVE,
-    below,
     spring_of_nyquist,
     within,
 )
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    anything,
-    applied,
     assume,
-    by_cases,
     conjoined,
     substituted,
     weakened,
 )
 from symhaptic.proof.theorems.leaves import combined, identity, square
 from symhaptic.proof.theorems.tactics import (
-    at,
     closed,
     counterexample,
     either_way,
@@ -99,27 +94,6 @@ def interval(page):
         unless=[Case(beyond, neither_end())],
         shows=r"$\delta=0$, $\gamma=\pi^2+0.0001$ is beyond (30)",
     )
-
-
-def neither_end():
-    """Not for the lower end, where delta is 0.02, nor for the upper one, where it is 0."""
-    low, high = (below(end) for end in ENDS)
-    damped, undamped = ({gamma: ENDS[1], delta: value} for value in (END, S.Zero))
-    false = [clash(low, damped, 0), clash(high, undamped, 1)]
-    claim = CLAIMED["s5c-interval"](())
-    never = by_cases(assume(claim), *false)
-    return absurd(anything(never, TRUE), anything(never, Not((TRUE,))), claim)
-
-
-def clash(claim, values, holds):
-    """Falsehood from an equivalence of which just one side, the one that ``holds``, is true."""
-    _, given, same = taken_apart(claim)
-    inside = [fact(p.at(values)) for p in given]
-    there = at(assume(claim), values, *inside)
-    sides = same.at(values).of
-    other = applied(there, fact(sides[holds]))
-    wrong = sides[1 - holds]
-    return absurd(other, fact(Relation(wrong.right, "<", wrong.left)))
 
 
 def frequency(page):

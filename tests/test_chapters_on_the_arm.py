@@ -113,6 +113,15 @@ def test_the_damping_of_the_whole_is_a_mean():
         assert whole < b_d / m_d + b_h / m_h
 
 
+def test_bounds_say_nothing_strict_of_what_is_not_there():
+    """(20): without a spring, and without any damper, both sides of a bound are zero."""
+    right = [Fraction(1) * 0 / 1, Fraction(1) * (Fraction(0) / 1 + Fraction(0) / 1)]
+    assert not any(0 < r for r in right)
+    condition = verdict("s4c_arm_and_device", "eq20").condition
+    assert "k_H>0" in condition
+    assert "b_D+b_H>0" in condition
+
+
 def test_the_largest_ratios():
     """(21) and (22) from the typed table: 710 attained by Hogan, 14.6 rounded up for Tsuji."""
     stiffness, damping = ratios(2), ratios(3)
