@@ -117,7 +117,9 @@ def test_bounds_say_nothing_strict_of_what_is_not_there():
     """(20): without a spring, and without any damper, both sides of a bound are zero."""
     printed = chapter("s4c_arm_and_device").page.settled["eq20"].statement.printed
     bounds = [line.rhs for line in printed]
-    nothing = {s: int(s.name in ("T", "m_D", "m_H")) for bound in bounds for s in bound.free_symbols}
+    nothing = {
+        s: int(s.name in ("T", "m_D", "m_H")) for bound in bounds for s in bound.free_symbols
+    }
     assert [bound.subs(nothing) for bound in bounds] == [0, 0]  # as gamma and delta are
     condition = verdict("s4c_arm_and_device", "eq20").condition
     assert "k_H>0" in condition
