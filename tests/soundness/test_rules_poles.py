@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from sympy import I, S, exp, pi, symbols
 
-from symhaptic.notation.proposition import NoTerm, Not, Predicate, Relation
+from symhaptic.notation.proposition import Not, NoTerm, Predicate, Relation
 from symhaptic.proof.theorems.definitions import swinging
 from symhaptic.proof.theorems.kernel import NotShown, assume, whole
 from symhaptic.proof.theorems.leaves import identity, number

@@ -63,4 +63,4 @@ def inside() -> tuple[Theorem, Theorem]:
     """-1 < -exp(-delta/2) and -exp(-delta/2) < 1, for delta > 0."""
     low = closed(rising(exp, -delta / 2, S.Zero), positive(-delta / 2 < 0, [S.Half, delta > 0]))
     high = positive(MIRROR < 1, [sign_of(exp, -delta / 2)], [S.One])
-    return positive(-1 < MIRROR, [low]), high
+    return positive(MIRROR > -1, [low]), high

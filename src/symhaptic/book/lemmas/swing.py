@@ -15,7 +15,6 @@ from symhaptic.proof.theorems.kernel import (
     assume,
     chosen,
     conjoined,
-    part,
     placed,
     witnessed,
 )
@@ -65,7 +64,7 @@ def by_its_square(radicand: Expr) -> Theorem:
 
 def rewritten(left: Theorem, right: Theorem) -> Theorem:
     """p <=> r from p <=> q and r <=> q."""
-    p, q = left.conclusion.of  # type: ignore[attr-defined]
+    p = left.conclusion.of[0]  # type: ignore[attr-defined]
     r = right.conclusion.of[0]  # type: ignore[attr-defined]
     there = applied(right, applied(left, assume(p)))
     back = applied(left, applied(right, assume(r)))
@@ -86,3 +85,16 @@ def up_to_nyquist() -> Theorem:
     back = combined(small, [assume(slow), assume(T > 0), both], [value, -T * (pi + turns)])
     apart = positive(Ne(T, 0), T > 0), positive(Ne(pi + turns, 0), [both])
     return either_way(closed(there, *apart), closed(back, *apart), small, slow)
+
+
+@cache
+def spring_of_nyquist() -> Theorem:
+    """k = pi^2 m/T^2 + b^2/(4 m) <=> the device swings with pi/T, for m > 0 and T > 0."""
+    spring = proposition(Eq(k, pi**2 * m / T**2 + b**2 / (4 * m)))
+    there = placed(swings(), {omega: pi / T})
+    same = there.conclusion.of[1]  # type: ignore[attr-defined]
+    square = combined(same, [assume(spring), -1 / m])
+    value = combined(spring, [applied(there, assume(there.conclusion.of[0])), -m])  # type: ignore[attr-defined]
+    both = either_way(applied(there, square), value, spring, there.conclusion.of[0])  # type: ignore[attr-defined]
+    fast = over(pi / T > 0, number(Relation(S.Zero, "<", pi)), T > 0)
+    return closed(both, fast, *(positive(Ne(s, 0), s > 0) for s in (m, T)))

@@ -131,6 +131,37 @@ def _limit_stable_at_best(printed: Printed) -> Proposition:
 def _mirrored_pole(printed: Printed) -> Proposition:
     """The pole at -exp(-delta/2), whatever wall and delay, is inside."""
     pole = at_nyquist(Predicate("pole", (), (*LOOP, MIRROR)))
-    inside = [proposition(-1 < MIRROR), proposition(MIRROR < 1)]
+    inside = [proposition(MIRROR > -1), proposition(MIRROR < 1)]
     given = [delta > 0, whole(l), whole(q), q > 0]
     return ForAll((alpha, beta, delta, l, q), implied(given, both([pole, *inside])))
+
+
+EXAMPLE = {m: sp.Rational(1, 10), T: sp.Rational(1, 1000)}
+"""Example 5.1, in kg and s."""
+DAMPED = tuple(r.subs(delta, b * T / m) for r in transcribed("eq23") if delta in r.free_symbols)
+"""The damper is within (23)."""
+[SPRING] = (r.rhs for r in transcribed("eq31"))
+STIFFEST = next(r.rhs for r in transcribed("eq23") if r.lhs == gamma)
+"""The largest gamma of (23)."""
+ABOUT = sp.Rational(95, 100), sp.Rational(105, 100)
+"""What is 1 to a digit and a half: 9500 and 10500 are about 10000."""
+
+
+@claims("s5c-marginal-b")
+def _damping_hardly_matters(printed: Printed) -> Proposition:
+    """The damper adds 1.02 10^-5 of the stiffness at most, and leaves 987 000 N/m as it is."""
+    free = SPRING.subs(b, 0)
+    share = proposition(SPRING - free <= sp.Rational(102, 10**7) * free)
+    rounds = both([SPRING > 986500, SPRING < 987500])
+    example = [sp.Eq(symbol, number) for symbol, number in EXAMPLE.items()]
+    given = [m > 0, T > 0, *DAMPED]
+    return ForAll((m, b, T), implied(given, both([share, implied(example, rounds)])))
+
+
+@claims("s5c-human-10000")
+def _far_stiffer_than_an_arm(printed: Printed) -> Proposition:
+    """Where (30) is an equation gamma is about 10000 times the largest of (23), and less."""
+    [limit] = transcribed("eq30")
+    damped = [r for r in transcribed("eq23") if delta in r.free_symbols]
+    near = [ABOUT[0] * 10000 * STIFFEST <= gamma, gamma < 10000 * STIFFEST]
+    return ForAll((gamma, delta), implied([*damped, sp.Eq(*limit.args)], both(near)))
