@@ -8,6 +8,7 @@ the device can extract energy.
 from sympy import Ne, Rational, S, cos, pi, sin
 
 from symhaptic.book.lemmas.passivity import INSIDE, passive_by_angle
+from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
 from symhaptic.notation import B, K, T, b, d, m, omega, theta
 from symhaptic.paper.propositions import CLAIMED
@@ -24,7 +25,6 @@ from symhaptic.proof.theorems.tactics import (
     for_all,
     over,
     positive,
-    sine_of_half,
 )
 
 
@@ -79,6 +79,14 @@ def derive(page):
         "$\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac{\\theta}{2}$ there and holds. And a "
         "spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2."
     )
+    late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
+    page.step(
+        "Energy left to damper and wall",
+        late,
+        390 * b / T + 345 * B / T - 1605 * K / 4,
+        name="E",
+        because="half a period late; with the wall above it is $-\\tfrac{147}{20}$",
+    )
     _settle(page, b > brackets.subs(theta, omega * T))
 
 
@@ -89,7 +97,7 @@ def _settle(page, printed):
     angle = theta / T
     inside = over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0)
     meets = at(assume(frequencies), {omega: angle}, *inside)
-    apart = positive(Ne(T, 0), T > 0), *_divisors(theta)
+    apart = positive(Ne(T, 0), T > 0), *divisors(theta)
     margin = closed(positive(passivity.margin() >= 0, [meets]), *apart)
     always = for_all([theta], INSIDE, margin)
     passive = follows(passive_by_angle(), assume(K >= 0), always)
@@ -103,7 +111,7 @@ def _settle(page, printed):
 
     def holds(point, *products):
         relation = frequencies.body.of[1].at(point)
-        found = closed(combined(relation, *products), *_divisors(omega))
+        found = closed(combined(relation, *products), *divisors(omega))
         return for_all([omega], [omega > 0, omega < pi], found)
 
     slow = [half, square(1 - cos(omega / 2))], [half, bounded(cos, omega / 2)]
@@ -134,13 +142,4 @@ def _settle(page, printed):
         shows=r"half a period late, (5) holds at every frequency, yet a motion extracts $147/20$",
         note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
         "of the held force it allows walls that are not passive, and forbids some that are",
-    )
-
-
-def _divisors(angle):
-    """What the condition is divided by is not zero at an angle between 0 and pi."""
-    half = sine_of_half(angle)
-    return (
-        positive(Ne(sin(angle / 2), 0), [half]),
-        positive(Ne(2 - 2 * cos(angle), 0), [4, half, half]),
     )

@@ -17,7 +17,8 @@ from symhaptic.book.lemmas.walls import (
     met,
     unstable,
 )
-from symhaptic.notation import alpha, beta, d, delta, gamma, omega, y
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, alpha, beta, d, delta, gamma, omega, y
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
@@ -100,6 +101,15 @@ def _robust(page):
 
 def _scaled(page):
     """(5) is linear in the wall and the damper."""
+    need = passivity.dirichlet_form()
+    page.step(
+        "Scaling",
+        need.subs({K: y * K, B: y * B}, simultaneous=True),
+        y * need,
+        name=r"\text{need}(yK,yB)",
+        because="the condition is linear in the wall: with $y$ times the damping, $y$ times the "
+        "wall is passive",
+    )
     claim = CLAIMED["s5a-proportional"](())
     symbols, given, scaled = taken_apart(claim)
     small, large = scaled.of

@@ -146,7 +146,7 @@ CONSTANTS = {
 def test_constant(id):
     name, digits = CONSTANTS[id]
     verdict = settled(name)[id].verdict
-    assert verdict.kind is Kind.ENCLOSED
+    assert verdict.claimed is Kind.ENCLOSED
     assert verdict.value.startswith(digits)
     assert float(verdict.radius) < 1e-20
 
@@ -169,13 +169,13 @@ def test_no_tighter_digit_is_accepted(id):
             others = list(one.settlement.quoted)
             others[i] = changed
             verdict = replace(one.settlement, quoted=tuple(others)).decide(one.statement.printed)
-            assert verdict.kind is Kind.REFUTED, changed
+            assert verdict.claimed is Kind.REFUTED, changed
     assert count >= len(one.settlement.quoted)
 
 
 def test_eta_falls_after_its_peak():
     verdict = settled("s5b_stiffest_wall_peak")["s5b-eta-grows"].verdict
-    assert verdict.kind is Kind.REFUTED
+    assert verdict.claimed is Kind.REFUTED
     assert verdict.counterexample == {"gamma": "0", "delta": "1/50", "d": "1000"}
     with mpmath.workdps(40):
         far = mpmath.findroot(lambda x: mpmath.sin(x) + x * mpmath.cos(x), 2)

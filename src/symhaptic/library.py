@@ -103,7 +103,7 @@ def looked_at(path: Path) -> Path:
     try:
         tree = ast.parse(found(path).read_text(encoding="utf-8"), str(path))
     except SyntaxError as wrong:
-        raise BadChapter(f"{path}:{wrong.lineno}: {wrong.msg}") from None
+        raise BadChapter(f"{path}:{wrong.lineno}: SyntaxError: {wrong.msg}") from None
     except UnicodeDecodeError as wrong:
         raise BadChapter(f"{path}: not a text in UTF-8 ({wrong.reason})") from None
     names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}

@@ -113,10 +113,11 @@ def verify(
         ListFormat.json: listing.json_text,
         ListFormat.junit: listing.junit,
     }[format](entries, surprises, strict, errors, time.perf_counter() - begin)
-    if output is None:
-        typer.echo(text, nl=False)
-    else:
+    # a machine that reads the outcome is told of an error in it, a person on one line
+    if output is not None and not (errors and format is ListFormat.text):
         write(listing.replace, output, text)
+    elif output is None and not errors:
+        typer.echo(text, nl=False)
     if errors:
         more = f"; and {len(errors) - 1} more" if errors[1:] else ""
         refuse(f"--derivation {errors[0]}{more}")

@@ -222,19 +222,19 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "passive_wall": (
         *(0, 5),
-        r"\operatorname{{passive}}({0},{1},{2},{3},{4})",
+        r"\mathrm{{passive}}({0},{1},{2},{3},{4})",
         "no motion of a device with damping b gains energy from the wall K + B (z-1)/(Tz), sampled "
         "every T, its force held for T and d periods late",
     ),
     "stable_loop": (
         *(0, 5),
-        r"\operatorname{{stable}}({0},{1},{2},{3},{4})",
+        r"\mathrm{{stable}}({0},{1},{2},{3},{4})",
         "the loop of wall (alpha, beta), spring gamma, damper delta and a delay of d periods, all "
         "in units of mass and period, comes to rest from every state",
     ),
     "stable_substituted": (
         *(0, 5),
-        r"\operatorname{{stable}}_{{(18)}}({0},{1},{2},{3},{4})",
+        r"\mathrm{{stable}}_{{(18)}}({0},{1},{2},{3},{4})",
         "as the paper has it: every zero of the characteristic polynomial lies inside the unit "
         "circle, for a delay of d = p/q periods that of the polynomial in w that z = w^q makes",
     ),

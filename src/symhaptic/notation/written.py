@@ -37,8 +37,8 @@ def written(claim: Proposition) -> str:
     if isinstance(claim, Relation):
         left, right = latex(claim.left, inline=True), latex(claim.right, inline=True)
         if not claim.left.free_symbols and claim.right.free_symbols:
-            return f"{right}{_TURNED[claim.sign]}{left}"
-        return f"{left}{_SIGNS[claim.sign]}{right}"
+            return _related(right, _TURNED[claim.sign], left)
+        return _related(left, _SIGNS[claim.sign], right)
     if isinstance(claim, Predicate):
         terms = [latex(t, inline=True) for t in claim.of]
         over = latex(claim.over[0]) if claim.over else ""
@@ -57,6 +57,11 @@ def written(claim: Proposition) -> str:
     if isinstance(claim, Iff):
         return rf"{parts[0]}\ \Leftrightarrow\ {parts[1]}"
     raise TypeError(f"{claim!r} is no proposition")
+
+
+def _related(left: str, sign: str, right: str) -> str:
+    """A relation; a command keeps clear of a letter behind it."""
+    return f"{left}{sign}{' ' if sign[0] == chr(92) and right[:1].isalpha() else ''}{right}"
 
 
 def _denied(claim: Proposition) -> str:
@@ -91,7 +96,8 @@ def chains(claims: Sequence[Proposition]) -> list[str]:
             lower = latex(claim.left, inline=True)
             middle = latex(claim.right, inline=True)
             upper = latex(chain.right, inline=True)
-            out.append(f"{lower}{_SIGNS[claim.sign]}{middle}{_SIGNS[chain.sign]}{upper}")
+            inner = _related(middle, _SIGNS[chain.sign], upper)
+            out.append(_related(lower, _SIGNS[claim.sign], inner))
         else:
             out.append(_bracketed(claim))
     return out

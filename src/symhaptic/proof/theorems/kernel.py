@@ -347,6 +347,15 @@ def denied(theorem: Theorem, wanted: Any) -> Judgement:
 
 
 @rule
+def reductio(falsehood: Theorem, given: Any) -> Judgement:
+    """p |- false gives not p."""
+    if falsehood.conclusion != FALSE:
+        raise NotShown("the premise is not false")
+    claim = proposition(given)
+    return falsehood.hypotheses - {claim, *conjuncts(claim)}, Not((claim,))
+
+
+@rule
 def anything(falsehood: Theorem, wanted: Any) -> Judgement:
     """Falsehood gives anything."""
     if falsehood.conclusion != FALSE:

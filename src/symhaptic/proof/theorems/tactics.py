@@ -11,6 +11,7 @@ from sympy import Symbol
 from symhaptic.notation.proposition import (
     ForAll,
     Not,
+    Or,
     Predicate,
     Proposition,
     Relation,
@@ -25,6 +26,7 @@ from symhaptic.proof.theorems.kernel import (
     absurd,
     applied,
     assume,
+    by_cases,
     conjoined,
     cut,
     denied,
@@ -32,6 +34,7 @@ from symhaptic.proof.theorems.kernel import (
     equivalent,
     general,
     instance,
+    reductio,
 )
 from symhaptic.proof.theorems.leaves import (
     broken,
@@ -136,6 +139,12 @@ def counterexample(
     if isinstance(then, Relation) and not then.at(values).free:
         extra.append(_denial(then.at(values)))
     return example(values, [*given, *map(proposition, holds), *extra], *theorems)
+
+
+def none_of(claim: Or, *denials: Theorem) -> Theorem:
+    """not (p or q), from what contradicts each."""
+    cases = [absurd(assume(p), denial) for p, denial in zip(claim.of, denials, strict=True)]
+    return reductio(by_cases(assume(claim), *cases), claim)
 
 
 def _denial(claim: Proposition) -> Proposition:
