@@ -36,7 +36,8 @@ def settled(chapter, statement):
 
 def counterexample(chapter, statement):
     """The point at which a statement was shown to fail, by names."""
-    unless = page(chapter).settled[statement].settlement.unless
+    settlement = page(chapter).settled[statement].settlement
+    unless = settlement.judged.unless[0].values if settlement.judged else settlement.unless
     return {symbol.name: float(sp.N(number)) for symbol, number in unless.items()}
 
 
