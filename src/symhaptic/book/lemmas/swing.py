@@ -7,7 +7,7 @@ from functools import cache
 from sympy import Eq, Expr, Ne, S, Symbol, pi, sqrt
 
 from symhaptic.notation import T, b, delta, gamma, k, m, omega, x
-from symhaptic.notation.proposition import And, Predicate, Relation, proposition
+from symhaptic.notation.proposition import Predicate, Relation, proposition
 from symhaptic.proof.theorems.definitions import swinging
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -40,11 +40,11 @@ def swings() -> Theorem:
     wanted = proposition(Eq(omega**2, SQUARE))
     found = combined(wanted, [sine, -1 / m], [slow, RATE - rate])
     there = chosen(assume(some), found)
-    damped = [identity(2 * m * rate * omega + b * omega, S.Zero)]
+    damped = identity(2 * m * rate * omega + b * omega, S.Zero)
     square = assume(wanted)
-    parts = And(some.body.of).at({RATE: rate})
-    held = combined(parts.of[0], [square, -m])
-    still = combined(parts.of[1], [damped[0], S.One])
+    swung, slowed = (claim.at({RATE: rate}) for claim in some.body.of)
+    held = combined(swung, [square, -m])
+    still = combined(slowed, [damped, S.One])
     back = witnessed(conjoined(held, still), some, {RATE: rate})
     same = either_way(there, back, some, wanted)
     return closed(chained(meaning, same), *apart)

@@ -59,6 +59,16 @@ def _passive_region_scales(printed: Printed) -> Proposition:
     return ForAll(walls, implied([delta >= 0, d >= 0, y > 0], Iff((passive(), passive(y)))))
 
 
+@claims("s5b-soft-contacts")
+def _stiffness_turned_down(printed: Printed) -> Proposition:
+    """A stable wall that does not pull is stable with any share y of its stiffness.
+
+    Its damping is kept.  Said of whole delays, for which (18) is a polynomial.
+    """
+    given = [gamma >= 0, delta >= 0, whole(d), alpha >= 0, y >= 0, y <= 1, STABLE]
+    return ForAll((*LOOP, y), implied(given, STABLE.at({alpha: y * alpha})))
+
+
 # -- springs up to the Nyquist frequency ------------------------------------------------
 
 DEVICE = (m, b, k, omega)
