@@ -99,9 +99,9 @@ def derive(page):
             ),
         ],
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note=r"a passive wall that does not pull has $\delta>0$; for whole delays; without delay it "
-        "need not be passive (next chapter); inside (23) no such wall was found for delays up to 75 "
-        "periods",
+        note=r"a passive wall that does not pull has $\delta>0$; for whole delays; without delay "
+        "it need not be passive (next chapter); inside (23) no such wall was found for delays up "
+        "to 75 periods",
     )
 
 
