@@ -70,7 +70,17 @@ def derive(page):
         "displacements, and what the spring stores at the end",
         boxed=True,
     )
-    page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
+    page.say(
+        "The mass is not in (5). That it takes nothing on the whole is seen where it still is: a "
+        "motion at the frequency $\\omega$ gives $\\Re\\{(ms^2+bs)/s\\}$ per squared velocity "
+        "to the device, with $s=j\\omega$, which is the same for any two masses."
+    )
+    balance = passivity.balance()
+    page.settle(
+        "s3a-mass-free",
+        page.free_of("the energy balance", balance, m),
+        page.same("the condition", balance, b - need),
+    )
     page.say(
         "A delay that is no whole number of periods does not act as $z^{-d}$ on the samples. With "
         "half a period of delay, let the device move by $\\tfrac32$ in the first half of each "

@@ -90,7 +90,8 @@ def derive(page):
         shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$",
         note="$0/0$ for $k=0$ and for $b^2=4km$",
     )
-    page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
+    page.say("A delay of $d$ periods multiplies by $e^{-dTs}$.")
+    page.define("The shift by one period", z, exp(T * s))
     page.step(
         "The delay on the unit circle",
         on_circle(z ** (-d), omega * T),

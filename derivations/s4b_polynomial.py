@@ -67,6 +67,10 @@ def derive(page):
     n, p = function("n")(z), function("p")(z)
     one, two = plant.normalised(FULL).poles(c_1)
     given = {c_2: exp(two), c_3: exp(one), gamma: (delta**2 - c_1**2) / 4}
+    page.say("With the abbreviations (15) of the chapter before,")
+    page.define("Difference of the poles", c_1, plant.normalised(FULL).split)
+    page.define("Faster pole", c_2, exp(two))
+    page.define("Slower pole", c_3, exp(one))
     scale = -2 * c_1 * gamma
     top, bottom = scale * device.numerator, scale * loop.characteristic(split=c_1)
     free = {

@@ -7,7 +7,6 @@ what the numbers say of themselves can be checked: ratios, damping, and units th
 from sympy import Rational, S, pi, sqrt, symbols
 
 from symhaptic.paper.tables import EXCLUDED, TABLE_II
-from symhaptic.proof.ball import ball
 from symhaptic.proof.sign import assume, combined, number, quotient
 
 POUND, GRAVITY, INCH = Rational("0.45359237"), Rational("9.80665"), Rational("0.0254")
@@ -47,7 +46,7 @@ def derive(page):
         all_of_them = ratios(column)
         most = all_of_them.pop(EXCLUDED)
         factors += [number(most - 3 * less) for less in all_of_them.values()]
-        shown.append((name, ball(most / max(all_of_them.values()), None, 128).real))
+        shown.append((name, most / max(all_of_them.values())))
     page.enclosed("How many times", shown, places=6)
     page.settle(
         "s4c-outlier", *factors, note="at least 3 times each of them; 9.4 and 3.4 times the next"
@@ -104,7 +103,7 @@ def converted(page):
     )
     page.enclosed(
         "In SI units",
-        [(name, ball(value, None, 128).real) for name, value, _ in found],
+        [(name, value) for name, value, _ in found],
         because="printed as 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,
     )

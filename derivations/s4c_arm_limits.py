@@ -71,6 +71,8 @@ def limits(page, spring, damper):
     device, arm = assume(m_D), assume(m_H)
     both = combined(m_D + m_H, [device], [arm])
     held = {gamma: T**2 * k_H / (m_D + m_H), delta: T * (b_D + b_H) / (m_D + m_H)}
+    for name, meaning in held.items():
+        page.define("By (19)", name, meaning)
     soft = assume(spring / second**2 * m_H - k_H, False)
     tame = assume(damper / second * m_H - b_H, False)
     light = assume(DEVICE / second * m_D - b_D)

@@ -8,7 +8,7 @@ them is larger, the sum turns with it.
 
 from sympy import I, cos, exp, pi, sin, symbols
 
-from symhaptic.model.passivity import on_circle
+from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import alpha, beta, d, phi, theta, z
 
 
@@ -26,16 +26,21 @@ def derive(page):
         ("W", wall, alpha**2 + (alpha + beta) * beta * y),
     ]
     square = {}
-    for name, factor, size in sizes:
+    for name, factor, form in sizes:
         page.show(
             f"Size of ${name}$ on the circle",
             f"|{name}|^2",
-            size,
-            page.same(name, factor * factor.subs(z, 1 / z), size.subs(y, 2 - z - 1 / z)),
+            form,
+            page.same(name, factor * factor.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),
         )
-        square[name] = size
+        square[name] = form
     surplus = square["A"] - square["N"] * square["W"]
-    ignores = page.free_of("the surplus", surplus, d)
+    plant_part, wall_part = on_circle(z ** (d + 1) * bottom), on_circle(top * wall)
+    with_delay = size(plant_part) - size(wall_part)
+    grounds = (
+        page.free_of("|f|^2-|g|^2", with_delay, d),
+        page.same("the surplus", with_delay, surplus.subs(y, on_circle(2 - z - 1 / z))),
+    )
     page.say(
         "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$, and the delay is not in it: there "
         "are at most two angles $\\theta_i$ in $(0,\\pi)$ at which plant and wall are equally "
@@ -99,16 +104,21 @@ def derive(page):
     )
     m_2, m_1, m_0 = symbols("m_2 m_1 m_0")
     late, whole = m_2 * z**2 + m_1 * z + m_0, m_2 + m_1 + m_0
-    size = whole**2 + ((m_2 - m_0) ** 2 - whole * (m_2 + m_0)) * y + m_2 * m_0 * y**2
+    form = whole**2 + ((m_2 - m_0) ** 2 - whole * (m_2 + m_0)) * y + m_2 * m_0 * y**2
     page.show(
         "A delay with a fraction has a numerator of degree two",
         "|m_2z^2+m_1z+m_0|^2",
-        size,
-        page.same("late", late * late.subs(z, 1 / z), size.subs(y, 2 - z - 1 / z)),
+        form,
+        page.same("late", late * late.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),
         because="the surplus then has degree three, and the rest is the same",
     )
     page.state(
         "counting-ignores-delay",
         "the angles at which plant and wall are equally large ignore the delay",
     )
-    page.settle("counting-ignores-delay", ignores)
+    page.settle("counting-ignores-delay", *grounds)
+
+
+def size(value):
+    """|x|^2 = (Re x)^2 + (Im x)^2."""
+    return real_part(value) ** 2 + real_part(value / I) ** 2

@@ -11,7 +11,7 @@ from sympy import Rational, S
 from symhaptic.model import boundary, loop, passivity, plant, wall
 from symhaptic.notation import B, K, T, alpha, b, beta, c, d, delta, function, gamma, k, m, z
 from symhaptic.proof import sign
-from symhaptic.proof.ball import ball
+from symhaptic.proof.enclosed import value
 from symhaptic.scene import Parts
 
 DAMPED = Parts(stiffness=False)
@@ -35,8 +35,8 @@ def derive(page):
     page.enclosed(
         "The bounds of the chapter before for $\\delta=\\frac1{100}$",
         [
-            (r"\alpha_{\max}", ball(LARGEST, {delta: AFTER}, 256).real),
-            (r"1/n_0", ball(1 / ARM.n0, {delta: AFTER}, 256).real),
+            (r"\alpha_{\max}", value(LARGEST, {delta: AFTER})),
+            (r"1/n_0", value(1 / ARM.n0, {delta: AFTER})),
         ],
         because="that is the same damper with half the period: no $\\beta$ makes the first wall's "
         "$\\alpha$, four times its stiffness, stable, and no $\\alpha$ the second wall's $\\beta$, "
@@ -90,7 +90,7 @@ def derive(page):
     page.settle(
         "s6-mass",
         heavier,
-        page.free_of("passivity", passivity.dirichlet_form(), m),
+        page.free_of("the energy balance", passivity.balance(), m),
         provided=KEPT,
         **too_stiff,
         shows=r"twice the mass with the same damper gives less than twice the stiffness",

@@ -63,7 +63,7 @@ TIPS = [
 
 @pytest.mark.parametrize(("gamma", "delta", "delay", "near"), TIPS)
 def test_most_is_the_maximum_that_mpmath_finds(gamma, delta, delay, near):
-    value = most(gamma, delta, delay)
+    value = most(gamma, delta, delay).ball
     with mpmath.workdps(60), ctx.workprec(256):
         there = arb(mpmath.nstr(tip(gamma, delta, delay, near / (delay + 1)), 45))
         # 1e-30: mpmath's numerical derivative at the tip, squared by the parabola
@@ -79,7 +79,7 @@ def stable_somewhere(alpha, gamma, delta, delay, dampings):
 @pytest.mark.parametrize("gamma", [S.Zero, STIFF])
 def test_no_damping_makes_a_stiffer_wall_stable(gamma, delay):
     """By eigenvalues on a grid of damping: stable just below the largest alpha, never above."""
-    high = float(most(gamma, DAMPED, delay))
+    high = float(most(gamma, DAMPED, delay).ball)
     dampings = np.linspace(-0.1, 2.3, 6001) / (delay + 1)
     for factor, expected in ((0.9999, True), (1.0001, False), (1.3, False), (3.0, False)):
         found = stable_somewhere(high * factor, float(gamma), 0.02, delay, dampings)
@@ -127,7 +127,7 @@ def test_a_zero_in_a_ball_of_a_parameter():
 
 
 def test_over_keeps_the_digits():
-    assert over(passive(DAMPED, 1), tan(pi / 8)).overlaps(arb("0.04"))
+    assert over(passive(DAMPED, 1), tan(pi / 8)).ball.overlaps(arb("0.04"))
 
 
 # -- what is said of it -----------------------------------------------------------------------

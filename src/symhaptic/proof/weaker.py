@@ -16,6 +16,7 @@ from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Box, Given
 from symhaptic.proof.change import WIDER, Change, because, inexcusable
 from symhaptic.proof.checks import Sign
+from symhaptic.proof.seal import KEY
 from symhaptic.proof.sign import Fact, Interval, NotShown
 
 _BUSY = 100
@@ -28,7 +29,7 @@ def remade(fact: Fact, place: int, new: Any, **otherwise: Any) -> Sign:
     """A fact made again with one argument changed."""
     assert fact.made is not None
     args = (*fact.made.args[:place], new, *fact.made.args[place + 1 :])
-    return Sign(replace(fact, made=replace(fact.made, args=args), **otherwise))
+    return Sign(replace(fact, made=replace(fact.made, args=args), key=KEY, **otherwise))
 
 
 @dataclass(frozen=True)
@@ -119,7 +120,7 @@ def _tried(fact: Fact, box: Box, given: Given | None) -> Sign:
     ends = [end for s, (low, high) in box.items() for end in (s - low, high - s)]
     rests = frozenset((sp.sympify(end), False) for end in ends)
     made = replace(fact.made, args=(fact.expr, box, busy), named={})
-    return Sign(replace(fact, made=made, rests=rests))
+    return Sign(replace(fact, made=made, rests=rests, key=KEY))
 
 
 def _seen_wrong(expr: Expr, box: Box, given: Given | None) -> dict[sp.Symbol, Expr] | None:
