@@ -19,6 +19,7 @@ from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, b, delta, k, m
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof import box
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     assume,
@@ -57,7 +58,16 @@ def example_(page, spring):
     """Example 5.1."""
     device = spring.subs(DEVICE)
     page.step("For $m=0.1$ kg and $T=1$ ms", device, 100000 * pi**2 + Rational(5, 2) * b**2, name=k)
-    page.say("which is $986\\,960.44\\ldots$ N/m without damping. (23) has $b\\le0.02m/T=2$ Ns/m.")
+    page.say(
+        "which is $986\\,960.44\\ldots$ N/m without damping. It rounds to 987 000 N/m as long "
+        "as $2.5\\,b^2<540$ (in SI units), $b\\le14.6$ Ns/m; (23) has $b\\le0.02m/T=2$ Ns/m:"
+    )
+    page.positive(
+        "It rounds to the printed number",
+        box.positive(987500 - device, {b: (0, Rational(146, 10))}),
+        r"0\le b\le14.6\ \mathrm{Ns/m}",
+        name="987\\,500-k",
+    )
     symbols, given, _ = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))
     point = {m: S.One, b: S.Zero, k: S.One, T: S.One}
     page.settle(

@@ -120,6 +120,6 @@ def damped(below: Proposition) -> Theorem:
         positive(alpha * sin(turn) >= 0, [alpha >= 0, lifts]),
         positive(2 * sin(angle / 2) > 0, [2, half]),
     )
-    apart = positive(Ne(d + 1, 0), [more]), positive(Ne(2 * d + 2, 0), [2, more])
-    apart += closed(divisors(angle)[0], *inside), not_zero(half)
-    return closed(positive(delta > 0, [met], [need]), *apart)
+    turned = closed(divisors(angle)[0], *inside)
+    apart = positive(Ne(d + 1, 0), [more]), positive(Ne(2 * d + 2, 0), [2, more]), not_zero(half)
+    return closed(positive(delta > 0, [met], [need]), turned, *apart)
