@@ -29,7 +29,6 @@ def derive(page):
         ("N", top, (n_1 + n_0) ** 2 - n_1 * n_0 * y),
         ("W", wall, alpha**2 + (alpha + beta) * beta * y),
     ]
-    square = {}
     for name, factor, form in sizes:
         page.show(
             f"Size of ${name}$ on the circle",
@@ -37,8 +36,6 @@ def derive(page):
             form,
             page.same(name, factor * factor.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),
         )
-        square[name] = form
-    surplus = square["A"] - square["N"] * square["W"]
     page.say(
         "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$, and the delay is not in it: there "
         "are at most two angles $\\theta_i$ in $(0,\\pi)$ at which plant and wall are equally "

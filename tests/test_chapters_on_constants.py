@@ -136,7 +136,7 @@ CONSTANTS = {
     # statement: chapter and its number to 12 digits, from the mpmath maxima above
     "s5b-eta-d0": ("s5b_stiffest_undelayed", "17.8171701158"),
     "s5b-eta-d1": ("s5b_stiffest_wall_numbers", "9.31468674923"),
-    "s5c-human-10000": ("s5c_nyquist_numbers", "9869.60440108"),
+    "s5c-human-10000": ("s5c_nyquist_arms", "9869.60440108"),
     "eq31": ("s5c_nyquist_numbers", "986960.440108"),
     "s6-stable-22": ("s6_delay_one_period", "0.216547833112"),
 }
@@ -244,6 +244,12 @@ MUTANTS = [
     ("s5b_weaker_damping", "two - one > 0", "one - two > 0"),
     ("s5c_nyquist_numbers", "spring = pi**2 * m / T**2", "spring = 2 * pi**2 * m / T**2"),
     ("s5c_nyquist_numbers", "Rational(102, 10**7)", "Rational(101, 10**7)"),
+    ("s5c_nyquist", "turns**2 <= pi**2,)", "turns**2 <= pi,)"),
+    ("s5c_nyquist_pole", "mirrored_pole(delta)", "mirrored_pole(2 * delta)"),
+    ("s5c_nyquist_arms", "k_H: S(100)}", "k_H: S(101)}"),
+    ("s5c_nyquist_arms", "Rational(1, 1000))\n", "Rational(1, 1100))\n"),
+    ("s5b_soft_contacts", "alpha: Rational(1, 5000)", "alpha: Rational(1, 10**6)"),
+    ("s5b_soft_contacts", "d: S.Zero, y: S.Zero}", "d: S.Zero, y: S.Half}"),
     ("s5c_nyquist_region", "LEFT = exp(-delta / 2)", "LEFT = exp(-delta)"),
     ("s5c_nyquist_region", "- 13 *", "- 14 *"),
     ("s6_delay_one_period", "* MOST - curve", "* -MOST + curve"),

@@ -238,6 +238,17 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "as the paper has it: every zero of the characteristic polynomial lies inside the unit "
         "circle, for a delay of d = p/q periods that of the polynomial in w that z = w^q makes",
     ),
+    "pole": (
+        *(0, 6),
+        r"{5}\ \text{{is a pole of}}_{{(18)}}({0},{1},{2},{3},{4})",
+        "as the paper has it: a zero of the characteristic polynomial, for a delay of d = p/q "
+        "periods w^q for a zero w of the polynomial in w that z = w^q makes",
+    ),
+    "swings": (
+        *(0, 4),
+        r"{0}\ddot x+{1}\dot x+{2}x=0\ \text{{swings with}}\ {3}",
+        "m x'' + b x' + k x = 0 has a motion x = exp(sigma t) sin(omega t) with a real sigma",
+    ),
     "device": (
         *(0, 6),
         r"\frac{{{2}z+{3}}}{{z^2-{4}z+{5}}}\ \text{{samples the device}}\ ({0},{1})",

@@ -58,14 +58,16 @@ def loop(
 
 
 def loop_polynomial(
-    values: Sequence[Any], variable: Symbol, share: int, stiffness: bool, damping: bool
+    values: Sequence[Any], variable: Symbol, share: Any, stiffness: bool, damping: bool
 ) -> tuple[set[Proposition], Predicate]:
     """A loop's polynomial in w, with z = w^share, has its zeros inside; and its divisors."""
     found = [term(v) for v in values]
     if any(variable in t.free_symbols for t in found):
         raise NotShown(f"{variable} is bound")
-    if (not stiffness and found[2] != 0) or (not damping and found[3] != 0) or share < 1:
+    if (not stiffness and found[2] != 0) or (not damping and found[3] != 0):
         raise NotShown("a part that is not modelled is zero")
+    if term(share).is_number and not (term(share).is_Integer and share >= 1):
+        raise NotShown(f"{share} is no share of a period")
     polynomial = characteristic(Parts(stiffness=stiffness, damping=damping))
     names = dict(zip((alpha, beta, gamma, delta, d), found, strict=True))
     placed = polynomial.xreplace({s: v for s, v in names.items() if s != v})
@@ -75,7 +77,7 @@ def loop_polynomial(
     return divisors, Predicate("stable", (variable,), (powers,))
 
 
-def _raised(expr: Expr, variable: Symbol, share: int) -> Expr:
+def _raised(expr: Expr, variable: Symbol, share: Any) -> Expr:
     """With variable^share for z."""
     if expr == z or (expr.is_Pow and expr.args[0] == z):
         return variable ** (share * expr.as_base_exp()[1])
@@ -257,3 +259,21 @@ def device_numbers(device: Theorem) -> tuple[Expr, ...]:
     if not (isinstance(claim, Predicate) and claim.name == "device"):
         raise NotShown(f"{claim} is about no device")
     return claim.of
+
+
+@rule
+def swinging(device: Sequence[Any], rate: Symbol) -> Judgement:
+    """x = exp(sigma t) sin(omega t) obeys Newton's law where both its parts vanish.
+
+    ``device`` is m, b, k and omega; m x'' + b x' + k x is exp(sigma t) times a sine and a cosine.
+    """
+    mass, damping, stiffness, frequency = found = tuple(term(t) for t in device)
+    if not all(map(real, found)) or any(rate in t.free_symbols for t in found):
+        raise NotShown(f"four real terms without {rate} are wanted")
+    sine = mass * (rate**2 - frequency**2) + damping * rate + stiffness
+    cosine = 2 * mass * rate * frequency + damping * frequency
+    parts = And((Relation(sine, "=", sp.S.Zero), Relation(cosine, "=", sp.S.Zero)))
+    apart = Relation(frequency, "!=", sp.S.Zero)
+    return conditions(*found) | {apart}, Iff(
+        (Predicate("swings", (), found), Exists((rate,), parts))
+    )

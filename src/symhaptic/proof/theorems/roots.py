@@ -6,7 +6,7 @@ has to be believed beside logic and the deciders.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sympy as sp
@@ -24,6 +24,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definitions import loop_polynomial
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 SOURCES = {
@@ -37,6 +38,8 @@ SOURCES = {
     "last_coefficient": "it is, up to its sign, the product of the zeros: Vieta",
     "jury": "half of Jury's inner determinants, and half planes, are enough; Anderson and Jury, "
     "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
+    "pole_at": "definition of a pole",
+    "held_by_a_pole": "definition of stability",
 }
 """Each rule of this module with its source."""
 
@@ -216,6 +219,54 @@ def roots_stay(
     return hypotheses, Predicate("stable", (variable,), (f + g,))
 
 
+@rule
+def pole_at(
+    values: Sequence[Any],
+    variable: Symbol,
+    share: Any,
+    exponent: Any,
+    zero: Theorem,
+    stiffness: bool = True,
+    damping: bool = True,
+) -> Judgement:
+    """exp(s) is a pole of (18) if exp(s/q) is a zero of its polynomial in w, with z = w^q.
+
+    ``share`` is q, whole and positive, ``exponent`` is s; ``zero`` concludes that the polynomial
+    vanishes there, its powers written exp(s n/q).
+    """
+    share, exponent = term(share), term(exponent)
+    divisors, zeros = loop_polynomial(values, variable, share, stiffness, damping)
+    if variable in share.free_symbols | exponent.free_symbols or not real(share):
+        raise NotShown(f"{variable} is bound")
+    powers = _powers(zeros.of[0], variable, real_only=False)
+    there = sp.Add(*(c * sp.exp(exponent * n / share) for n, c in powers.items()))
+    claim = zero.conclusion
+    if not (isinstance(claim, Relation) and (claim.sign, claim.right) == ("=", _ZERO)):
+        raise NotShown(f"{claim} is no zero")
+    if not is_zero(claim.left - there):
+        raise NotShown(f"{claim.left} is not the value of the polynomial there")
+    found = tuple(term(v) for v in values)
+    hypotheses = zero.hypotheses | divisors | conditions(exponent)
+    hypotheses |= _whole([*powers, share, sp.expand(share * found[4])])
+    if not share.is_number:
+        hypotheses |= {Relation(_ZERO, "<", share)}
+    return hypotheses, Predicate("pole", (), (*found, sp.exp(exponent)))
+
+
+@rule
+def held_by_a_pole(pole: Theorem, outside: Theorem) -> Judgement:
+    """A real pole z with 1 <= z^2 is not inside: as the paper has it, the loop is not stable."""
+    claim = pole.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "pole"):
+        raise NotShown(f"{claim} names no pole")
+    *loop_, place = claim.of
+    if not real(place) or outside.conclusion != Relation(sp.S.One, "<=", place**2):
+        raise NotShown(f"{outside.conclusion} does not say that {place} is not inside")
+    return pole.hypotheses | outside.hypotheses, Not(
+        (Predicate("stable_substituted", (), tuple(loop_)),)
+    )
+
+
 def _stable(theorem: Theorem, variable: Symbol) -> Expr:
     """The polynomial of which a theorem says that all its zeros lie inside."""
     claim = theorem.conclusion
@@ -225,7 +276,7 @@ def _stable(theorem: Theorem, variable: Symbol) -> Expr:
     return polynomial.xreplace({claim.over[0]: variable})
 
 
-def _powers(polynomial: Expr, variable: Symbol) -> dict[Expr, Expr]:
+def _powers(polynomial: Expr, variable: Symbol, real_only: bool = True) -> dict[Expr, Expr]:
     """Exponents of a polynomial, which may hold symbols, with their coefficients."""
     found: dict[Expr, Expr] = {}
     for summand in sp.Add.make_args(sp.expand(polynomial)):
@@ -233,7 +284,7 @@ def _powers(polynomial: Expr, variable: Symbol) -> dict[Expr, Expr]:
         factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
         if any(base != variable or variable in e.free_symbols for base, e in factors):
             raise NotShown(f"{summand} is no multiple of a power of {variable}")
-        if not real(coefficient):
+        if real_only and not real(coefficient):
             raise NotShown(f"{coefficient} is not real by its form")
         exponent = sp.expand(sp.Add(*(e for _, e in factors)))
         found[exponent] = found.get(exponent, _ZERO) + coefficient
