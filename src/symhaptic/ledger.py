@@ -114,7 +114,9 @@ def judged_again(entry: Entry) -> str | None:
         found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
     except Unfounded as wrong:
         return f"{statement.id}: {wrong}"
-    if (found.kind, found.condition) != (entry.verdict.kind, entry.verdict.condition):
+    numbers = entry.verdict.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
+    same = found.kind is entry.verdict.kind or numbers
+    if not same or found.condition != entry.verdict.condition:
         return f"{statement.id}: judged again it is {found.kind}"
     return None
 

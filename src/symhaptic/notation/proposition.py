@@ -62,6 +62,11 @@ def term(of: Any) -> Expr:
     return expr
 
 
+def without_value(number: Expr) -> bool:
+    """Whether SymPy met a division by zero; to be asked of numbers, since 0^x may have a value."""
+    return bool(number.has(sp.zoo, sp.nan, sp.oo, -sp.oo))
+
+
 def is_complex(symbol: Expr) -> bool:
     """Whether a symbol stands for a complex number."""
     known = SYMBOLS.get(symbol.name)
@@ -157,8 +162,10 @@ class Relation(Proposition):
         """Its two sides."""
         return self.left, self.right
 
-    def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Relation:
-        """The same sign between other terms."""
+    def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Proposition:
+        """The same sign between other terms; false between numbers of which one has no value."""
+        if not any(t.free_symbols for t in terms) and any(without_value(t) for t in terms):
+            return FALSE
         return Relation(terms[0], self.sign, terms[1])
 
 
@@ -248,6 +255,19 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         *(0, 4),
         r"{0}\ddot x+{1}\dot x+{2}x=0\ \text{{swings with}}\ {3}",
         "m x'' + b x' + k x = 0 has a motion x = exp(sigma t) sin(omega t) with a real sigma",
+    ),
+    "degree": (
+        *(1, 2),
+        r"{0}\ \text{{has degree }}{1}\text{{ in }}{s}",
+        "a polynomial in z whose highest power, with a coefficient that is not zero, is this one",
+    ),
+    "answers": (
+        *(1, 4),
+        r"{0}\ \text{{answers }}{1}^k\text{{, held every }}{3}\text{{, by }}{2}\,{1}^k",
+        "a force z^k that is held during period k, of length T, acts through a device with this "
+        "transfer function of s; of the motions that turn by z from period to period there is just "
+        "one, and its position at sample k is X z^k, for all k, negative ones included (terms: "
+        "transfer function, z, X, T, all of which have a value)",
     ),
     "device": (
         *(0, 6),

@@ -14,6 +14,8 @@ from dataclasses import dataclass, replace
 from sympy import Symbol
 
 from symhaptic.notation.proposition import (
+    FALSE,
+    TRUE,
     And,
     Exists,
     ForAll,
@@ -30,6 +32,7 @@ from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
     absurd,
+    anything,
     applied,
     assume,
     instance,
@@ -66,6 +69,10 @@ class Case:
             if isinstance(denial.conclusion, Implies):
                 given, _ = denial.conclusion.of
                 denial = applied(denial, part(self.theorem, given))
+            if FALSE in conjuncts(denial.conclusion):  # a side of a relation has no value there
+                never = part(denial, FALSE)
+                contrary = anything(never, TRUE), anything(never, Not((TRUE,)))
+                return not absurd(*contrary, claim).hypotheses
             for known in conjuncts(self.theorem.conclusion):
                 if _opposed(known, denial.conclusion):
                     return not absurd(denial, part(self.theorem, known), claim).hypotheses

@@ -23,7 +23,7 @@ from symhaptic.notation.proposition import (
     term,
 )
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definedness import conditions, differs, real
 from symhaptic.proof.theorems.definitions import loop_polynomial
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
@@ -40,6 +40,8 @@ SOURCES = {
     "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
     "pole_at": "definition of a pole",
     "held_by_a_pole": "definition of stability",
+    "degree": "definition of the degree",
+    "not_of_degree": "different powers are linearly independent",
 }
 """Each rule of this module with its source."""
 
@@ -267,6 +269,37 @@ def held_by_a_pole(pole: Theorem, outside: Theorem) -> Judgement:
     )
 
 
+@rule
+def degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
+    """A polynomial has this degree: larger than all other powers, by whole numbers.
+
+    That exponents are whole, and the coefficient not zero, are hypotheses.
+    """
+    polynomial, power = term(polynomial), sp.expand(term(power))
+    powers = _powers(polynomial, variable, real_only=False)
+    gaps = [sp.expand(power - e - 1) for e in powers if e != power]
+    if power not in powers or not all(_seen_whole(gap) for gap in gaps):
+        raise NotShown(f"{power} is not seen to be the highest power")
+    hypotheses = _whole(powers) | {whole(s) for gap in gaps for s in gap.free_symbols}
+    hypotheses |= {Relation(powers[power], "!=", _ZERO), *conditions(*powers.values())}
+    return hypotheses, Predicate("degree", (variable,), (polynomial, power))
+
+
+@rule
+def not_of_degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
+    """Of a sum of powers in numbers: one of them is not whole, or this power is not in it."""
+    polynomial, power = term(polynomial), term(power)
+    powers = _powers(polynomial, variable, real_only=False)
+    if any(e.free_symbols or not e.is_Rational for e in (*powers, power)):
+        raise NotShown(f"{polynomial} has powers that are no rational numbers")
+    broken = [c for e, c in powers.items() if not (e.is_Integer and e >= 0)]
+    lead = powers.get(power, _ZERO)
+    if not any(differs(c) for c in broken) and not (not lead.free_symbols and is_zero(lead)):
+        raise NotShown(f"{polynomial} may have the degree {power}")
+    wrong = Predicate("degree", (variable,), (polynomial, power))
+    return conditions(*powers.values()), Not((wrong,))
+
+
 def _stable(theorem: Theorem, variable: Symbol) -> Expr:
     """The polynomial of which a theorem says that all its zeros lie inside."""
     claim = theorem.conclusion
@@ -279,7 +312,8 @@ def _stable(theorem: Theorem, variable: Symbol) -> Expr:
 def _powers(polynomial: Expr, variable: Symbol, real_only: bool = True) -> dict[Expr, Expr]:
     """Exponents of a polynomial, which may hold symbols, with their coefficients."""
     found: dict[Expr, Expr] = {}
-    for summand in sp.Add.make_args(sp.expand(polynomial)):
+    whole_sum = sp.expand(polynomial)
+    for summand in sp.Add.make_args(whole_sum) if whole_sum != 0 else ():
         coefficient, powers = summand.as_independent(variable, as_Add=False)
         factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
         if any(base != variable or variable in e.free_symbols for base, e in factors):
