@@ -158,6 +158,8 @@ class Page(Record):
         for name, number in numbers:
             if number.positive_roots_below:
                 raise FalseStep(f"{title}: {name} has a smaller positive root")
+            if not confirmed(Minimal(number)):
+                raise FalseStep(f"{title}: {name} has another minimal polynomial")
             self.checks.append((title, Minimal(number)))
         lines = [(name, "=", number.minimal) for name, number in numbers]
         method = r"irreducible over $\mathbb{Q}$; balls around the roots"
@@ -411,7 +413,7 @@ class Page(Record):
         :mod:`symhaptic.proof.theorems.judge`: with further hypotheses it is qualified, if there is
         an ``example`` at which they hold and, in ``unless``, a case for each in which it alone is
         violated and the claim fails.  Of what is false, the theorem is of the ``corrected`` print,
-        or of what holds ``instead``.
+        or of what holds ``instead``, which ``corrected`` then says in short.
         """
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:

@@ -126,7 +126,7 @@ class Settlement:
             raise Unfounded("nothing formal is claimed by the statement")
         right = None
         try:
-            if self.judged.corrected is not None:
+            if self.judged.corrected is not None and self.judged.instead is None:
                 lines = tuple(p for line in self.judged.corrected for p in read(line))
                 right = self.claim(lines)
             claim = self.claim(printed)

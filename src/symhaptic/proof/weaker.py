@@ -70,16 +70,22 @@ def weaker_parts(arg: Any, alone: bool = True) -> Iterator[Part]:
 def _weaker(fact: Fact, alone: bool) -> Iterator[Part]:
     """A fact that says less: x > -1 for x > 0, or x >= 0 where that matters."""
     assumed = fact.made is None and fact.rests == {(fact.expr, fact.strict)}
-    others = [(replace(fact, expr=fact.expr + 1), f"{fact.expr} > -1 for > 0", inexcusable)]
+    others = [
+        (replace(fact, expr=fact.expr + 1, key=KEY), f"{fact.expr} > -1 for > 0", inexcusable)
+    ]
     if fact.strict and (alone or assumed):
         what = f"{fact.expr} >= 0 for > 0"
         others.append(
-            (replace(fact, strict=False), what, because("holds there, too: another term is strict"))
+            (
+                replace(fact, strict=False, key=KEY),
+                what,
+                because("holds there, too: another term is strict"),
+            )
         )
     for other, what, excuse in others:
         if assumed:
             old, new = (fact.expr, fact.strict), (other.expr, other.strict)
-            weaker = replace(other, rests=frozenset({new}))
+            weaker = replace(other, rests=frozenset({new}), key=KEY)
             yield Part("domain", what, weaker, (old, new), excuse)
         else:
             yield Part("formula", what, other, None, excuse)

@@ -14,6 +14,7 @@ from symhaptic.notation.proposition import (
     And,
     Exists,
     Iff,
+    Implies,
     Not,
     Predicate,
     Proposition,
@@ -167,6 +168,41 @@ def loop_of_device(numbers: Sequence[Any], values: Sequence[Any], variable: Symb
 
 
 @rule
+def loop_late(
+    numbers: Sequence[Any], values: Sequence[Any], variable: Symbol, names: Sequence[Symbol]
+) -> Judgement:
+    """A loop that is stable as the paper reads it has a delay d = p/(s+1), p and s whole.
+
+    Then all zeros of z^(d+1) A + N W with z = w^(s+1) lie inside; for 0 <= d.
+    """
+    found = [term(v) for v in values]
+    n1, n0, a_, e_ = (term(v) for v in numbers)
+    used = {s for t in (*found, n1, n0, a_, e_) for s in t.free_symbols}
+    if len(set(names)) != 2 or {variable, *names} & used or variable in names:
+        raise NotShown("two new names, and a variable that is not bound, are wanted")
+    stiffness, damping, spring, damper, late = found
+    over, less = names
+    w = variable ** (less + 1)
+    polynomial = (
+        variable ** (over + 3 * (less + 1))
+        - a_ * variable ** (over + 2 * (less + 1))
+        + e_ * variable ** (over + less + 1)
+        + (n1 * w + n0) * ((stiffness + damping) * w - damping)
+    )
+    body = And(
+        (
+            whole(over),
+            whole(less),
+            Relation(late * (less + 1), "=", over),
+            Predicate("stable", (variable,), (polynomial,)),
+        )
+    )
+    device = Predicate("device", (), (spring, damper, n1, n0, a_, e_))
+    reading = Predicate("stable_substituted", (), tuple(found))
+    return {device, Relation(sp.S.Zero, "<=", late)}, Implies((reading, Exists(tuple(names), body)))
+
+
+@rule
 def device_exists(spring: Any, damper: Any, names: Sequence[Symbol]) -> Judgement:
     """A device x'' + delta x' + gamma x = F has its four numbers, for all real gamma and delta."""
     gamma_, delta_ = term(spring), term(damper)
@@ -194,6 +230,13 @@ def device_at_rest(device: Theorem) -> Judgement:
             Relation(e_, "=", sp.exp(-delta_)),
         )
     )
+
+
+@rule
+def device_static(device: Theorem) -> Judgement:
+    """1 - a + e = gamma (n1 + n0), of every device: under the force gamma it stays at x = 1."""
+    gamma_, _, n1, n0, a_, e_ = device_numbers(device)
+    return device.hypotheses, Relation(1 - a_ + e_, "=", gamma_ * (n1 + n0))
 
 
 @rule

@@ -95,7 +95,10 @@ class Judged:
     corrected: tuple[str, ...] | None = None
     """LaTeX of the right form; the theorem is then that of the corrected claim."""
     instead: Proposition | None = None
-    """What holds instead of a false statement in words; the theorem is then of this."""
+    """What holds instead of a false statement in words; the theorem is then of this.
+
+    ``corrected`` is then what a reader sees of it, short.
+    """
     misprint: bool = True
     enclosed: bool = False
     shows: str | None = None

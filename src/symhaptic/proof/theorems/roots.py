@@ -12,7 +12,16 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Not, Predicate, Proposition, Relation, term
+from symhaptic.model.jury import half_planes, inner
+from symhaptic.notation.proposition import (
+    And,
+    Iff,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    term,
+)
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.definitions import loop_polynomial
@@ -26,6 +35,9 @@ SOURCES = {
     "zero_beyond": "a real polynomial that is not positive at 1 and grows has a zero there or "
     "beyond: intermediate value theorem; Rudin, 4.23",
     "zero_on_circle": "definition of a zero",
+    "last_coefficient": "it is, up to its sign, the product of the zeros: Vieta",
+    "jury": "half of Jury's inner determinants, and half planes, are enough; Anderson and Jury, "
+    "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
     "pole_at": "definition of a pole",
     "held_by_a_pole": "definition of stability",
 }
@@ -101,6 +113,47 @@ def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
         product *= polynomial
         hypotheses |= theorem.hypotheses
     return hypotheses, Predicate("stable", (variable,), (product,))
+
+
+@rule
+def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
+    """Of a monic z^m f with its zeros inside, -1 < f(0) < 1: up to its sign, their product.
+
+    f is real and of degree 1 at least; ``power`` is m.  That exponents are whole is a hypothesis.
+    """
+    claim, lowest = inside.conclusion, sp.expand(term(power))
+    if not (isinstance(claim, Predicate) and claim.name == "stable"):
+        raise NotShown(f"{claim} does not say that zeros lie inside")
+    [polynomial], [variable] = claim.of, claim.over
+    powers = _powers(polynomial, variable)
+    last = powers.get(lowest, _ZERO)
+    hypotheses = _monic_above(polynomial, variable**lowest, variable)
+    for exponent in powers:
+        if exponent != lowest and not _seen_whole(sp.expand(exponent - lowest - 1)):
+            raise NotShown(f"the exponent {exponent} may not be above {lowest}")
+        hypotheses |= {whole(s) for s in exponent.free_symbols}
+    return inside.hypotheses | hypotheses, And(
+        (Relation(-sp.S.One, "<", last), Relation(last, "<", sp.S.One))
+    )
+
+
+@rule
+def jury(polynomial: Any, variable: Symbol) -> Judgement:
+    """All zeros of a monic real polynomial lie inside <=> n + 1 expressions are positive.
+
+    They are the coefficients c_0 and c_n, c_(n-2), ... of (1 - s)^n p((1 + s)/(1 - s)), and
+    Jury's inner determinants |X - Y| of orders n-1, n-3, ...; the degree n is a number.
+    """
+    polynomial = term(polynomial)
+    falling = _coefficients(polynomial, variable)
+    degree = len(falling) - 1
+    if falling[0] != 1 or degree < 1 or not all(real(c) for c in falling):
+        raise NotShown(f"{polynomial} is not monic and real by its form")
+    inners = [inner(falling, order) for order in range(1 + degree % 2, degree, 2)]
+    positive = [*half_planes(falling[::-1]), *(m.det(method="berkowitz") for m in inners)]
+    wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
+    zeros = Predicate("stable", (variable,), (polynomial,))
+    return conditions(*falling), Iff((zeros, wanted))
 
 
 @rule
