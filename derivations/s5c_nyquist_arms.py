@@ -71,6 +71,7 @@ def arms(page):
         "s5c-human-10000",
         for_all(symbols, given, weakened(conjoined(lower, upper), *given)),
         example=example({gamma: pi**2, delta: S.Zero}, given),
+        enclosed=True,
         value=1000 * pi**2,
         note=r"$T=1$ ms. (23) was extended: the $710\,\mathrm{s}^{-2}$ of (21) give "
         r"$\pi^2/0.00071=13\,900$, and faster sampling more in proportion to $1/T^2$",

@@ -75,6 +75,7 @@ def example_(page, spring):
         for_all(symbols, given, weakened(spring_of_nyquist(), *given)),
         Eq(k, spring),
         example=example(point, given),
+        enclosed=True,
         value=device.subs(b, 0),
         note=r"the number is that of $b=0$; it holds for $b\le14.6$ Ns/m, and (23) has $b\le2$",
     )
