@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -21,7 +22,7 @@ from sympy.core.function import AppliedUndef
 from symhaptic.grounds import not_defined, unproved, written_twice
 from symhaptic.latex import latex
 from symhaptic.notation import SYMBOLS
-from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.notation.written import chains, written
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.propositions import CLAIMED
@@ -377,7 +378,7 @@ class Page(Record):
             raise FalseStep(f"the id {id!r} is taken by the paper")
         self._once("stated", id)
         if claim is not None:
-            self.claimed[id] = lambda printed: claim
+            self.claimed[id] = partial(of_print, claim)
         self.own[id] = Statement(id, self.name, says, printed)
         return self.own[id]
 

@@ -373,6 +373,23 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
     return tuple(c for part in of.parts for c in conjuncts(part))
 
 
+def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
+    """A claim that is made of what is printed: each printed relation stands in it.
+
+    Raises :class:`ValueError` where one does not.
+    """
+    inside: set[Proposition] = set()
+    stack = [claim]
+    while stack:
+        part = stack.pop()
+        inside.add(part)
+        stack += part.parts
+    for relation in printed:
+        if proposition(relation) not in inside:
+            raise ValueError(f"the print {relation} is not in the claim")
+    return claim
+
+
 def both(parts: Iterable[Any]) -> Proposition:
     """The conjunction of propositions; of one, that one."""
     found = tuple(proposition(p) for p in parts)

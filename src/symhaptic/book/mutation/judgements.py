@@ -54,7 +54,8 @@ def changes_of_judgement(settled: Settled) -> Iterator[Change]:
         if kind is Kind.QUALIFIED or not others:
             dropped = replace(judged, unless=others)
             yield put("counterexample", f"without that at {at}", dropped)
-    for what, other in _others(claim):
+    # what is false stays false with fewer hypotheses
+    for what, other in _others(claim) if judged.instead is None else ():
         yield put("claim", what, said=other)
 
 
