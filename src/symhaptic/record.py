@@ -109,8 +109,6 @@ class Record:
     def _record(
         self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
     ) -> Verdict:
-        if statement.id in self.settled:
-            raise FalseStep(f"{statement.id} is settled twice")
         verdict = settlement.decide(statement.printed)
         self._once("settled", statement.id)
         now = time.perf_counter()
