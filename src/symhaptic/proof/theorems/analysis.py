@@ -6,6 +6,7 @@ has to be believed beside logic and the deciders.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
@@ -18,6 +19,7 @@ from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, 
 
 SOURCES = {
     "increases": "mean value theorem; Rudin, Principles of Mathematical Analysis, 3rd ed., 5.10",
+    "grows": "mean value theorem; Rudin, 5.10 and 5.11",
     "above_its_start": "monotone functions have one-sided limits; Rudin, 4.29",
     "from_there_on": "definition of an increasing function; Rudin, 4.28",
     "in_the_limit": "limits keep weak inequalities; Rudin, 3.19 and 4.2",
@@ -38,6 +40,19 @@ def increases(
     variable is that it lies between the ends.
     """
     expr, lower, upper = term(expr), term(lower), term(upper)
+    hypotheses = _rising(expr, variable, lower, upper, slope, defined)
+    return hypotheses, Predicate("increasing", (variable,), (expr, lower, upper))
+
+
+def _rising(
+    expr: Expr,
+    variable: Symbol,
+    lower: Expr,
+    upper: Expr,
+    slope: Theorem,
+    defined: Sequence[Theorem],
+) -> set[Proposition]:
+    """What is left to show so that f is defined and rises on (lower, upper)."""
     claim = slope.conclusion
     if not (isinstance(claim, Relation) and claim.sign == "<" and claim.left == 0):
         raise NotShown(f"{claim} is not the sign of a slope")
@@ -52,7 +67,27 @@ def increases(
     for hypothesis in hypotheses:
         if variable in hypothesis.free:
             raise NotShown(f"{hypothesis} is not known on all of the interval")
-    return hypotheses, Predicate("increasing", (variable,), (expr, lower, upper))
+    return set(hypotheses)
+
+
+@rule
+def grows(
+    expr: Any, variable: Symbol, smaller: Any, larger: Any, slope: Theorem, *defined: Theorem
+) -> Judgement:
+    """f(x) < f(y) for x < y: the derivative is positive between, and f is defined at both ends.
+
+    ``slope`` concludes 0 < f' and ``defined`` that no divisor of f vanishes, for x < v < y.
+    """
+    expr, x, y = term(expr), term(smaller), term(larger)
+    if variable in x.free_symbols | y.free_symbols or not (real(x) and real(y)):
+        raise NotShown(f"{x} and {y} are no ends for {variable}")
+    inside = _rising(expr, variable, x, y, slope, defined)
+    ends = [expr.xreplace({variable: v}) for v in (x, y)]
+    hypotheses = inside | {Relation(x, "<", y)} | conditions(*ends, x, y)
+    for end in (x, y):
+        # SymPy may cancel a divisor that vanishes at an end
+        hypotheses |= {c.at({variable: end}) for c in conditions(expr)}
+    return hypotheses, Relation(ends[0], "<", ends[1])
 
 
 def _increasing(theorem: Theorem) -> tuple[Symbol, Expr, Expr, Expr]:
