@@ -21,6 +21,7 @@ from symhaptic.notation.proposition import (
     Relation,
     term,
 )
+from symhaptic.proof.ball import sign
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 from symhaptic.scene import Parts
@@ -107,13 +108,15 @@ def loop_substituted(
 def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     """A motion at constant speeds, (time in periods, displacement) piece by piece, gains energy.
 
-    All in rational numbers: over each piece the damper burns b p^2/(duration T), and the wall takes
+    Times and ways are rational, K, B and b real numbers: over each piece the damper burns b p^2/(duration T), and the wall takes
     F p with the force that is held then, K x + B (x - x')/T of the sample d periods before.
     """
     K, B, b, T, late = (term(t) for t in wall)
     pieces = [(sp.Rational(duration), sp.Rational(way)) for duration, way in motion]
-    if not all(v.is_Rational for v in (K, B, b, T, late)) or T <= 0 or late < 0 or b < 0:
-        raise NotShown("a wall in rational numbers is wanted, with T > 0, b >= 0 and d >= 0")
+    if not (T.is_Rational and late.is_Rational) or T <= 0 or late < 0:
+        raise NotShown("a rational period T > 0 and delay d >= 0 are wanted")
+    if any(v.free_symbols or not real(v) for v in (K, B, b)) or sign(b) not in (0, 1):
+        raise NotShown("a wall in real numbers is wanted, with b >= 0")
     if any(duration <= 0 for duration, _ in pieces):
         raise NotShown("a piece takes no time")
     ends, places = [sp.S.Zero], [sp.S.Zero]
@@ -141,7 +144,7 @@ def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
             first, last = max(begin, k + late), min(end, k + 1 + late)
             energy += force * (position(last) - position(first))
             k += 1
-    if not energy < 0:
+    if sign(energy) != -1:
         raise NotShown(f"the motion leaves the energy {energy}")
     return (), Not((Predicate("passive_wall", (), (K, B, b, T, late)),))
 

@@ -1,0 +1,94 @@
+"""The stiffest passive wall behind a whole delay: the tip of the envelope."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sympy import Expr, S, cos, pi, sin
+
+from symhaptic.book.lemmas.chords import HALF, PI, not_zero
+from symhaptic.book.lemmas.corners import stiffest
+from symhaptic.book.lemmas.linear_part import shares
+from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.region import (
+    first_half,
+    measured,
+    needed,
+    on_first_half,
+    sufficient,
+)
+from symhaptic.notation import B, K, N, T, b, d, phi, psi, x, y
+from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, placed
+from symhaptic.proof.theorems.leaves import combined, number, sign_of
+from symhaptic.notation.proposition import Relation
+from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
+
+TURN = pi / (4 * (d + 1))
+"""Half the angle at which damping does nothing, theta = pi/(2 (d+1))."""
+
+
+@cache
+def waves() -> dict[str, Theorem]:
+    """0 < sine and cosine of TURN and of twice it; d >= 0."""
+    more = shares()[0]
+    quarter = over(TURN > 0, number(Relation(S.Zero, "<", pi / 4)), more)
+    rest = positive(pi * d / 2 + pi / 4 > 0, [HALF, PI, d >= 0], [HALF / 2, PI])
+    below = positive(TURN < pi / 2, [over(pi / 2 - TURN > 0, rest, more)])
+    less = positive(TURN < pi, [below], [HALF, PI])
+    found = {
+        "sine": closed(sign_of(sin, TURN), quarter, less),
+        "cosine": closed(sign_of(cos, TURN), positive(TURN > -pi / 2, [quarter], [HALF, PI]), below),
+        "turn": quarter,
+    }
+    found["double"] = positive(sin(2 * TURN) > 0, [2, found["sine"], found["cosine"]])
+    return {name: closed(t, not_zero(more)) for name, t in found.items()}
+
+
+@cache
+def divisors() -> tuple[Theorem, ...]:
+    """What (11) and the tip divide by is not zero."""
+    known = waves()
+    co = positive(cos(pi * d / (2 * (d + 1))) > 0, [known["double"]])
+    found = [known[n] for n in ("sine", "cosine", "double")]
+    found += [co, *shares(), assume(T > 0), positive((d + 1) * known["double"].conclusion.right > 0, [shares()[0], known["double"]])]
+    more = shares()[0]
+    found += [positive(4 * d + 4 > 0, [4, more]), positive(2 * d + 2 > 0, [2, more])]
+    return tuple(map(not_zero, found))
+
+
+def stiffest_wall(stiffness: Theorem, damping: Theorem) -> Theorem:
+    """The wall of (11) is passive, and no passive one is stiffer; d is whole."""
+    found = placed(stiffest(), {psi: phi, N: 2 * d + 2})
+    found = closed(found, positive(2 * d + 2 >= 2, [2, d >= 0]))
+    always = on_first_half(measured(stiffness, damping, [assume(b >= 0), found]))
+    slope = closed(over(per_damping() > 0, positive(2 * sin(TURN) > 0, [2, waves()["sine"]]), _bottom()))
+    pushes = combined(K >= 0, [assume(b >= 0), slope], [stiffness, -S.One])
+    passive = closed(sufficient(), always, pushes, *divisors())
+    return conjoined(passive, largest(stiffness))
+
+
+def per_damping() -> Expr:
+    """The largest stiffness per damping, 2/T tan(pi/(4 (d+1)))."""
+    return 2 * sin(TURN) / (T * cos(TURN))
+
+
+def _bottom() -> Theorem:
+    return positive(T * cos(TURN) > 0, [T > 0, waves()["cosine"]])
+
+
+@cache
+def bound() -> Theorem:
+    """K <= 2b/T tan(pi/(4 (d+1))) for every passive wall; d is whole."""
+    more = shares()[0]
+    half = over((2 * d + 2) * TURN < pi, positive(pi * (d + 1) / 2 > 0, [HALF, PI, more]), more)
+    there = at(needed(), {phi: TURN}, waves()["turn"], half)
+    slope = over(per_damping() > 0, positive(2 * sin(TURN) > 0, [2, waves()["sine"]]), _bottom())
+    found = positive(K <= b * per_damping(), [slope, there])
+    return closed(found, *divisors(), not_zero(_bottom()))
+
+
+def largest(stiffness: Theorem) -> Theorem:
+    """No passive wall is stiffer than that of (11)."""
+    other = placed(bound(), {K: x, B: y})
+    found = combined(x <= K, [other], [stiffness, -S.One])
+    return for_all([x, y], [PASSIVE.at({K: x, B: y})], closed(found, *divisors()))
