@@ -71,8 +71,7 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "The mass is not in (5). That it takes nothing on the whole is seen where it still is: a "
-        "motion at the frequency $\\omega$ gives $\\Re\\{(ms^2+bs)/s\\}$ per squared velocity "
+        "A motion at the frequency $\\omega$ gives $\\Re\\{(ms^2+bs)/s\\}$ per squared velocity "
         "to the device, with $s=j\\omega$, which is the same for any two masses."
     )
     balance = passivity.balance()
@@ -82,12 +81,10 @@ def derive(page):
         page.same("the condition", balance, b - need),
     )
     page.say(
-        "A delay that is no whole number of periods does not act as $z^{-d}$ on the samples. With "
-        "half a period of delay, let the device move by $\\tfrac32$ in the first half of each "
-        "period, where the force is still the one before, and by 1 in the second; after 30 periods "
-        "it goes back in the same way. For $K=T=1$, $B=0$ and $b=\\tfrac{101}{100}$ the hand gains "
-        "$\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac{\\theta}{2}$ there and holds. And a "
-        "spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2."
+        "A spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2. And a "
+        "delay with a fraction does not act as $z^{-d}$ on the samples: half a period late, let the "
+        "device move by $\\tfrac32$ in the first half of each period and by 1 in the second, and go "
+        "back likewise after 30 periods. With $K=T=1$, $B=0$, $b=\\tfrac{101}{100}$ (5) holds."
     )
     late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
     page.step(
@@ -95,7 +92,7 @@ def derive(page):
         late,
         390 * b / T + 345 * B / T - 1605 * K / 4,
         name="E",
-        because="half a period late; with the wall above it is $-\\tfrac{147}{20}$",
+        because="for that wall $-\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac\\theta2$",
     )
     _settle(page, b > brackets.subs(theta, omega * T))
 

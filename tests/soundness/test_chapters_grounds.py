@@ -110,13 +110,13 @@ def test_what_a_fact_rests_on_is_on_the_page(page):
     with pytest.raises(FalseStep, match="rests on x - 1 > 0, which is not on the page"):
         page.settle("mine", fact)
     page.positive("Beyond 1", fact, "x>1")
-    assert page.settle("mine", fact).kind == "proved"
+    assert page.settle("mine", fact).claimed == "proved"
 
 
 def test_a_domain_of_the_notation_need_not_be_written(page):
     # theta lies in (0, pi); x, which is real, in no interval
     fact = combined(theta * (pi - theta), [assume(theta), assume(pi - theta)])
-    assert page.settle("mine", fact).kind == "proved"
+    assert page.settle("mine", fact).claimed == "proved"
 
 
 @pytest.mark.parametrize(
