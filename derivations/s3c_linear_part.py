@@ -7,18 +7,34 @@ condition that comes from it is enough.
 
 from sympy import Eq, Ne, Rational, S
 
-from symhaptic.book.lemmas.linear_part import LOW, decides, on_line
+from symhaptic.book.lemmas.linear_part import (
+    LOW,
+    decides,
+    ends_at_corner,
+    met_at_every_frequency,
+    on_line,
+)
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO, no_border
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, theta, y
+from symhaptic.notation import B, K, T, b, d, omega, theta, y
 from symhaptic.notation.proposition import negated, proposition
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened, whole
-from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    placed,
+    weakened,
+    whole,
+)
+from symhaptic.proof.theorems.leaves import number, tends
 from symhaptic.proof.theorems.tactics import (
     closed,
     counterexample,
@@ -68,15 +84,7 @@ def derive(page):
         "Only the end $y=1$ is the limit of the envelope (7). The points before it belong to the "
         "line itself, the limit of (5)."
     )
-    page.settle(
-        "s3c-lower-part",
-        page.same("on the line", line.subs(on_line), S.Zero),
-        provided=r"y=1",
-        unless={d: S.One, T: S.One, b: S.One, y: S.Zero},
-        truth=Eq(end_stiffness, end_stiffness * y),
-        shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
-        note="that the lower part is linear holds for every real $d\\ge0$",
-    )
+    _lower_part(page)
     page.say(
         "Solved for the stiffness this is the ratio of all damping to all delay, half a period of "
         "hold included:"
@@ -120,6 +128,30 @@ def _line(page, *derived):
     )
 
 
+def _lower_part(page):
+    """The line is the limit of (5), and the envelope tends to one of its points."""
+    claim = CLAIMED["s3c-lower-part"](())
+    symbols, given, (straight, *limits) = (*taken_apart(claim)[:2], taken_apart(claim)[2].of)
+    top = Eq(y, 1)
+    line = met_at_every_frequency(straight)
+    found = conjoined(line, *(ends_at_corner(limit, assume(top)) for limit in limits))
+    bottom = {b: S.One, T: S.One, d: S.One, y: S.Zero}
+    denied, there = limits[0].at(bottom), taken_apart(claim)[2].at(bottom)
+    end = tends(denied.of[0], omega, S.Zero, Rational(4, 5))
+    other = no_other_limit(end, number(Ne(Rational(4, 5), denied.of[2], evaluate=False)))
+    denied = absurd(part(assume(there), denied), other, there)
+    page.settle(
+        "s3c-lower-part",
+        for_all(symbols, [*given, top], weakened(found, *given, top)),
+        example=example(bottom | {y: S.One}, [*given, top]),
+        unless=[
+            counterexample(claim, bottom, denied, but=top),
+        ],
+        shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
+        note="that the lower part is linear holds for every real $d\\ge0$",
+    )
+
+
 def _condition(page, nine):
     """(9) decides in its range, (10) with the range of (9)."""
     claim, ten = (CLAIMED[id](STATEMENTS[id].printed) for id in ("eq9", "eq10"))
@@ -134,7 +166,7 @@ def _condition(page, nine):
     edge = {K: S(2), B: S.Zero, b: S.One, T: S.One, d: S.Zero}
     steep = {K: S(2), B: S.Half, b: S.One, T: S.One, d: S.Zero}
     easy = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
-    small = B <= d * b / (2 * d + 3)
+    small = d * b / (2 * d + 3) >= B
     cases = [
         (late, HALF_LATE, whole(d)),
         (pulled, STEPS, K >= 0),

@@ -168,7 +168,7 @@ def not_zero(theorem: Theorem) -> Theorem:
 
 
 def lowest_coefficients(theorem: Theorem, sine_: Theorem, angle: Expr) -> list[Theorem]:
-    """That multiples of sin x, x != 0, with powers of exp(j x) are not zero, as series leave them."""
+    """That multiples of 0 < sin x and powers of exp(j x), as series leave them, are not zero."""
     found = []
     for claim in theorem.hypotheses:
         if isinstance(claim, Relation) and claim.left.has(I):

@@ -10,8 +10,8 @@ from typing import Any
 
 from sympy import Eq, Expr, I, Ne, Rational, S, exp, pi, sin
 
-from symhaptic.book.lemmas.chords import HALF, PI, lowest_coefficients, not_zero, sine, size
-from symhaptic.book.lemmas.envelope import apart, damping, divisor, line, stiffness
+from symhaptic.book.lemmas.chords import HALF, PI, not_zero, sine, size
+from symhaptic.book.lemmas.envelope import damping, divisor, line, stiffness
 from symhaptic.book.lemmas.extent import sine as sine_below
 from symhaptic.book.lemmas.tip import ITS_DAMPING, STIFFEST, tip
 from symhaptic.book.lemmas.touching import GOAL, touches
@@ -23,7 +23,6 @@ from symhaptic.proof.theorems.kernel import (
     assume,
     by_cases,
     decided,
-    placed,
     substituted,
 )
 from symhaptic.proof.theorems.leaves import combined, factor, identity, sign_of, strictly, tends
@@ -79,7 +78,11 @@ def divisors(angle: Expr = psi) -> tuple[Theorem, ...]:
     up, low = assume(N * angle < pi), assume(angle > 0)
     quarter = positive(angle < pi / 2, [HALF, up], [HALF, N >= 2, low])
     wave = closed(sine_below(angle), quarter)
-    twice = closed(sign_of(sin, 2 * angle), positive(2 * angle > 0, [2, low]), positive(2 * angle < pi, [2, quarter]))
+    twice = closed(
+        sign_of(sin, 2 * angle),
+        positive(2 * angle > 0, [2, low]),
+        positive(2 * angle < pi, [2, quarter]),
+    )
     product = positive(divisor(angle).subs(N, 2) > 0, [4, twice, wave, wave])
     return not_zero(wave), not_zero(product), wave
 

@@ -12,7 +12,7 @@ from sympy import Eq, Expr, Ne, S, cos, pi, sin
 
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, lowest_coefficients, not_zero
 from symhaptic.notation import N, b, l, phi, psi, u, w, x
-from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied, proposition
+from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied
 from symhaptic.proof.theorems.analysis import in_the_limit
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -31,9 +31,7 @@ from symhaptic.proof.theorems.leaves import (
     bounded,
     combined,
     full_turns,
-    not_negative,
     number,
-    rising,
     sign_of,
     square,
     strictly,
@@ -97,7 +95,10 @@ def weak_sine(angle: Expr) -> Theorem:
     goal = sin(x) >= 0
     inside = positive(goal, [sign_of(sin, x)])
     zero = number(Relation(S.Zero, "<=", S.Zero))
-    start, end = (substituted(goal, x, zero, combined(Eq(e, x), [assume(Eq(x, e)), S.NegativeOne])) for e in (S.Zero, pi))
+    start, end = (
+        substituted(goal, x, zero, combined(Eq(e, x), [assume(Eq(x, e)), S.NegativeOne]))
+        for e in (S.Zero, pi)
+    )
     below = strictly(assume(x <= pi), assume(Ne(x, pi)))
     inside = by_cases(decided(x, pi), end, closed(inside, below))
     above = closed(inside, strictly(assume(x >= 0), combined(Ne(S.Zero, x), [assume(Ne(x, 0))])))
@@ -120,11 +121,15 @@ def repeated() -> Theorem:
     """The margin where N psi is less than pi beyond l full turns, 0 < l: above that at phi."""
     low = REST / N
     positive_low, positive_l = over(low > 0, assume(REST > 0), SIZE), assume(l > 0)
-    given = positive_low, positive(N * low < pi, REST < pi)
+    given = positive_low, positive(N * low < pi, pi > REST)
     known = at(assume(first_half_turn()), {phi: low}, *given)
     gap = over(psi - low > 0, positive(2 * pi * l > 0, [2, PI, positive_l]), SIZE)
     below = positive(low < pi / 2, [gap], psi < pi / 2)
-    wave = closed(sign_of(sin, psi - low), gap, positive(psi - low < pi, psi < pi / 2, [positive_low], [HALF, PI]))
+    wave = closed(
+        sign_of(sin, psi - low),
+        gap,
+        positive(psi - low < pi, psi < pi / 2, [positive_low], [HALF, PI]),
+    )
     inside = sine(low)
     falls = over(
         cos(low) / sin(low) - cos(psi) / sin(psi) > 0,
@@ -149,7 +154,7 @@ def repeated() -> Theorem:
 def within_a_turn() -> Theorem:
     """The margin where 0 < N psi - 2 pi l < pi."""
     goal = margin() >= 0
-    less = positive(N * psi < pi, REST < pi, [2, PI, positive(-l >= 0, l <= 0)])
+    less = positive(N * psi < pi, pi > REST, [2, PI, positive(-l >= 0, l <= 0)])
     first = closed(at(assume(first_half_turn()), {phi: psi}, assume(psi > 0), less))
     return by_cases(ordered(S.Zero, l), positive(goal, [repeated()]), positive(goal, [first]))
 
@@ -159,9 +164,16 @@ def beyond() -> Theorem:
     """The margin where sin N psi <= 0: at least b - |w|."""
     high, low = ends()
     wave, size = cos(N * psi), bounded(cos, N * psi)
-    up, down = (combined(1 + s * wave >= 0, [HALF, square(1 + s * wave)], [HALF, size]) for s in (1, -1))
+    up, down = (
+        combined(1 + s * wave >= 0, [HALF, square(1 + s * wave)], [HALF, size]) for s in (1, -1)
+    )
     low = positive(b + w >= 0, [low], [SIZE, u >= 0])
-    return positive(margin() >= 0, [HALF, low, up], [HALF, high, down], [u >= 0, cotangent(), -sin(N * psi) >= 0])
+    return positive(
+        margin() >= 0,
+        [HALF, low, up],
+        [HALF, high, down],
+        [u >= 0, cotangent(), -sin(N * psi) >= 0],
+    )
 
 
 @cache
@@ -171,13 +183,17 @@ def extent() -> Theorem:
     falling = positive(-sin(N * psi) >= 0, -sin(REST) >= 0, [by_sine, S.One])
     outside = closed(beyond(), falling)
     zero = number(Relation(S.Zero, "<=", S.Zero))
-    start = combined(Eq(S.Zero, REST), [both_ways(assume(REST <= 0), assume(REST >= 0)), S.NegativeOne])
+    start = combined(
+        Eq(S.Zero, REST), [both_ways(assume(REST <= 0), assume(REST >= 0)), S.NegativeOne]
+    )
     at_start = closed(outside, substituted(-sin(x) >= 0, x, zero, start))
     late = positive(REST - pi <= pi, N * psi < (l + 1) * (2 * pi))
-    after = closed(outside, weak_sine(REST - pi), positive(REST - pi >= 0, REST >= pi), late)
+    after = closed(outside, weak_sine(REST - pi), positive(REST - pi >= 0, pi <= REST), late)
     above = by_cases(ordered(REST, pi), within_a_turn(), after)
     found = by_cases(ordered(S.Zero, REST), above, at_start)
     found = closed(found, positive(REST >= 0, l * 2 * pi <= N * psi))
     turns = with_rest(N * psi, 2 * pi, l)
     found = chosen(turns, found)
-    return closed(found, positive(N * psi >= 0, [SIZE, psi > 0]), number(Relation(S.Zero, "<", 2 * pi)))
+    return closed(
+        found, positive(N * psi >= 0, [SIZE, psi > 0]), number(Relation(S.Zero, "<", 2 * pi))
+    )

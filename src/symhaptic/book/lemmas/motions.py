@@ -1,4 +1,4 @@
-"""Motions, (time in periods, way) piece by piece, that gain energy from walls, and what they deny."""
+"""Motions, (time in periods, way) piece by piece, that gain energy."""
 
 from __future__ import annotations
 

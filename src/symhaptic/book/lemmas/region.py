@@ -16,7 +16,16 @@ from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passi
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, N, T, b, d, phi, psi, theta, u, w, x
 from symhaptic.notation.proposition import Proposition
-from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, conjoined, part, placed, weakened
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    placed,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import at, closed, follows, for_all, positive, sine_of_half
 
@@ -71,7 +80,7 @@ def pushes() -> Theorem:
 @cache
 def limits() -> tuple[Theorem, Theorem]:
     """B <= b - KT/2 and KT (d + 1/2) <= b + B for a passive wall; d whole."""
-    claims = B <= b - K * T / 2, K * T * (d + HALF) <= b + B
+    claims = b - K * T / 2 >= B, K * T * (d + HALF) <= b + B
     found = [
         closed(positive(claim, [placed(end, WHOLE_WALL)]), positive(2 * d + 2 >= 2, [2, d >= 0]))
         for claim, end in zip(claims, ends(), strict=True)

@@ -11,16 +11,15 @@ from symhaptic.book.lemmas.corners import stiffest
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.region import (
-    first_half,
     measured,
     needed,
     on_first_half,
     sufficient,
 )
 from symhaptic.notation import B, K, N, T, b, d, phi, psi, x, y
+from symhaptic.notation.proposition import Relation
 from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, placed
 from symhaptic.proof.theorems.leaves import combined, number, sign_of
-from symhaptic.notation.proposition import Relation
 from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
 
 TURN = pi / (4 * (d + 1))
@@ -33,11 +32,13 @@ def waves() -> dict[str, Theorem]:
     more = shares()[0]
     quarter = over(TURN > 0, number(Relation(S.Zero, "<", pi / 4)), more)
     rest = positive(pi * d / 2 + pi / 4 > 0, [HALF, PI, d >= 0], [HALF / 2, PI])
-    below = positive(TURN < pi / 2, [over(pi / 2 - TURN > 0, rest, more)])
-    less = positive(TURN < pi, [below], [HALF, PI])
+    below = positive(pi / 2 > TURN, [over(pi / 2 - TURN > 0, rest, more)])
+    less = positive(pi > TURN, [below], [HALF, PI])
     found = {
         "sine": closed(sign_of(sin, TURN), quarter, less),
-        "cosine": closed(sign_of(cos, TURN), positive(TURN > -pi / 2, [quarter], [HALF, PI]), below),
+        "cosine": closed(
+            sign_of(cos, TURN), positive(-pi / 2 < TURN, [quarter], [HALF, PI]), below
+        ),
         "turn": quarter,
     }
     found["double"] = positive(sin(2 * TURN) > 0, [2, found["sine"], found["cosine"]])
@@ -50,8 +51,9 @@ def divisors() -> tuple[Theorem, ...]:
     known = waves()
     co = positive(cos(pi * d / (2 * (d + 1))) > 0, [known["double"]])
     found = [known[n] for n in ("sine", "cosine", "double")]
-    found += [co, *shares(), assume(T > 0), positive((d + 1) * known["double"].conclusion.right > 0, [shares()[0], known["double"]])]
     more = shares()[0]
+    product = positive((d + 1) * sin(2 * TURN) > 0, [more, known["double"]])
+    found += [co, *shares(), assume(T > 0), product]
     found += [positive(4 * d + 4 > 0, [4, more]), positive(2 * d + 2 > 0, [2, more])]
     return tuple(map(not_zero, found))
 
@@ -61,8 +63,7 @@ def stiffest_wall(stiffness: Theorem, damping: Theorem) -> Theorem:
     found = placed(stiffest(), {psi: phi, N: 2 * d + 2})
     found = closed(found, positive(2 * d + 2 >= 2, [2, d >= 0]))
     always = on_first_half(measured(stiffness, damping, [assume(b >= 0), found]))
-    slope = closed(over(per_damping() > 0, positive(2 * sin(TURN) > 0, [2, waves()["sine"]]), _bottom()))
-    pushes = combined(K >= 0, [assume(b >= 0), slope], [stiffness, -S.One])
+    pushes = combined(K >= 0, [assume(b >= 0), slope()], [stiffness, -S.One])
     passive = closed(sufficient(), always, pushes, *divisors())
     return conjoined(passive, largest(stiffness))
 
@@ -72,8 +73,12 @@ def per_damping() -> Expr:
     return 2 * sin(TURN) / (T * cos(TURN))
 
 
-def _bottom() -> Theorem:
-    return positive(T * cos(TURN) > 0, [T > 0, waves()["cosine"]])
+@cache
+def slope() -> Theorem:
+    """0 < 2/T tan(pi/(4 (d+1)))."""
+    top = positive(2 * sin(TURN) > 0, [2, waves()["sine"]])
+    bottom = positive(T * cos(TURN) > 0, [T > 0, waves()["cosine"]])
+    return closed(over(per_damping() > 0, top, bottom), not_zero(bottom))
 
 
 @cache
@@ -82,9 +87,8 @@ def bound() -> Theorem:
     more = shares()[0]
     half = over((2 * d + 2) * TURN < pi, positive(pi * (d + 1) / 2 > 0, [HALF, PI, more]), more)
     there = at(needed(), {phi: TURN}, waves()["turn"], half)
-    slope = over(per_damping() > 0, positive(2 * sin(TURN) > 0, [2, waves()["sine"]]), _bottom())
-    found = positive(K <= b * per_damping(), [slope, there])
-    return closed(found, *divisors(), not_zero(_bottom()))
+    found = positive(K <= b * per_damping(), [slope(), there])
+    return closed(found, *divisors())
 
 
 def largest(stiffness: Theorem) -> Theorem:

@@ -12,7 +12,15 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Implies, Predicate, Proposition, Relation, both, term
+from symhaptic.notation.proposition import (
+    Implies,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    term,
+)
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
@@ -22,6 +30,7 @@ SOURCES = {
     "grows": "mean value theorem; Rudin, 5.10 and 5.11",
     "above_its_start": "monotone functions have one-sided limits; Rudin, 4.29",
     "from_there_on": "definition of an increasing function; Rudin, 4.28",
+    "no_other_limit": "a limit is unique; Rudin, 4.2 and 3.2",
     "in_the_limit": "limits keep weak inequalities; Rudin, 3.19 and 4.2",
     "induction": "mathematical induction",
 }
@@ -149,6 +158,21 @@ def in_the_limit(
     if any(variable in p.free for p in hypotheses):
         raise NotShown(f"a hypothesis is about {variable} on more than the interval")
     return hypotheses | {Relation(lower, "<", upper)}, Relation(_ZERO, "<=", limit.of[2])
+
+
+@rule
+def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
+    """Where f tends to p, it does not tend to q != p."""
+    claim, other = limit.conclusion, apart.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "limit"):
+        raise NotShown(f"{claim} is no limit")
+    expr, at, value = claim.of
+    if not (isinstance(other, Relation) and (other.left, other.sign) == (value, "!=")):
+        raise NotShown(f"{other} does not say that something is not {value}")
+    if set(claim.over) & other.right.free_symbols:
+        raise NotShown(f"{other.right} is no number")
+    denied = Not((Predicate("limit", claim.over, (expr, at, other.right)),))
+    return limit.hypotheses | apart.hypotheses, denied
 
 
 @rule
