@@ -53,7 +53,6 @@ def derive(page):
         "Sums to products, the damping",
         cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta),
         -(2 - 2 * cos(theta)) * cos((d + 1) * theta),
-        because="both brackets contain the denominator once written through half angles",
     )
     page.result(
         r"As an identity, for every real $d$ and every $0<\theta<\pi$",
@@ -72,7 +71,7 @@ def derive(page):
     )
     page.say(
         "A motion at the frequency $\\omega$ gives $\\Re\\{(ms^2+bs)/s\\}$ per squared velocity "
-        "to the device, with $s=j\\omega$, which is the same for any two masses."
+        "to the device, with $s=j\\omega$: the same for any two masses."
     )
     balance = passivity.balance()
     page.settle(
@@ -81,10 +80,9 @@ def derive(page):
         page.same("the condition", balance, b - need),
     )
     page.say(
-        "A spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2. And a "
-        "delay with a fraction does not act as $z^{-d}$ on the samples: half a period late, let the "
-        "device move by $\\tfrac32$ in the first half of each period and by 1 in the second, and go "
-        "back likewise after 30 periods. With $K=T=1$, $B=0$, $b=\\tfrac{101}{100}$ (5) holds."
+        "A spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2. Half "
+        "a period late, where $z^{-d}$ is not what happens, let the device move by $\\tfrac32$ in "
+        "the first half of each period, by 1 in the second, and back after 30 periods."
     )
     late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
     page.step(

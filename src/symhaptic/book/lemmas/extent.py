@@ -146,8 +146,8 @@ def repeated() -> Theorem:
         [by_cosine, -w],
     )
     divisors = not_zero(inside), not_zero(sine()), not_zero(SIZE)
-    divisors = *divisors, not_zero(positive(sin(low) * sin(psi) > 0, [inside, sine()]))
-    return closed(found, *divisors, positive_low, below)
+    last = not_zero(positive(sin(low) * sin(psi) > 0, [inside, sine()]))
+    return closed(found, *divisors, last, positive_low, below)
 
 
 @cache

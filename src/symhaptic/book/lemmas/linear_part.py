@@ -116,7 +116,7 @@ def on_line(stiffness: Theorem, damping: Theorem) -> Theorem:
     return closed(bordering(passive, closed(least, *divisors())), *divisors())
 
 
-def decides() -> Theorem:
+def decides() -> tuple[Theorem, Theorem]:
     """(9) makes passive, for K >= 0 and B <= b d/(2d+3), and is needed but for equality."""
     found, flat, steep = known()
     more, low, high = shares()

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 from sympy import Rational, S
 
 from symhaptic.book.lemmas.passivity import PASSIVE
@@ -26,7 +29,9 @@ def half_late(first: Rational, periods: int = 30) -> list[tuple[Rational, Ration
 HALF_LATE = half_late(Rational(3, 2))
 
 
-def no_border(claim: Proposition, point: Terms, motion: object = None) -> Theorem:
+def no_border(
+    claim: Proposition, point: Terms, motion: Sequence[tuple[Any, Any]] | None = None
+) -> Theorem:
     """That a wall is not on the border of the passive ones, since a motion gains from it."""
     _, _, then = taken_apart(claim)
     there, passive = then.at(point), PASSIVE.at(point)

@@ -87,7 +87,7 @@ def bound() -> Theorem:
     more = shares()[0]
     half = over((2 * d + 2) * TURN < pi, positive(pi * (d + 1) / 2 > 0, [HALF, PI, more]), more)
     there = at(needed(), {phi: TURN}, waves()["turn"], half)
-    found = positive(K <= b * per_damping(), [slope(), there])
+    found = positive(b * per_damping() >= K, [slope(), there])
     return closed(found, *divisors())
 
 

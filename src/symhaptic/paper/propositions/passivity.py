@@ -62,7 +62,7 @@ def _summed_up(printed: Printed, six: sp.Expr | Proposition = SIX) -> Propositio
     return Iff((at_every_frequency(*printed), proposition(six)))
 
 
-RANGE = (-b <= B, B <= d * b / (2 * d + 3))
+RANGE = (-b <= B, d * b / (2 * d + 3) >= B)
 """The damping for which (9) is printed."""
 
 BORDER = both(

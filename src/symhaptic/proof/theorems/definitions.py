@@ -108,8 +108,9 @@ def loop_substituted(
 def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     """A motion at constant speeds, (time in periods, displacement) piece by piece, gains energy.
 
-    Times and ways are rational, K, B and b real numbers: over each piece the damper burns b p^2/(duration T), and the wall takes
-    F p with the force that is held then, K x + B (x - x')/T of the sample d periods before.
+    Times and ways are rational, K, B and b real numbers: over each piece the damper burns
+    b p^2/(duration T), and the wall takes F p with the force that is held then,
+    K x + B (x - x')/T of the sample d periods before.
     """
     K, B, b, T, late = (term(t) for t in wall)
     pieces = [(sp.Rational(duration), sp.Rational(way)) for duration, way in motion]
