@@ -84,10 +84,9 @@ def derive(page):
         "a period late, where $z^{-d}$ is not what happens, let the device move by $\\tfrac32$ in "
         "the first half of each period, by 1 in the second, and back after 30 periods."
     )
-    late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
     page.step(
         "Energy left to damper and wall",
-        late,
+        passivity.half_late_energy(Rational(3, 2), S.One, 30),
         390 * b / T + 345 * B / T - 1605 * K / 4,
         name="E",
         because="for that wall $-\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac\\theta2$",
@@ -109,7 +108,7 @@ def _settle(page, printed):
     given = [*loop, frequencies, whole(d), K >= 0]
     theorem = for_all(symbols, given, weakened(passive, *loop))
 
-    half, quarter = S.Half, Rational(1, 4)
+    half, quarter = S.Half, S.Half / 2
     late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: half}
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
     soft = {K: S.Zero, B: half, b: S.One, T: S.One, d: S.Zero}
