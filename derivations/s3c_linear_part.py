@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.linear_part import (
     met_at_every_frequency,
     on_line,
 )
-from symhaptic.book.lemmas.motions import no_border
+from symhaptic.book.lemmas.motions import not_passive
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta, y
 from symhaptic.paper import STATEMENTS
@@ -80,7 +80,7 @@ def derive(page):
 def _line(page, *derived):
     """Each wall of (8) is on the boundary, behind whole delays."""
     claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
-    symbols, given, _ = taken_apart(claim)
+    symbols, given, then = taken_apart(claim)
     found = page.lemma(
         "A wall of (8) is passive, and needs all of the damping",
         on_line(*map(assume, given[-2:])),
@@ -94,7 +94,7 @@ def _line(page, *derived):
         for_all(symbols, more, weakened(found, *given)),
         *derived,
         example=example(late | {d: S.Zero, y: S.Half, B: -S.Half}, more),
-        unless=[counterexample(claim, late, no_border(claim, late), but=whole(d))],
+        unless=[counterexample(claim, late, not_passive(then, late), but=whole(d))],
         shows=r"half a period late, the wall $K=b/T$, $B=0$ on this line gives energy away",
         note="bounds the walls that satisfy (5) for every real $d$",
     )

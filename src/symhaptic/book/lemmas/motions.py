@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 from sympy import Rational, S
 
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.notation.proposition import Proposition, Terms
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import Theorem, absurd, assume, part
+
+Motion: TypeAlias = Sequence[tuple[Any, Any]]
 
 STEPS = 4 * [(1, 1)]
 """Four equal steps, against which a spring that pulls gives way."""
@@ -20,7 +21,7 @@ TO_AND_FRO = 4 * [(1, 1), (1, -1)]
 """A step forwards and one back, four times: Nyquist's frequency."""
 
 
-def half_late(first: Rational, periods: int = 30) -> list[tuple[Rational, Rational]]:
+def half_late(first: Rational, periods: int = 30) -> Motion:
     """Half a period with a longer way than the other, then all of it back."""
     pieces = periods * [(S.Half, first), (S.Half, S.One)]
     return pieces + [(time, -way) for time, way in pieces]
@@ -29,11 +30,8 @@ def half_late(first: Rational, periods: int = 30) -> list[tuple[Rational, Ration
 HALF_LATE = half_late(Rational(3, 2))
 
 
-def no_border(
-    claim: Proposition, point: Terms, motion: Sequence[tuple[Any, Any]] | None = None
-) -> Theorem:
-    """That a wall is not on the border of the passive ones, since a motion gains from it."""
-    _, _, then = taken_apart(claim)
+def not_passive(then: Proposition, point: Terms, motion: Motion = HALF_LATE) -> Theorem:
+    """That what a claim concludes is false of a wall, since a motion gains from it."""
     there, passive = then.at(point), PASSIVE.at(point)
-    found = gains(list(passive.of), motion or HALF_LATE)  # type: ignore[attr-defined]
+    found = gains(list(passive.of), motion)  # type: ignore[attr-defined]
     return absurd(part(assume(there), passive), found, there)

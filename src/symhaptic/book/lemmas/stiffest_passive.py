@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 from sympy import Expr, S, cos, pi, sin
 
@@ -18,8 +19,8 @@ from symhaptic.book.lemmas.region import (
 )
 from symhaptic.notation import B, K, N, T, b, d, phi, psi, x, y
 from symhaptic.notation.proposition import Relation
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, placed
-from symhaptic.proof.theorems.leaves import combined, number, sign_of
+from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part, placed
+from symhaptic.proof.theorems.leaves import combined, identity, is_whole, number, sign_of
 from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
 
 TURN = pi / (4 * (d + 1))
@@ -70,14 +71,15 @@ def stiffest_wall(stiffness: Theorem, damping: Theorem) -> Theorem:
 
 def per_damping() -> Expr:
     """The largest stiffness per damping, 2/T tan(pi/(4 (d+1)))."""
-    return 2 * sin(TURN) / (T * cos(TURN))
+    return 2 * (1 - cos(2 * TURN)) / (T * sin(2 * TURN))
 
 
 @cache
 def slope() -> Theorem:
     """0 < 2/T tan(pi/(4 (d+1)))."""
-    top = positive(2 * sin(TURN) > 0, [2, waves()["sine"]])
-    bottom = positive(T * cos(TURN) > 0, [T > 0, waves()["cosine"]])
+    known = waves()
+    top = positive(2 * (1 - cos(2 * TURN)) > 0, [4, known["sine"], known["sine"]])
+    bottom = positive(T * sin(2 * TURN) > 0, [T > 0, known["double"]])
     return closed(over(per_damping() > 0, top, bottom), not_zero(bottom))
 
 
@@ -96,3 +98,20 @@ def largest(stiffness: Theorem) -> Theorem:
     other = placed(bound(), {K: x, B: y})
     found = combined(x <= K, [other], [stiffness, -S.One])
     return for_all([x, y], [PASSIVE.at({K: x, B: y})], closed(found, *divisors()))
+
+
+def largest_of(printed: Any, delay: int) -> tuple[Theorem, Theorem, Expr]:
+    """The largest stiffness of a delay: its wall is passive, none is stiffer, and its value."""
+    wall = stiffest_wall(*map(assume, printed))
+    at_delay = {d: S(delay)}
+    values = {line.lhs: line.rhs.xreplace(at_delay) for line in printed}
+    there = placed(wall, at_delay | values)
+    known = [identity(value, value) for value in values.values()]
+    passive = part(closed(there, *known, *_at(delay)), PASSIVE.at(at_delay | values))
+    least = closed(placed(bound(), at_delay), *_at(delay))
+    return passive, least, values[K]
+
+
+def _at(delay: int) -> list[Theorem]:
+    """A delay that is a number is whole, and not negative."""
+    return [is_whole(S(delay)), number(Relation(S.Zero, "<=", S(delay)))]

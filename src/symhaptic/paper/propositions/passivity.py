@@ -141,15 +141,15 @@ def _damping_does_nothing(printed: Printed) -> Proposition:
     return ForAll((T, d, omega), implied(given, both([*inside, none, first, touched])))
 
 
-def largest_stiffness(stiffness: sp.Expr, delay: int) -> Proposition:
+def largest_stiffness(stiffness: sp.Expr, delay: int) -> list[Proposition]:
     """A wall of this stiffness is passive with some damping, and no stiffer one is."""
     here, other = PASSIVE.at({K: stiffness, d: sp.S(delay)}), PASSIVE.at({K: w, d: sp.S(delay)})
-    return both([Exists((B,), here), ForAll((w, B), implied([other], w <= stiffness))])
+    return [Exists((B,), here), ForAll((w, B), implied([other], w <= stiffness))]
 
 
 def _share(delay: int, *bounds: Callable[[sp.Expr], sp.Expr]) -> Proposition:
     """The largest passive stiffness y of a delay, over that without delay, x."""
-    given = [T > 0, b > 0, largest_stiffness(x, 0), largest_stiffness(y, delay)]
+    given = [T > 0, b > 0, *largest_stiffness(x, 0), *largest_stiffness(y, delay)]
     return ForAll((b, T, x, y), implied(given, both([bound(y / x) for bound in bounds])))
 
 
