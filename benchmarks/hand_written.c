@@ -386,8 +386,7 @@ static inline int leads(const quadratic *k) {
     return k->c < 0.0 || (k->c == 0.0 && (k->b < 0.0 || (k->b == 0.0 && k->a < 0.0)));
 }
 
-void hand_is_stable(double alpha, double beta, double gamma, double delta, double d,
-                    double *outside, double *stable) {
+double hand_is_stable(double alpha, double beta, double gamma, double delta, double d) {
     const ends x = device(gamma, delta, 1);
     const double pi = 3.141592653589793, e = 1.0 - x.loss;
     const double slope = alpha + beta, force = slope*beta, edge_force = alpha + 2*beta;
@@ -451,8 +450,7 @@ void hand_is_stable(double alpha, double beta, double gamma, double delta, doubl
     if (leads(&far))
         total -= (edge_force > 0.0 ? side : 0.0) - (d + 3.0)
             + (x.apart > 0.0 ? (x.n1 >= 0.0 ? 1.0 : -1.0) : 0.0);
-    *outside = total;
     const double own_angle = sqrt(gamma);
-    *stable = total == 0.0 && alpha > -gamma && !(alpha == 0.0 && beta == 0.0 && delta == 0.0)
+    return total == 0.0 && alpha > -gamma && !(alpha == 0.0 && beta == 0.0 && delta == 0.0)
         && !(delta < 1.1e-15 && gamma > 1.0 && fabs(sin(own_angle)) <= 4.4e-16*own_angle);
 }

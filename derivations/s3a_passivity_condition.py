@@ -8,6 +8,7 @@ the device can extract energy.
 from sympy import Ne, Rational, S, cos, pi, sin
 
 from symhaptic.book.lemmas.passivity import INSIDE, passive_by_angle
+from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
 from symhaptic.notation import B, K, T, b, d, m, omega, theta
 from symhaptic.paper.propositions import CLAIMED
@@ -24,7 +25,6 @@ from symhaptic.proof.theorems.tactics import (
     for_all,
     over,
     positive,
-    sine_of_half,
 )
 
 
@@ -53,7 +53,6 @@ def derive(page):
         "Sums to products, the damping",
         cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta),
         -(2 - 2 * cos(theta)) * cos((d + 1) * theta),
-        because="both brackets contain the denominator once written through half angles",
     )
     page.result(
         r"As an identity, for every real $d$ and every $0<\theta<\pi$",
@@ -70,14 +69,27 @@ def derive(page):
         "displacements, and what the spring stores at the end",
         boxed=True,
     )
-    page.settle("s3a-mass-free", page.free_of("the condition", b - need, m))
     page.say(
-        "A delay that is no whole number of periods does not act as $z^{-d}$ on the samples. With "
-        "half a period of delay, let the device move by $\\tfrac32$ in the first half of each "
-        "period, where the force is still the one before, and by 1 in the second; after 30 periods "
-        "it goes back in the same way. For $K=T=1$, $B=0$ and $b=\\tfrac{101}{100}$ the hand gains "
-        "$\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac{\\theta}{2}$ there and holds. And a "
-        "spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2."
+        "A motion at the frequency $\\omega$ gives $\\Re\\{(ms^2+bs)/s\\}$ per squared velocity "
+        "to the device, with $s=j\\omega$: the same for any two masses."
+    )
+    balance = passivity.balance()
+    page.settle(
+        "s3a-mass-free",
+        page.free_of("the energy balance", balance, m),
+        page.same("the condition", balance, b - need),
+    )
+    page.say(
+        "A spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2. Half "
+        "a period late, where $z^{-d}$ is not what happens, let the device move by $\\tfrac32$ in "
+        "the first half of each period, by 1 in the second, and back after 30 periods."
+    )
+    page.step(
+        "Energy left to damper and wall",
+        passivity.half_late_energy(Rational(3, 2), S.One, 30),
+        390 * b / T + 345 * B / T - 1605 * K / 4,
+        name="E",
+        because="for that wall $-\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac\\theta2$",
     )
     _settle(page, b > brackets.subs(theta, omega * T))
 
@@ -89,21 +101,21 @@ def _settle(page, printed):
     angle = theta / T
     inside = over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0)
     meets = at(assume(frequencies), {omega: angle}, *inside)
-    apart = positive(Ne(T, 0), T > 0), *_divisors(theta)
+    apart = positive(Ne(T, 0), T > 0), *divisors(theta)
     margin = closed(positive(passivity.margin() >= 0, [meets]), *apart)
     always = for_all([theta], INSIDE, margin)
     passive = follows(passive_by_angle(), assume(K >= 0), always)
     given = [*loop, frequencies, whole(d), K >= 0]
     theorem = for_all(symbols, given, weakened(passive, *loop))
 
-    half, quarter = S.Half, Rational(1, 4)
+    half, quarter = S.Half, S.Half / 2
     late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: half}
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
     soft = {K: S.Zero, B: half, b: S.One, T: S.One, d: S.Zero}
 
     def holds(point, *products):
         relation = frequencies.body.of[1].at(point)
-        found = closed(combined(relation, *products), *_divisors(omega))
+        found = closed(combined(relation, *products), *divisors(omega))
         return for_all([omega], [omega > 0, omega < pi], found)
 
     slow = [half, square(1 - cos(omega / 2))], [half, bounded(cos, omega / 2)]
@@ -134,13 +146,4 @@ def _settle(page, printed):
         shows=r"half a period late, (5) holds at every frequency, yet a motion extracts $147/20$",
         note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
         "of the held force it allows walls that are not passive, and forbids some that are",
-    )
-
-
-def _divisors(angle):
-    """What the condition is divided by is not zero at an angle between 0 and pi."""
-    half = sine_of_half(angle)
-    return (
-        positive(Ne(sin(angle / 2), 0), [half]),
-        positive(Ne(2 - 2 * cos(angle), 0), [4, half, half]),
     )

@@ -7,7 +7,7 @@ frequency changes the line turns and shifts, and its neighbours cut off a curve:
 from sympy import Eq, S, diff, sin
 
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, theta
+from symhaptic.notation import B, K, T, b, d, theta, x
 
 
 def derive(page):
@@ -50,9 +50,9 @@ def derive(page):
     )
     page.settle(
         "s3b-linear-in-T",
-        page.free_of("stiffness times period", nice_stiffness * T, T),
-        page.free_of("stiffness over damping", nice_stiffness / b, b),
-        page.free_of("damping over damping", nice_damping / b, b),
+        page.free_of("stiffness times period", stiffness * T, T),
+        page.same("stiffness by damping", stiffness.subs(b, x * b), x * nice_stiffness),
+        page.same("damping by damping", damping.subs(b, x * b), x * nice_damping),
         corrected=(r"K\propto b/T", r"B\propto b"),
         unless={d: S.One, theta: S.One, b: S.One, T: S.One},
         truth=Eq(nice_stiffness.subs(T, 2 * T), 2 * nice_stiffness),

@@ -5,10 +5,34 @@ It is the line of vanishing frequency; we ask how far it reaches, and for which 
 condition that comes from it is enough.
 """
 
-from sympy import Eq, Rational, S, pi
+from sympy import Eq, Ne, Rational, S
 
+from symhaptic.book.lemmas.linear_part import (
+    ends_at_corner,
+    met_at_every_frequency,
+    on_line,
+)
+from symhaptic.book.lemmas.motions import not_passive
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, theta, y
+from symhaptic.notation import B, K, T, b, d, omega, theta, y
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.analysis import no_other_limit
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    assume,
+    conjoined,
+    part,
+    weakened,
+    whole,
+)
+from symhaptic.proof.theorems.leaves import number, tends
+from symhaptic.proof.theorems.tactics import (
+    counterexample,
+    example,
+    for_all,
+)
 
 
 def derive(page):
@@ -45,64 +69,56 @@ def derive(page):
     page.step(
         "Every point of it", line.subs(on_line), S.Zero, name=r"F\big|_{\text{(8)}}", paper="8"
     )
-    late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
-    page.settle(
-        "eq8",
-        Eq(K, on_line[K]),
-        Eq(B, on_line[B]),
-        provided=r"d\in\mathbb{N}_0",
-        unless={d: S.Half, y: Rational(8, 9), T: S.One, b: S.One, K: S.One, B: S.Zero},
-        truth=late >= 0,
-        shows=r"half a period late, the wall $K=b/T$, $B=0$ on this line gives energy away",
-        note="bounds the walls that satisfy (5) for every real $d$",
-    )
+    _line(page, Eq(K, on_line[K]), Eq(B, on_line[B]))
     page.say(
         "Only the end $y=1$ is the limit of the envelope (7). The points before it belong to the "
         "line itself, the limit of (5)."
     )
+    _lower_part(page)
+
+
+def _line(page, *derived):
+    """Each wall of (8) is on the boundary, behind whole delays."""
+    claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
+    symbols, given, then = taken_apart(claim)
+    found = page.lemma(
+        "A wall of (8) is passive, and needs all of the damping",
+        on_line(*map(assume, given[-2:])),
+        because="it lies between $(0,-b)$ and the corner of the envelope, which both leave a "
+        "margin at every angle",
+    )
+    more = [*given, whole(d)]
+    late = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Half, y: Rational(8, 9)}
+    page.settle(
+        "eq8",
+        for_all(symbols, more, weakened(found, *given)),
+        *derived,
+        example=example(late | {d: S.Zero, y: S.Half, B: -S.Half}, more),
+        unless=[counterexample(claim, late, not_passive(then, late), but=whole(d))],
+        shows=r"half a period late, the wall $K=b/T$, $B=0$ on this line gives energy away",
+        note="bounds the walls that satisfy (5) for every real $d$",
+    )
+
+
+def _lower_part(page):
+    """The line is the limit of (5), and the envelope tends to one of its points."""
+    claim = CLAIMED["s3c-lower-part"](())
+    symbols, given, (straight, *limits) = (*taken_apart(claim)[:2], taken_apart(claim)[2].of)
+    top = Eq(y, 1)
+    line = met_at_every_frequency(straight)
+    found = conjoined(line, *(ends_at_corner(limit, assume(top)) for limit in limits))
+    bottom = {b: S.One, T: S.One, d: S.One, y: S.Zero}
+    denied, there = limits[0].at(bottom), taken_apart(claim)[2].at(bottom)
+    end = tends(denied.of[0], omega, S.Zero, Rational(4, 5))
+    other = no_other_limit(end, number(Ne(Rational(4, 5), denied.of[2], evaluate=False)))
+    denied = absurd(part(assume(there), denied), other, there)
     page.settle(
         "s3c-lower-part",
-        page.same("on the line", line.subs(on_line), S.Zero),
-        provided=r"y=1",
-        unless={d: S.One, T: S.One, b: S.One, y: S.Zero},
-        truth=Eq(end_stiffness, end_stiffness * y),
+        for_all(symbols, [*given, top], weakened(found, *given, top)),
+        example=example(bottom | {y: S.One}, [*given, top]),
+        unless=[
+            counterexample(claim, bottom, denied, but=top),
+        ],
         shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
         note="that the lower part is linear holds for every real $d\\ge0$",
-    )
-    page.say(
-        "Solved for the stiffness this is the ratio of all damping to all delay, half a period of "
-        "hold included:"
-    )
-    limit_of_k = page.step(
-        "Damping over delay",
-        (b + B) / (T * (d + Rational(1, 2))),
-        2 * (b + B) / (T * (2 * d + 1)),
-        name=r"\frac{b+B}{(d+\frac12)T}",
-        paper="9",
-    )
-    page.step("On the line", line.subs(K, limit_of_k), S.Zero, name=r"F\big|_{K=(b+B)/((d+1/2)T)}")
-    page.say(
-        "For damping in the stated range the low frequencies are the strictest, and the condition "
-        "is exact but for its border. For negative $K$ it says nothing: higher frequencies can "
-        "fail."
-    )
-    low = {d: S.One, T: S.One, b: S.One, B: S.Zero, K: -S(3)}
-    page.settle(
-        "eq9",
-        limit_of_k > K,
-        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ K\ne(b+B)/((d+\tfrac12)T)",
-        unless=low,
-        truth=passivity.margin(5 * pi / 6).subs(d, 1) > 0,
-        shows=r"(9) holds, yet (5) fails at $\omega T=\tfrac56\pi$",
-        note="equality satisfies (5) too, but for $d=0$, $B=0$: $\\omega=0$ is left out",
-    )
-    steep = {d: S.Zero, T: S.One, b: S.One, B: Rational(1, 2), K: S(2)}
-    page.settle(
-        "eq10",
-        limit_of_k > K,
-        provided=r"d\in\mathbb{N}_0,\ K\ge0,\ -b\le B\le bd/(2d+3),\ K\ne(b+B)/((d+\tfrac12)T)",
-        unless=steep,
-        truth=passivity.margin(5 * pi / 6).subs(d, 0) > 0,
-        shows=r"$d=0$, $B=\tfrac12b$: (10) allows $K=2$, (5) fails at $\omega T=\tfrac56\pi$",
-        note="with $\\le$ it is necessary for every $B$; sufficient in the range of (9) only",
     )

@@ -6,8 +6,17 @@ coefficient in the condition vanishes; that fixes the frequency, and everything 
 
 from sympy import Eq, Rational, S, cos, diff, pi, sin, solve, sqrt, tan
 
+from symhaptic.book.lemmas.motions import half_late, not_passive
+from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
+from symhaptic.book.lemmas.stiffness_ratio import case, ratio
+from symhaptic.book.lemmas.tip_frequency import first_without_damping
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):
@@ -26,12 +35,7 @@ def derive(page):
         name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
         because="later zeros lie beyond $\\pi/(d+1)$ and cut off nothing",
     )
-    page.settle(
-        "s3c-kmax-frequency",
-        Eq(omega, angle / T),
-        note="for $d=0$ every frequency gives this point, which is then a corner; the slash has "
-        "to be read as dividing by the whole product",
-    )
+    _frequency(page, Eq(omega, angle / T))
     largest = solve(b - need.subs(theta, angle), K)[0]
     stiffness = page.step(
         "The largest stiffness",
@@ -55,25 +59,68 @@ def derive(page):
         because="and by the chapter before, the stiffness of the envelope rises up to this "
         "frequency and falls after it, for every real $d>0$",
     )
-    late = passivity.half_late_energy(Rational(17, 10), S.One, 30)
+    _stiffest(page, Eq(K, stiffness), Eq(B, damping))
+    page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
+    share = stiffness / stiffness.subs(d, 0)
+    one = page.step(
+        "One period of delay", share.subs(d, 1), sqrt(2) - 1, name=r"K_{\max}(1)/K_{\max}(0)"
+    )
+    two = page.step(
+        "Two periods of delay", share.subs(d, 2), 2 - sqrt(3), name=r"K_{\max}(2)/K_{\max}(0)"
+    )
+    for id, delay, value in (("s3c-kmax-41", 1, one), ("s3c-kmax-27", 2, two)):
+        claim = CLAIMED[id](())
+        found = ratio(claim, PRINTED, delay)
+        page.settle(id, found, example=case(claim, PRINTED, delay), enclosed=True, value=value)
+
+
+PRINTED = STATEMENTS["eq11"].printed
+
+
+def _frequency(page, derived):
+    """There the damping does nothing, at no lower one, and (11) just meets (5)."""
+    [printed] = STATEMENTS["s3c-kmax-frequency"].printed
+    symbols, given, then = taken_apart(CLAIMED["s3c-kmax-frequency"]((printed,)))
+    found = first_without_damping(printed, then)
+    page.settle(
+        "s3c-kmax-frequency",
+        for_all(symbols, given, weakened(found, *given)),
+        derived,
+        example=example({T: S.One, d: S.Zero, omega: pi / 2}, given),
+        note="for $d=0$ every frequency gives this point, which is then a corner; the slash has "
+        "to be read as dividing by the whole product",
+    )
+
+
+def _stiffest(page, *derived):
+    """(11) is passive, and no passive wall is stiffer, behind whole delays."""
+    page.lemma(
+        "No passive wall is stiffer",
+        bound(),
+        because="at this angle only the stiffness counts",
+    )
+    claim = CLAIMED["eq11"](PRINTED)
+    symbols, given, then = taken_apart(claim)
+    found = page.lemma(
+        "The wall of (11) is passive, and the stiffest",
+        stiffest_wall(*map(assume, given[-2:])),
+        because="on either side of this angle the envelope is softer, so that its margin over "
+        "the cosine falls there, through zero",
+        boxed=True,
+    )
+    more = [*given, whole(d)]
     at_half = {d: S.Half, T: S.One, b: S.One}
+    wall = at_half | {line.lhs: line.rhs.subs(at_half) for line in PRINTED}
     page.settle(
         "eq11",
-        Eq(K, stiffness),
-        Eq(B, damping),
-        provided=r"d\in\mathbb{N}_0",
-        unless=at_half | {K: stiffness.subs(at_half), B: damping.subs(at_half)},
-        truth=late >= 0,
+        for_all(symbols, more, weakened(found, *given)),
+        *derived,
+        example=example({d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero}, more),
+        unless=[
+            counterexample(
+                claim, wall, not_passive(then, wall, half_late(Rational(17, 10))), but=whole(d)
+            )
+        ],
         shows=r"half a period late, this wall gives energy away in 60 periods",
         note="the largest stiffness that satisfies (5), for every real $d$",
     )
-    page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
-    ratio = stiffness / stiffness.subs(d, 0)
-    one = page.step(
-        "One period of delay", ratio.subs(d, 1), sqrt(2) - 1, name=r"K_{\max}(1)/K_{\max}(0)"
-    )
-    two = page.step(
-        "Two periods of delay", ratio.subs(d, 2), 2 - sqrt(3), name=r"K_{\max}(2)/K_{\max}(0)"
-    )
-    page.settle("s3c-kmax-41", value=one)
-    page.settle("s3c-kmax-27", value=two)

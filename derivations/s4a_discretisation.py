@@ -111,6 +111,7 @@ def derive(page):
 
 def _delay(page):
     page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
+    page.define("The shift by one period", z, exp(T * s))
     page.step(
         "The delay on the unit circle",
         on_circle(z ** (-d), omega * T),

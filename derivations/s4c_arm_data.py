@@ -10,7 +10,6 @@ from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.arm import k_1, k_2
 from symhaptic.paper.tables import EXCLUDED, TABLE_II
-from symhaptic.proof.ball import ball
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
 from symhaptic.proof.theorems.leaves import combined, number
@@ -52,7 +51,7 @@ def derive(page):
     for column, name in ((1, "k_H/m_H"), (2, "b_H/m_H")):
         all_of_them = ratios(column)
         most = all_of_them.pop(EXCLUDED)
-        shown.append((name, ball(most / max(all_of_them.values()), None, 128).real))
+        shown.append((name, most / max(all_of_them.values())))
     page.enclosed("How many times", shown, places=6)
     far = CLAIMED["s4c-outlier"](())
     page.settle(
@@ -121,7 +120,7 @@ def converted(page):
     )
     page.enclosed(
         "In SI units",
-        [(name, ball(value, None, 128).real) for name, value, _ in found],
+        [(name, value) for name, value, _ in found],
         because="printed as 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,
     )

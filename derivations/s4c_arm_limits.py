@@ -90,6 +90,8 @@ def limits(page, spring, damper):
         "the paper uses it in (22) only, where $14.6+0.625=15.225$",
     )
     held = {gamma: T**2 * k_H / (m_D + m_H), delta: T * (b_D + b_H) / (m_D + m_H)}
+    for name, meaning in held.items():
+        page.define("By (19)", name, meaning)
     inside = page.lemma(
         "Arm and device within their limits",
         conjoined(*within(spring, damper, DEVICE)),

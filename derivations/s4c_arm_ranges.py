@@ -12,7 +12,6 @@ from symhaptic.notation.proposition import negated
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.arm import LONGEST, extended
 from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
-from symhaptic.proof.ball import ball
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined
 from symhaptic.proof.theorems.tactics import (
@@ -52,7 +51,7 @@ def derive(page):
     page.enclosed(
         "The factors after rounding",
         [
-            (rf"\frac{{{text}}}{{{NAMES[name]}}}", ball(factor, None, 128).real)
+            (rf"\frac{{{text}}}{{{NAMES[name]}}}", factor)
             for name, text, factor in zip(NAMES, ("0.001", "0.020"), factors, strict=True)
         ],
         because="the fractions $\\tfrac{100}{71}$ and $\\tfrac{800}{609}$: stiffness is "
@@ -115,8 +114,8 @@ def periods(page):
     page.enclosed(
         "The longest periods that are covered, in milliseconds",
         [
-            ("T_{\\gamma}", ball(sqrt(LONGEST / STIFFNESS) * 1000, None, 128).real),
-            ("T_{\\delta}", ball(20 / DAMPING, None, 128).real),
+            ("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000),
+            ("T_{\\delta}", 20 / DAMPING),
         ],
         because="for slower sampling (23) leaves arms of Table II out, the stiffest first",
         places=6,

@@ -17,7 +17,8 @@ from symhaptic.book.lemmas.walls import (
     met,
     unstable,
 )
-from symhaptic.notation import alpha, beta, d, delta, gamma, omega, y
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, alpha, beta, d, delta, gamma, omega, y
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
@@ -51,11 +52,11 @@ def _robust(page):
     stiff = positive(alpha + gamma > 0, alpha > 0, gamma >= 0)
     found = cut(part(passive_is_stable(), STABLE), margins(given[-1]), stiff)
     damper = page.lemma(
-        "A stiff wall meets (5) beside a damper only",
+        "A wall that does not pull meets (5) beside a damper only",
         damped(given[-1]),
         because="at $\\theta=\\pi/(2(d+1))$ its virtual damping does nothing",
     )
-    found = cut(found, damper)
+    found = closed(cut(found, damper), positive(alpha >= 0, alpha > 0))
     every = for_all([gamma], [gamma >= 0], found)
     theorem = for_all(symbols, [*given, *extra], weakened(every, *given))
     stiff_wall = {alpha: S.One, beta: S.Zero, delta: S.One, d: S.Zero}
@@ -100,6 +101,15 @@ def _robust(page):
 
 def _scaled(page):
     """(5) is linear in the wall and the damper."""
+    need = passivity.dirichlet_form()
+    page.step(
+        "Scaling",
+        need.subs({K: y * K, B: y * B}, simultaneous=True),
+        y * need,
+        name=r"\text{need}(yK,yB)",
+        because="the condition is linear in the wall: with $y$ times the damping, $y$ times the "
+        "wall is passive",
+    )
     claim = CLAIMED["s5a-proportional"](())
     symbols, given, scaled = taken_apart(claim)
     small, large = scaled.of

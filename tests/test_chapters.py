@@ -207,7 +207,7 @@ def test_no_statement_is_left_out(settled):
 
 @pytest.mark.parametrize("id", EXPECTED)
 def test_verdict_is_the_expected_one(settled, id):
-    assert settled[id].verdict.kind == EXPECTED[id]
+    assert settled[id].verdict.claimed == EXPECTED[id]
 
 
 @pytest.mark.parametrize("id", QUALIFIED)

@@ -152,7 +152,7 @@ def test_the_ranges_are_thirty_per_cent_rounded_up():
         wider = limit * Decimal("1.3")
         assert wider.quantize(Decimal("0.001"), ROUND_CEILING) == printed
         assert float(printed / limit) == pytest.approx(factor, abs=5e-6)
-    assert verdict("s4c_arm_ranges", "s4c-extension-30").kind == Kind.REFUTED
+    assert verdict("s4c_arm_ranges", "s4c-extension-30").claimed == Kind.REFUTED
     assert math.sqrt(0.001 / 710) * 1000 == pytest.approx(1.1867817, abs=5e-8)
 
 
@@ -171,7 +171,7 @@ DIGITS = [
 @pytest.mark.parametrize(("name", "id", "kind", "old", "new"), DIGITS)
 def test_a_changed_digit_of_the_print_loses_its_verdict(name, id, kind, old, new):
     settled = chapter(name).page.settled[id]
-    assert settled.verdict.kind == kind
+    assert settled.verdict.claimed == kind
     lines = [line.replace(old, new) for line in settled.statement.latex]
     changed = tuple(part for line in lines for part in read(line))
     assert changed != settled.statement.printed

@@ -12,13 +12,24 @@ from symhaptic.library import BadChapter, run
 
 TEXT = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
-EXAMPLE = TEXT.split("```python\n")[1].split("```")[0]
+EXAMPLE, THEOREM = (block.split("```")[0] for block in TEXT.split("```python\n")[1:3])
 
 
 def test_the_example_proves_its_statement(tmp_path):
     path = tmp_path / "drift.py"
     path.write_text(EXAMPLE, encoding="utf-8")
     assert run(path).page.settled["my-drift"].verdict.kind == "proved"
+
+
+def test_the_theorem_is_qualified_by_its_hypothesis(tmp_path):
+    path = tmp_path / "spring.py"
+    path.write_text(THEOREM, encoding="utf-8")
+    verdict = run(path).page.settled["stretched"].verdict
+    assert (verdict.kind, verdict.condition) == ("qualified", "k>0")
+    for wrong in ("{k: 1, x: 0, y: 1}", "{k: 0, x: 0, y: 1}"):
+        path.write_text(THEOREM.replace(wrong, "{k: 1, x: 1, y: 0}"), encoding="utf-8")
+        with pytest.raises(BadChapter):
+            run(path)
 
 
 def test_its_steps_show_something(tmp_path):

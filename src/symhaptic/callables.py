@@ -8,13 +8,15 @@ from typing import Any
 
 import mpmath
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Symbol
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import Boolean
 
 from symhaptic.export import request
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.derivatives import with_derivatives
+from symhaptic.model.domain import BELOW_PI, LARGEST, LONGEST
 from symhaptic.model.stable import STATEMENTS, Form, NoForm
 from symhaptic.model.values import value
 from symhaptic.numeric.containers import kept
@@ -44,7 +46,8 @@ def lambdify(
     stable form are dimensionless and in the order that `--list` prints; those of the others are in
     the order of their names.  ``derivatives`` names arguments of a stable form: after its results
     come their derivatives with respect to the first of these, then to the next.  Returns one number
-    or a tuple.
+    or a tuple; ``"is_stable"`` a truth value.  Outside the domain numbers are NaN, the count
+    ``"unstable_roots"`` is -1, and nothing is stable.
 
     Raises :class:`ValueError` for what is not known, or not in the scene.
 
@@ -114,10 +117,27 @@ def _in_digits(form: Form) -> Callable[..., Any]:
             names = ", ".join(s.name for s in form.arguments)
             raise TypeError(f"{form.name}({names}) takes {len(form.arguments)} numbers")
         at = dict(zip(form.arguments, map(mpmath.mpmathify, numbers), strict=True))
+        if not all(_inside(*pair) for pair in zip(form.within, at.items(), strict=True)):
+            nothing = (_NOTHING[form.outside],) * len(form.results)
+            return nothing if len(nothing) > 1 else nothing[0]
         found = tuple(value(expr, at, mpmath.mp.dps) for expr in form.expressions)
+        if form.truth:
+            return found[0] != 0
         return found if len(found) > 1 else found[0]
 
     return function
+
+
+_NOTHING = {sp.nan: mpmath.nan, sp.Integer(-1): mpmath.mpf(-1), sp.false: False}
+_NO_END = {LARGEST: sp.Float(10) ** 1000, LONGEST: sp.Float(10) ** 1000, BELOW_PI: sp.pi}
+
+
+def _inside(within: Boolean, argument: tuple[Symbol, mpmath.mpf]) -> bool:
+    """Whether an argument of many digits is in its range."""
+    symbol, number = argument
+    if not mpmath.isfinite(number):
+        return False
+    return bool(within.xreplace({**_NO_END, symbol: sp.Float(number)}))
 
 
 def _of_the_paper(id: str, form: str, modules: str) -> Callable[..., Any]:

@@ -87,7 +87,7 @@ def _excuse(settled: Settled, form: Printed) -> Callable[[], str | None]:
     def excuse() -> str | None:
         if second.alike(settled.statement.printed, form, settlement.given):
             return AGAIN
-        wrong = settled.verdict.kind in WRONG
+        wrong = settled.verdict.claimed in WRONG
         if wrong and second.alike(settlement.derived, form, settlement.given):
             return "this is the corrected form"
         return None
@@ -132,10 +132,10 @@ def _claim(settled: Settled) -> Iterator[Change]:
     settlement, printed, verdict = settled.settlement, settled.statement.printed, settled.verdict
     if settlement.external is not None:
         return
-    if settlement.provided is not None and verdict.kind not in WRONG:
+    if settlement.provided is not None and verdict.claimed not in WRONG:
         free = replace(settlement, provided=None)
         yield Change("domain", "without the condition", Decided(free, printed))
-    if verdict.kind in WRONG:
+    if verdict.claimed in WRONG:
         right = replace(settlement, corrected=None, provided=None)
         yield Change("negated", "said to be right", Decided(right, printed))
     if settlement.proofs:
@@ -167,7 +167,7 @@ def _counterexample(settled: Settled) -> Iterator[Change]:
     settlement, printed = settled.settlement, settled.statement.printed
     if settlement.unless is None:
         return
-    same = frozenset({settled.verdict.kind})
+    same = frozenset({settled.verdict.claimed})
 
     def put(**changed: object) -> Decided:
         return Decided(replace(settlement, **changed), printed, same)  # type: ignore[arg-type]

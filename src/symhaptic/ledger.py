@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -12,10 +12,19 @@ from typing import Any
 from symhaptic.consequences import CONSEQUENCES
 from symhaptic.latex import latex
 from symhaptic.library import Chapter, run
+from symhaptic.notation.proposition import Proposition
 from symhaptic.paper import STATEMENTS, Statement
-from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Verdict
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.theorems.judge import Judged
+from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
+from symhaptic.record import Settled
 
 GENERATED = "written by `symhaptic report`; do not edit"
+
+
+class Twice(ValueError):
+    """A statement that two derivations settle."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +37,10 @@ class Entry:
     seconds: float
     own: bool = False
     """Whether it is a user's statement rather than the paper's."""
+    judged: Judged | None = None
+    """The theorems on which it is settled; sent to another process they are derived there anew."""
+    claim: Proposition | None = None
+    """What a statement of one's own claims."""
 
     @property
     def consequence(self) -> str | None:
@@ -63,12 +76,49 @@ class Entry:
 def of_chapter(chapter: Chapter) -> list[Entry]:
     """The statements that a chapter settles, or states without settling them."""
     found = {
-        id: Entry(s.statement, s.verdict, chapter.source, s.seconds, own=id not in STATEMENTS)
+        id: Entry(
+            s.statement,
+            s.verdict,
+            chapter.source,
+            s.seconds,
+            own=id not in STATEMENTS,
+            judged=s.settlement.judged,
+            claim=_own_claim(s),
+        )
         for id, s in chapter.page.settled.items()
     }
     for id, statement in chapter.page.own.items():
         found.setdefault(id, Entry(statement, UNSETTLED, chapter.source, 0.0, own=True))
     return list(found.values())
+
+
+def _own_claim(settled: Settled) -> Proposition | None:
+    claim = settled.settlement.claim
+    if claim is None or settled.statement.id in STATEMENTS:
+        return None
+    return claim(settled.statement.printed)
+
+
+def judged_again(entry: Entry) -> str | None:
+    """What is wrong with the verdict that another process gives by theorems, if anything is.
+
+    The theorems were derived again when they arrived; here they are held against what the
+    statement claims.
+    """
+    judged, statement = entry.judged, entry.statement
+    if judged is None:
+        return None
+    known, claim = STATEMENTS.get(statement.id), entry.claim
+    claimed = CLAIMED.get(statement.id) if known else None if claim is None else lambda _: claim
+    try:
+        found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
+    except Unfounded as wrong:
+        return f"{statement.id}: {wrong}"
+    numbers = entry.verdict.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
+    same = found.kind is entry.verdict.kind or numbers
+    if not same or found.condition != entry.verdict.condition:
+        return f"{statement.id}: judged again it is {found.kind}"
+    return None
 
 
 def of_derivation(path: Path) -> list[Entry]:
@@ -87,9 +137,42 @@ def _corrected(verdict: Verdict) -> str | None:
     return verdict.corrected_latex
 
 
+def once(
+    settled: Iterable[Entry], places: Mapping[str, str]
+) -> tuple[list[Entry], dict[str, list[str]]]:
+    """The entries of statements that one file settles, and the files of each that several do.
+
+    ``places`` are the files of the committed statements, which need not have been run.  None of
+    two verdicts on one statement counts.
+    """
+    by_id: dict[str, list[Entry]] = {}
+    for entry in settled:
+        by_id.setdefault(entry.statement.id, []).append(entry)
+    kept, several = [], {}
+    for id, entries in by_id.items():
+        files = [entry.derivation or "" for entry in entries]
+        files += [places[id]] if id in places and places[id] not in files else []
+        if len(files) == 1:
+            kept += entries
+        else:
+            several[id] = files
+    return kept, several
+
+
+def twice(id: str, files: Iterable[str]) -> str:
+    """What is wrong with a statement that several files settle."""
+    return f"{id!r} has a verdict in {' and in '.join(files)}; one file may settle a statement"
+
+
 def ledger(settled: Iterable[Entry]) -> list[Entry]:
-    """Every statement of the paper in its order, then the users' own; the last verdict counts."""
-    found = {entry.statement.id: entry for entry in settled}
+    """Every statement of the paper in its order, then the users' own.
+
+    Raises :class:`Twice` where two files settle one of them.
+    """
+    entries, several = once(settled, {})
+    for id, files in several.items():
+        raise Twice(twice(id, files))
+    found = {entry.statement.id: entry for entry in entries}
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
     return entries + [entry for entry in found.values() if entry.own]
 
@@ -110,6 +193,12 @@ def expected(path: Path) -> dict[str, str]:
     """The committed verdict of each statement."""
     data = json.loads(path.read_text(encoding="utf-8"))
     return {record["id"]: record["verdict"] for record in data["statements"]}
+
+
+def places(path: Path) -> dict[str, str]:
+    """The derivation of each statement, as far as the committed ledger tells."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {r["id"]: r["derivation"] for r in data["statements"] if r["derivation"]}
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:

@@ -5,21 +5,23 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree as ET
 
 from symhaptic import __version__
-from symhaptic.ledger import Entry, counted
-from symhaptic.library import expected_ledger
+from symhaptic.ledger import Entry, counted, places
+from symhaptic.library import BadChapter, expected_ledger
+from symhaptic.paper import STATEMENTS
 from symhaptic.proof.verdict import Kind
 
 
 @cache
 def _places() -> dict[str, str]:
     """The file that settles each statement, as far as the committed ledger tells."""
-    records = json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]
-    return {r["id"]: Path(r["derivation"]).name for r in records if r["derivation"]}
+    return {id: Path(place).name for id, place in places(expected_ledger()).items()}
 
 
 def needed(ids: list[str], paths: list[Path]) -> list[Path]:
@@ -39,7 +41,48 @@ def under_way(path: Path) -> str:
     return (ids[0] + (f" and {len(ids) - 1} more" if ids[1:] else "")) if ids else path.stem
 
 
-def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
+def statements() -> list[dict[str, str]]:
+    """Id, location and content of every statement that is verified, without running anything.
+
+    Those of the paper are read from its transcription, our own from the committed ledger.
+    """
+    data = json.loads(expected_ledger().read_text(encoding="utf-8"))
+    own = [
+        {"id": r["id"], "location": r["location"], "says": plain(r["statement"])}
+        for r in data["statements"]
+        if r["id"] not in STATEMENTS
+    ]
+    paper = [
+        {"id": id, "location": s.location, "says": s.says or s.text} for id, s in STATEMENTS.items()
+    ]
+    return paper + own
+
+
+def plain(latex: str) -> str:
+    """Words that stand in LaTeX as a whole, or the LaTeX itself."""
+    words = latex.removeprefix(r"\text{")
+    return words[:-1] if words != latex and latex.endswith("}") else latex
+
+
+def names(records: list[dict[str, str]], as_json: bool) -> str:
+    """The statements as a table for people, or as JSON."""
+    if as_json:
+        data = {"package": "symhaptic", "version": __version__, "statements": records}
+        return json.dumps(data, indent=1) + "\n"
+    widths = [max((len(r[key]) for r in records), default=0) for key in ("id", "location")]
+    lines = [
+        f"{r['id']:{widths[0]}}  {r['location']:{widths[1]}}  {r['says']}".rstrip() for r in records
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def text(
+    entries: list[Entry],
+    surprises: list[str],
+    strict: bool,
+    bad: Sequence[BadChapter] = (),
+    seconds: float | None = None,
+) -> str:
     """One line a statement, then what differs from the committed ledger, then the counts."""
     width = max((len(e.statement.id) for e in entries), default=0)
     lines = []
@@ -52,6 +95,7 @@ def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
             detail = f"{detail}  [{entry.derivation}]".strip()
         lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
     lines += [f"DIFFERS  {line}" for line in surprises]
+    lines += [f"ERROR    {wrong}" for wrong in bad]
     plural = "" if len(entries) == 1 else "s"
     lines.append(f"{len(entries)} statement{plural}: {counted(entries)}")
     argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
@@ -64,18 +108,40 @@ def text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
     return "\n".join(lines) + "\n"
 
 
-def json_text(entries: list[Entry], surprises: list[str], strict: bool) -> str:
-    """The JSON form of the ledger."""
-    data = {
+def json_text(
+    entries: list[Entry],
+    surprises: list[str],
+    strict: bool,
+    bad: Sequence[BadChapter] = (),
+    seconds: float | None = None,
+) -> str:
+    """The JSON form of the ledger, with ``errors`` where a chapter could not be run."""
+    data: dict[str, Any] = {
         "package": "symhaptic",
         "version": __version__,
         "statements": [entry.as_json() for entry in entries],
     }
+    if bad:
+        data["errors"] = [
+            {"derivation": str(wrong.path), "line": wrong.line, "message": wrong.what}
+            for wrong in bad
+        ]
     return json.dumps(data, indent=1) + "\n"
 
 
-def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
-    """Each statement as a test case: a failure where its verdict is not the committed one."""
+def junit(
+    entries: list[Entry],
+    surprises: list[str],
+    strict: bool,
+    bad: Sequence[BadChapter] = (),
+    seconds: float | None = None,
+) -> str:
+    """Each statement as a test case: a failure where its verdict is not the committed one.
+
+    The time of a case is that from the verdict before it in its chapter, or the chapter's begin,
+    to its own; chapters run side by side, so that the suite's time, which is what passed from the
+    first to the last, is less than their sum.  A chapter that cannot be run is a case in error.
+    """
     failed = {line.partition(":")[0]: line for line in surprises}
     suite = ET.Element("testsuite", name="symhaptic verify")
     failures = skipped = 0
@@ -102,12 +168,16 @@ def junit(entries: list[Entry], surprises: list[str], strict: bool) -> str:
         failures += 1
         case = ET.SubElement(suite, "testcase", name=id, classname="missing")
         ET.SubElement(case, "failure", message=failed[id])
+    for wrong in bad:
+        case = ET.SubElement(suite, "testcase", name=wrong.path.stem, classname=str(wrong.path))
+        ET.SubElement(case, "error", message=str(wrong))
+    total = sum(entry.seconds for entry in entries) if seconds is None else seconds
     suite.attrib |= {
         "tests": str(len(suite)),
         "failures": str(failures),
         "skipped": str(skipped),
-        "errors": "0",
-        "time": f"{sum(e.seconds for e in entries):.3f}",
+        "errors": str(len(bad)),
+        "time": f"{total:.3f}",
     }
     ET.indent(suite)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, "unicode") + "\n"

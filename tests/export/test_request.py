@@ -41,6 +41,20 @@ HOSTILE = {
     "single in Octave": (["--target", "octave", "--precision", "single"], "--precision single"),
     "unknown precision": (["--target", "c", "--precision", "half"], "--precision half"),
     "endless delay": (["eq18", "--delay", "1000", "--target", "c"], "--delay 1000"),
+    "delay that changes nothing": (
+        ["eq25", "is_stable", "--delay", "1", "--target", "c"],
+        "--delay 1: changes nothing for eq25, is_stable; allowed is it with characteristic_poly",
+    ),
+    "delay of no scene": (["--scene", "no-delay", "--delay", "2", "--target", "c"], "--delay 2"),
+    "standard header": (["--name", "stdio", "--target", "c"], "--name stdio: is reserved in C99"),
+    "C's function": (["--name", "printf", "--target", "cpp"], "--name printf"),
+    "standard module": (["--name", "json", "--target", "numpy"], "--name json"),
+    "intrinsic module": (["--name", "ieee_arithmetic", "--target", "fortran"], "--name ieee_ar"),
+    "primitive type": (["--name", "f64", "--target", "rust"], "--name f64"),
+    "a page's own": (["--name", "window", "--target", "javascript"], "--name window"),
+    "built-in function": (["--name", "sum", "--target", "octave"], "--name sum"),
+    "no letter first": (["--name", "_x", "--target", "fortran"], "--name _x: is no name"),
+    "endless name": (["--name", "x" * 32, "--target", "c"], "up to 30 of these"),
     "no folder above": (["--target", "c", "-o", "missing/out"], "-o missing/out"),
 }
 
@@ -154,6 +168,13 @@ def test_the_readme_says_what_is_needed():
 def test_the_same_request_gives_the_same_files():
     first = request.built(TARGETS["rust"], request.chosen([]))[1]
     assert first == request.built(TARGETS["rust"], request.chosen([]))[1]
+
+
+def test_no_form_has_the_name_of_a_routine():
+    from symhaptic.export.library import known
+    from symhaptic.export.target import code_name
+
+    assert not set(stable.FORMS) & set(map(code_name, known()))
 
 
 def test_all_forms_have_a_statement_or_none():

@@ -79,7 +79,8 @@ def test_nan_gives_nan():
     some, none = np.array([0.1, np.nan]), np.array([0.2, 0.3])
     for given in ((some, none), (none, some)):
         assert np.isnan(np.stack(haptic.discretize(*given))).tolist() == [[False, True]] * 4
-    assert np.isnan(np.stack(haptic.is_stable(np.nan, 0.1, 0.1, 0.1, 1.0))).all()
+    assert haptic.unstable_roots(np.nan, 0.1, 0.1, 0.1, 1.0) == -1
+    assert haptic.is_stable([np.nan, 0.1], 0.1, 0.1, 0.1, 1.0).tolist() == [False, True]
 
 
 def sampled(alpha, beta, gamma, delta, late):

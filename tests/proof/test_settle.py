@@ -19,35 +19,35 @@ RIGHT = (Eq(K, b / T),)
 
 
 def test_equal_form_is_proved():
-    assert Settlement(derived=RIGHT).decide(PRINTED).kind == Kind.PROVED
+    assert Settlement(derived=RIGHT).decide(PRINTED).claimed == Kind.PROVED
 
 
 def test_definition_is_one_only_if_the_form_is_right():
-    assert Settlement(derived=RIGHT, definition=True).decide(PRINTED).kind == Kind.DEFINITION
+    assert Settlement(derived=RIGHT, definition=True).decide(PRINTED).claimed == Kind.DEFINITION
     wrong = Settlement(derived=(Eq(K, 2 * b / T),), definition=True)
-    assert wrong.decide(PRINTED).kind == Kind.MISPRINT
+    assert wrong.decide(PRINTED).claimed == Kind.MISPRINT
 
 
 def test_undecided_form_is_undecided():
     verdict = Settlement(derived=(Eq(K, sqrt(b**2) / T),)).decide(PRINTED)
-    assert verdict.kind == Kind.UNDECIDED
+    assert verdict.claimed == Kind.UNDECIDED
     assert not verdict
 
 
 def test_definitions_in_force_are_put_in():
     with_given = Settlement(derived=(Eq(K, x),), given={x: b / T})
-    assert with_given.decide(PRINTED).kind == Kind.PROVED
-    assert Settlement(derived=(Eq(K, x),)).decide(PRINTED).kind not in PASSING
+    assert with_given.decide(PRINTED).claimed == Kind.PROVED
+    assert Settlement(derived=(Eq(K, x),)).decide(PRINTED).claimed not in PASSING
 
 
 def test_no_grounds_no_verdict():
-    assert Settlement().decide(PRINTED).kind == Kind.UNDECIDED
-    assert Settlement().decide(()).kind == Kind.UNDECIDED
+    assert Settlement().decide(PRINTED).claimed == Kind.UNDECIDED
+    assert Settlement().decide(()).claimed == Kind.UNDECIDED
 
 
 def test_words_need_a_proof():
-    assert Settlement(proofs=("seen",)).decide(()).kind == Kind.PROVED
-    assert Settlement(derived=RIGHT).decide(()).kind == Kind.UNDECIDED
+    assert Settlement(proofs=("seen",)).decide(()).claimed == Kind.PROVED
+    assert Settlement(derived=RIGHT).decide(()).claimed == Kind.UNDECIDED
 
 
 def test_printed_formula_is_not_settled_by_words():
@@ -55,14 +55,14 @@ def test_printed_formula_is_not_settled_by_words():
         verdict = Settlement(proofs=("a proof of something else",)).decide(PRINTED)
     except Unfounded:
         return
-    assert verdict.kind not in PASSING
+    assert verdict.claimed not in PASSING
 
 
 def test_what_follows_from_data_outside_is_compared():
     outside = Settlement(external="on a table elsewhere", derived=RIGHT)
-    assert outside.decide(PRINTED).kind == Kind.EXTERNAL
-    assert outside.decide(read(r"K = \frac{2b}{T}")).kind == Kind.MISPRINT
-    assert Settlement(external="on a table elsewhere").decide(PRINTED).kind == Kind.EXTERNAL
+    assert outside.decide(PRINTED).claimed == Kind.EXTERNAL
+    assert outside.decide(read(r"K = \frac{2b}{T}")).claimed == Kind.MISPRINT
+    assert Settlement(external="on a table elsewhere").decide(PRINTED).claimed == Kind.EXTERNAL
 
 
 # -- misprints ----------------------------------------------------------------------------
@@ -73,7 +73,7 @@ DERIVED = (Eq(K, 2 * b / T),)
 def test_misprint_has_a_counterexample_and_a_correction():
     grounds = Settlement(derived=DERIVED, corrected=(r"K = \frac{2b}{T}",))
     verdict = grounds.decide(PRINTED)
-    assert verdict.kind == Kind.MISPRINT
+    assert verdict.claimed == Kind.MISPRINT
     assert not verdict
     at = {sp.Symbol(n): sp.sympify(v) for n, v in verdict.counterexample.items()}
     assert PRINTED[0].subs(at) != DERIVED[0].subs(at)
@@ -81,7 +81,7 @@ def test_misprint_has_a_counterexample_and_a_correction():
 
 
 def test_what_is_no_slip_of_the_pen_is_refuted():
-    assert Settlement(derived=DERIVED, misprint=False).decide(PRINTED).kind == Kind.REFUTED
+    assert Settlement(derived=DERIVED, misprint=False).decide(PRINTED).claimed == Kind.REFUTED
 
 
 def test_wrong_correction_is_refused():
@@ -110,14 +110,14 @@ ABSOLUTE = read("B = |K|")
 
 def test_condition_with_a_counterexample_qualifies():
     verdict = MAGNITUDE.decide(ABSOLUTE)
-    assert verdict.kind == Kind.QUALIFIED
+    assert verdict.claimed == Kind.QUALIFIED
     assert not verdict
     assert verdict.condition == "K>=0"
     assert verdict.counterexample == {"K": "-1"}
 
 
 def test_condition_does_not_save_a_wrong_form():
-    assert MAGNITUDE.decide(read("B = |2K|")).kind not in PASSING
+    assert MAGNITUDE.decide(read("B = |2K|")).claimed not in PASSING
 
 
 UNFOUNDED = {
@@ -157,7 +157,7 @@ def test_relation_and_truth_must_disagree():
     at = {K: S.One, B: S.Zero}
     with pytest.raises(Unfounded):
         relation_settled(at, (K > 0,))
-    assert relation_settled(at, (K < 0,)).kind == Kind.QUALIFIED
+    assert relation_settled(at, (K < 0,)).claimed == Kind.QUALIFIED
 
 
 def test_fact_may_contradict_a_relation():
@@ -166,7 +166,7 @@ def test_fact_may_contradict_a_relation():
     never = combined(x**2 - x + Rational(1, 2), [square], [Rational(1, 4)])
     at = {K: S.One, B: S.Zero}
     truth = (-(x**2) + x - Rational(1, 2) > 0, never)
-    assert relation_settled(at, truth).kind == Kind.QUALIFIED
+    assert relation_settled(at, truth).claimed == Kind.QUALIFIED
     with pytest.raises(Unfounded):
         relation_settled(at, (x > 0, never))
     with pytest.raises(Unfounded):
@@ -178,7 +178,7 @@ def test_counterexample_to_words_must_fail():
     with pytest.raises(Unfounded):
         Settlement(**grounds, truth=(Eq(x, 1, evaluate=False),)).decide(())
     verdict = Settlement(**grounds, truth=(Eq(x, 2, evaluate=False),)).decide(())
-    assert verdict.kind == Kind.QUALIFIED
+    assert verdict.claimed == Kind.QUALIFIED
 
 
 # -- constants ----------------------------------------------------------------------------
@@ -203,7 +203,7 @@ def constant(value, how, digits):
     ],
 )
 def test_quoted_number(value, how, digits, kind):
-    assert constant(value, how, digits).kind == kind
+    assert constant(value, how, digits).claimed == kind
 
 
 def test_decimals_and_radius_enclose_the_constant():
@@ -239,33 +239,41 @@ def test_number_that_is_hardly_known_is_no_constant():
 )
 def test_rounding_of_the_last_digit(how, digits, value, says):
     verdict = constant(value, how, digits)
-    assert verdict.kind == Kind.ENCLOSED
+    assert verdict.claimed == Kind.ENCLOSED
     assert verdict.note == f"{digits} is {says}"
 
 
 def test_exponent_marks_the_last_digit_that_counts():
-    assert constant(pi**2 * 1000, "about", "1e4").kind == Kind.ENCLOSED  # 9869.6
-    assert constant(pi**2 * 1000, "about", "10e3").kind == Kind.ENCLOSED
-    assert constant(pi**2 * 1000, "about", "10000").kind == Kind.REFUTED
+    assert constant(pi**2 * 1000, "about", "1e4").claimed == Kind.ENCLOSED  # 9869.6
+    assert constant(pi**2 * 1000, "about", "10e3").claimed == Kind.ENCLOSED
+    assert constant(pi**2 * 1000, "about", "10000").claimed == Kind.REFUTED
 
 
 def test_every_quoted_number_must_hold():
     two = (Quoted("above", "17.8"), Quoted("below", "0.0562"))
     ratio = Rational(1783, 100)
-    assert Settlement(values=(ratio, 1 / ratio), quoted=two).decide(()).kind == Kind.ENCLOSED
+    assert Settlement(values=(ratio, 1 / ratio), quoted=two).decide(()).claimed == Kind.ENCLOSED
     wrong = (two[0], Quoted("below", "0.056"))
-    assert Settlement(values=(ratio, 1 / ratio), quoted=wrong).decide(()).kind == Kind.REFUTED
+    assert Settlement(values=(ratio, 1 / ratio), quoted=wrong).decide(()).claimed == Kind.REFUTED
     with pytest.raises(Unfounded):
         Settlement(values=(ratio,), quoted=two).decide(())
 
 
 def test_a_number_does_not_save_a_wrong_formula():
     grounds = {"values": (pi,), "quoted": (Quoted("about", "3.14"),)}
-    assert Settlement(derived=RIGHT, **grounds).decide(PRINTED).kind == Kind.ENCLOSED
+    assert Settlement(derived=RIGHT, **grounds).decide(PRINTED).claimed == Kind.ENCLOSED
     wrong = Settlement(derived=(Eq(K, 2 * b / T),), **grounds)
-    assert wrong.decide(PRINTED).kind == Kind.MISPRINT
+    assert wrong.decide(PRINTED).claimed == Kind.MISPRINT
 
 
 def test_constant_needs_the_printed_number():
     with pytest.raises(Unfounded):
         Settlement(values=(pi,)).decide(())
+
+
+def test_what_rests_on_words_is_argued():
+    """A statement in words is compared with nothing, and nobody reads a condition in LaTeX."""
+    verdict = Settlement(proofs=("seen",)).decide(())
+    assert (verdict.kind, verdict.claimed) == (Kind.ARGUED, Kind.PROVED)
+    assert not verdict
+    assert str(verdict).startswith("argued (proved)")

@@ -271,3 +271,8 @@ def test_whole_numbers() -> None:
     assert whole(x) == Predicate("whole", (), (x,))
     assert Implies((proposition(x > 0), proposition(y > 0))).free == {x, y}
     assert conditions(sp.tan(pi / 8)) == frozenset()
+
+
+def test_reductio_needs_falsehood() -> None:
+    with pytest.raises(NotShown):
+        kernel.reductio(assume(x > 0), x > 0)

@@ -20,6 +20,7 @@ from symhaptic.proof.certificate import Known, Positive
 from symhaptic.proof.theorems.analysis import (
     above_its_start,
     from_there_on,
+    grows,
     in_the_limit,
     increases,
     induction,
@@ -49,7 +50,7 @@ from symhaptic.proof.theorems.leaves import (
     tends,
 )
 from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
-from symhaptic.proof.theorems.tactics import positive
+from symhaptic.proof.theorems.tactics import closed, over, positive
 
 x, y, n, z, theta, c = symbols("x y n z theta q")
 
@@ -244,6 +245,28 @@ def test_increasing() -> None:
     )
     order = from_there_on(rises, y, x).hypotheses
     assert {lt(0, y), lt(y, x), lt(x, 1)} <= order
+
+
+def test_growing_from_one_value_to_another() -> None:
+    slope = positive(2 * y > 0, [2, y > 0])
+    start = grows(y**2, y, S.Zero, x, slope)
+    assert start.hypotheses == {lt(0, x)}
+    assert start.conclusion == lt(0, x**2)
+    pole = assume(1 / y**2 > 0)
+    refused(
+        lambda: grows(y**2, y, -S.One, x, slope),
+        lambda: grows(y**2, y, S.Zero, y, slope),
+        lambda: grows(y**2, y, S.Zero, sp.I, slope),
+        lambda: grows(y**3, y, S.Zero, x, slope),
+        lambda: grows(-1 / y, y, -S.One, S.One, pole),
+        lambda: grows(y**2, y, S.Zero, x, weakened(slope, y < 1)),
+    )
+    # a divisor that vanishes at an end stays open, also where SymPy cancels it there
+    beyond = positive(y > 0, x > 0, y > x)
+    shown = closed(positive(Ne(y, 0), [y > 0]), beyond)
+    steep = closed(over(1 / y**2 > 0, ONE, positive(y**2 > 0, [y > 0, y > 0])), beyond, shown)
+    ends = grows(-1 / y, y, x, S.One, steep, shown)
+    assert {Relation(x, "!=", S.Zero), lt(x, 1)} <= ends.hypotheses
 
 
 def test_weak_in_the_limit() -> None:

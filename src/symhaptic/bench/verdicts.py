@@ -147,7 +147,7 @@ def methods(folder: Path) -> dict[str, Callable[[Walls, int], Any]]:
         (form,) = request.chosen(["is_stable"])
         call = compiled(form, folder)
         found["counted, C"] = lambda walls, d: (
-            call([*map(np.ascontiguousarray, walls), np.full(walls[0].size, float(d))])[1] == 1
+            call([*map(np.ascontiguousarray, walls), np.full(walls[0].size, float(d))])[0] == 1
         )
     return found
 

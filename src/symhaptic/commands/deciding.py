@@ -19,6 +19,7 @@ from symhaptic.suggest import suggested
 
 if TYPE_CHECKING:
     from symhaptic.ledger import Entry
+    from symhaptic.library import BadChapter
 
 
 class ListFormat(StrEnum):
@@ -37,24 +38,30 @@ Derivations = Annotated[
 ]
 
 
-def settled(paths: list[Path], workers: int) -> list[Entry]:
-    """The statements that derivations settle."""
+def settled(paths: list[Path], workers: int, own: list[Path], bad: list[BadChapter]) -> list[Entry]:
+    """The statements that derivations settle; those that cannot be run are told at once."""
     from symhaptic import parallel
-    from symhaptic.library import BadChapter
 
-    try:
-        with progress(len(paths)) as told:
-            return parallel.settled(paths, workers, told)
-    except BadChapter as wrong:
-        refuse(f"--derivation {wrong}")
+    def failed(wrong: BadChapter) -> None:
+        bad.append(wrong)
+        told_bad(wrong, own)
+
+    with progress(len(paths)) as told:
+        return parallel.settled(paths, workers, told, failed)
+
+
+def told_bad(wrong: BadChapter, own: list[Path]) -> None:
+    """One line on what is wrong with a chapter."""
+    given = "--derivation " if wrong.path in own else ""
+    typer.echo(f"symhaptic: error: {given}{wrong}", err=True)
 
 
 def own_chapters(paths: list[Path] | None) -> list[Path]:
-    """A user's chapters, which must be there before the others are run."""
-    from symhaptic.library import BadChapter, found
+    """A user's chapters, which are looked at before anything is run."""
+    from symhaptic.library import BadChapter, readable
 
     try:
-        return [found(path) for path in paths or []]
+        return list({path.resolve(): readable(path) for path in paths or []}.values())
     except BadChapter as wrong:
         refuse(f"--derivation {wrong}")
 
@@ -76,43 +83,82 @@ def verify(
         int | None,
         typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
     ] = None,
-    names_only: Annotated[bool, typer.Option("--list", help="Print the statements' ids.")] = False,
     derivation: Derivations = None,
+    listed: Annotated[
+        bool,
+        typer.Option("--list", help="Name the statements, where each stands and what it says."),
+    ] = False,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one."""
+    from time import perf_counter
+
     from symhaptic import ledger, library, listing, parallel
 
     writable(output)
+    if listed:
+        name_statements(ids or [], format, output, derivation)
+        return
     own = own_chapters(derivation)
     wanted = ids or []
     known = ledger.expected(library.expected_ledger())
-    if names_only:
-        typer.echo("\n".join(known))
-        return
     for id in wanted if not own else []:
         if id not in known:
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
-    paths = listing.needed(wanted, library.shipped()) + own
-    entries = ledger.ledger(settled(paths, workers or parallel.workers()))
+    given = {path.resolve() for path in own}
+    shipped = [p for p in listing.needed(wanted, library.shipped()) if p.resolve() not in given]
+    bad: list[BadChapter] = []
+    begin = perf_counter()
+    found = settled(own + shipped, workers or parallel.workers(), own, bad)
+    found, several = ledger.once(found, ledger.places(library.expected_ledger()))
+    for id, files in several.items():
+        path = next(p for p in (*reversed(own), *shipped) if library.source(p) in files)
+        bad.append(library.BadChapter(path, ledger.twice(id, files)))
+        told_bad(bad[-1], own)
+    entries = ledger.ledger(found)
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:
-            if id not in names:
+            if id not in names and not bad:
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
-        entries = [names[id] for id in dict.fromkeys(wanted)]
+        entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
     surprises = ledger.surprises(entries, known, whole=not wanted)
+    surprises += filter(None, map(ledger.judged_again, found))
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     text = {
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,
         ListFormat.junit: listing.junit,
-    }[format](entries, surprises, strict)
+    }[format](entries, surprises, strict, bad, perf_counter() - begin)
+    if output is None:
+        typer.echo(text, nl=False)
+    elif not (bad and format is ListFormat.text):
+        write(listing.replace, output, text)
+    if bad:
+        raise typer.Exit(2)
+    if surprises or (strict and undecided):
+        raise typer.Exit(1)
+
+
+def name_statements(
+    ids: list[str], format: ListFormat, output: Path | None, derivation: list[Path] | None
+) -> None:
+    """Print what there is to verify."""
+    from symhaptic import listing
+
+    if format is ListFormat.junit:
+        refuse("--format junit: nothing is run with --list; allowed are text and json")
+    if derivation:
+        refuse(f"--derivation {derivation[0]}: a chapter is not run with --list; leave one out")
+    records = {record["id"]: record for record in listing.statements()}
+    for id in ids:
+        if id not in records:
+            refuse(f"ID: {id!r} is not a statement; {suggested(id, records, LISTED)}")
+    chosen = [records[id] for id in dict.fromkeys(ids or records)]
+    text = listing.names(chosen, format is ListFormat.json)
     if output is None:
         typer.echo(text, nl=False)
     else:
         write(listing.replace, output, text)
-    if surprises or (strict and undecided):
-        raise typer.Exit(1)
 
 
 @app.command()

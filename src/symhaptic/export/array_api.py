@@ -6,21 +6,33 @@ elements that count.
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable
 from dataclasses import replace
 from types import MappingProxyType
 
+import sympy as sp
 from sympy import Expr, Symbol
 
+from symhaptic.export import standard
 from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFTEST
 from symhaptic.export.array_scope import ArrayPrinter, Scope
-from symhaptic.export.blocks import functional
-from symhaptic.export.branches import lazy
+from symhaptic.export.blocks import Block, functional
+from symhaptic.export.branches import lazy, told
 from symhaptic.export.library import Library, known, named, precise
 from symhaptic.export.precision import SINGLE
 from symhaptic.export.routine import Routine, Step
 from symhaptic.export.stages import staged
 from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.wrapping import in_brackets, wrapped
+from symhaptic.model.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.model.form import Form
+
+_MOST = {
+    LARGEST: Symbol("most.size"),
+    LONGEST: Symbol("most.periods"),
+    BELOW_PI: Symbol("most.angle"),
+}
 
 
 class ArrayApi(Target):
@@ -34,8 +46,9 @@ class ArrayApi(Target):
         "while with yield match case xp np numpy selftest math sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
         "functools select repeat over step is_jax_array by_value halves square_root product_error "
-        "plant work yes no"
+        "plant work inside limits guarded most yes no"
     )
+    modules = standard.PYTHON
     operations = single = called(
         "xp.",
         Infinity="xp.inf",
@@ -58,7 +71,7 @@ class ArrayApi(Target):
                 brief = _without_numbers(named(helper.name, known(SINGLE)))
             lines += [*self._helper(helper, brief), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += [*self._public(routine, describe(form)), "", ""]
+            lines += [*self._public(form, routine), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
     def _named(self, symbols: Iterable[Symbol]) -> list[str]:
@@ -68,48 +81,71 @@ class ArrayApi(Target):
         """A function; before it the one for single precision, where that has other steps."""
         name, given = self.call(routine.name), self._named(routine.arguments)
         arguments = ", ".join(["xp", *given])
-        head = [f"def {name}({arguments}):", f'    """{routine.about}"""']
+        head = [*wrapped([f"def {name}({arguments}):"]), *_documented([routine.about])]
         short = ", ".join(["xp", *self._named((brief or routine).arguments)])
         if brief is not None:
             head += [f"    if {given[0]}.dtype == xp.float32:",
-                     f"        return {name}_single({short})"]  # fmt: skip
+                     *wrapped([f"        return {name}_single({short})"])]  # fmt: skip
         lines = [*head, *self._body(routine, 1)]
         if brief is None:
             return lines
-        single = [f"def {name}_single({short}):", '    """The same in single precision."""']
+        single = wrapped([f"def {name}_single({short}):"])
+        single += _documented(["The same in single precision."])
         single += self._body(brief, 1)
         return [*single, "", "", *lines]
 
-    def _public(self, routine: Routine, about: list[str]) -> list[str]:
+    def _public(self, form: Form, routine: Routine) -> list[str]:
+        about = describe(form, self.precision)
         names = self._named(routine.arguments)
         head = f"def {self.call(routine.name)}({', '.join(names)}):"
-        lines = ["@by_value", head, f'    """{about[0]}']
-        lines += ["", *(f"    {line}" for line in about[1:]), '    """'] if about[1:] else []
-        if not about[1:]:
-            lines[-1] += '"""'
+        lines = ["@by_value", *wrapped([head]), *_documented(about)]
         if not names:
             return [*lines, "    (xp,) = arrays()", *self._body(routine, 1)]
         lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
+        if any(c.has(LARGEST, LONGEST, BELOW_PI) for c in form.within):
+            lines.append(f"    most = limits(xp, {names[0]})")
         plant, work = staged(routine)
         for name, part in (("plant", plant), ("work", work)):
             if part is None:
                 continue
             given = ", ".join(self._named(part.arguments))
-            found = self._body(part, 2)
-            lines += ["", f"    def {name}({given}):", *found, ""]
-            call = f"elementwise(xp, {name}, {given})"
-            results = self._named(Symbol(n) for n, _ in part.results)
-            lines.append(
-                f"    return {call}" if name == "work" else f"    {', '.join(results)} = {call}"
-            )
-        return lines
+            block = lazy(part)
+            if part is work and form.truth:
+                block = told(block)
+            lines += ["", f"    def {name}({given}):", *self._written(block, 2)]
+            inside = f"        return {self._inside(form, part)}"
+            lines += ["", f"    def inside({given}):", inside, ""]
+            outside = form.outside if part is work else sp.nan
+            shown = {sp.nan: "math.nan", sp.false: "False"}.get(outside, str(outside))
+            many = len(part.results)
+            call = f"guarded(xp, {name}, inside, {many}, {shown}, {given})"
+            results = ", ".join(self._named(Symbol(n) for n, _ in part.results))
+            lines.append(f"    return {call}" if part is work else f"    {results} = {call}")
+        return [line for long in lines for line in in_brackets(long)]
+
+    def _inside(self, form: Form, part: Routine) -> str:
+        """Which elements of its arguments are; numbers of a plant that is not are NaN."""
+        own = [c for s, c in zip(form.arguments, form.within, strict=True) if s in part.arguments]
+        found = [s for s in part.arguments if s not in form.arguments]
+        scope = Scope(self, ())
+        shown = [scope.printer.doprint(c.xreplace(_MOST)) for c in own]
+        shown += [f"~xp.isnan({name})" for name in self._named(found[:1])]
+        return " & ".join(text if text.startswith("~") else f"({text})" for text in shown)
 
     def _body(self, routine: Routine, depth: int) -> list[str]:
-        return Scope(self, functional(lazy(routine))).written(depth)
+        return self._written(lazy(routine), depth)
+
+    def _written(self, block: Block, depth: int) -> list[str]:
+        lines = Scope(self, functional(block)).written(depth)
+        return [line for long in lines for line in in_brackets(long)]
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """From a tuple."""
         return [f"{', '.join(names)} = {function}(xp, {args})"]
+
+    def notes(self, library: Library) -> list[str]:
+        """What must not be done to it."""
+        return ["Never compile it with fastmath=True (Numba) or its like: NaN would be lost."]
 
     def usage(self, library: Library) -> str:
         """What it needs, and an import of the first function."""
@@ -126,6 +162,16 @@ class ArrayApi(Target):
     def commands(self, name: str) -> list[list[str]]:
         """Run; a warning is an error."""
         return [["python", "-W", "error", "selftest.py"]]
+
+
+def _documented(about: list[str]) -> list[str]:
+    """A docstring: its first line, and the others below."""
+    given = f'"""{about[0]}', *about[1:]
+    first, *others = (f"    {part}" for line in given for part in textwrap.wrap(line, 92))
+    if not others:
+        return [f'{first}"""']
+    text = [first, *others]
+    return [*text, '    """'] if len(about) == 1 else [text[0], "", *text[1:], '    """']
 
 
 def _without_numbers(routine: Routine) -> Routine:

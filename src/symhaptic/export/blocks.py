@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+import sympy as sp
 from sympy import Expr, Symbol
 from sympy.logic.boolalg import Boolean
 
@@ -51,7 +52,7 @@ class Set:
 class Return:
     """The results, which end the routine."""
 
-    results: tuple[Expr, ...]
+    results: tuple[sp.Basic, ...]
 
 
 Statement = Assign | Repeat | Several | Choice | Join | Set | Return

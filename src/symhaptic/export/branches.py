@@ -12,7 +12,16 @@ import sympy as sp
 from sympy import Expr, Function, Piecewise, Symbol
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, Statement
+from symhaptic.export.blocks import (
+    Assign,
+    Block,
+    Choice,
+    Join,
+    Return,
+    Set,
+    Statement,
+    expressions,
+)
 from symhaptic.export.routine import Routine, names
 
 
@@ -25,6 +34,26 @@ def lazy(routine: Routine) -> Block:
     cheapest question first; what all of them need is done before them.
     """
     return _Lazy(routine).returned(tuple(e for _, e in routine.results), set(), {})
+
+
+def guarded(routine: Routine) -> Block:
+    """The same; before it, what the results are where an argument is outside the domain.
+
+    NaN makes every comparison false: what is asked is what is true inside, and never its opposite.
+    """
+    block = told(lazy(routine)) if routine.truth else lazy(routine)
+    if not routine.within:
+        return block
+    outside = sp.Not(sp.And(*routine.within), evaluate=False)
+    return (Choice(outside, (Return((routine.outside,) * len(routine.results)),), block),)
+
+
+def told(block: Block) -> Block:
+    """A block whose result is 1 or 0 with a truth value in its place."""
+    *before, last = block
+    if isinstance(last, Choice):
+        return (*before, Choice(last.condition, told(last.yes), told(last.no)))
+    return (*before, Return(tuple(sp.Ne(r, 0) for r in expressions(last))))
 
 
 Facts = dict[Expr, Boolean]
@@ -51,10 +80,10 @@ class _Lazy:
         if not _chosen_alike(results):
             steps, _ = self._steps([s for e in results for s in _free(e)], done, facts)
             return (*steps, Return(results))
-        condition = parted(results[0])[0]
+        condition = next(parted(r)[0] for r in results if isinstance(r, Piecewise))
         steps, done = self._steps((condition,), done, facts)
         yes, no = (
-            self.returned(tuple(parted(r)[side] for r in results), done,
+            self.returned(tuple(_side(r, condition, side) for r in results), done,
                           facts | self._decided(condition, value))
             for side, value in ((1, sp.true), (2, sp.false))
         )  # fmt: skip
@@ -217,9 +246,9 @@ def _calls(expr: Expr) -> bool:
 
 
 def _chosen_alike(results: tuple[Expr, ...]) -> bool:
-    """Whether all results choose by the same condition first."""
-    return all(isinstance(r, Piecewise) for r in results) and (
-        len({parted(r)[0] for r in results}) == 1
+    """Whether all results but mere numbers choose by the same condition first."""
+    return all(isinstance(r, Piecewise) or r.is_number for r in results) and (
+        len({parted(r)[0] for r in results if isinstance(r, Piecewise)}) == 1
     )
 
 

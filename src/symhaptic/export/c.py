@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from sympy.printing.c import C99CodePrinter
 
-from symhaptic.export.branches import lazy
+from symhaptic.export import standard
+from symhaptic.export.branches import guarded
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
 from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.wrapping import wrapped
 
 FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
 
@@ -19,6 +21,22 @@ KEYWORDS = vocabulary(
     "inline int long register restrict return short signed sizeof static struct switch "
     "typedef union unsigned void volatile while _Bool _Complex _Imaginary main"
 )
+
+CPP_KEYWORDS = KEYWORDS | vocabulary(
+    "alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t class compl "
+    "constexpr const_cast decltype delete dynamic_cast explicit export false friend mutable "
+    "namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
+    "reinterpret_cast static_assert static_cast template this thread_local throw true try "
+    "typeid typename using virtual wchar_t xor xor_eq std"
+)
+"""Those of C++ too, since its programs read the header."""
+
+STRICT = """#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \\
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
+#endif
+"""
+"""What rewrites sums, or takes it that there is no NaN, loses the digits and the domain."""
 
 
 class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
@@ -31,7 +49,8 @@ class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
 class C(Target):
     """One source file and its header."""
 
-    name, title, keywords, printer = "c", "C99", KEYWORDS, _Printer
+    name, title, keywords, printer = "c", "C99", CPP_KEYWORDS, _Printer
+    modules = standard.C
     operations = called(
         "",
         Abs="fabs({0})",
@@ -66,16 +85,20 @@ class C(Target):
         guard = f"{library.name.upper()}_H"
         heads = []
         for form, routine in zip(library.forms, library.public, strict=True):
-            heads += ["/*", *(f" * {line}" for line in describe(form)), " */"]
+            about = describe(form, self.precision)
+            heads += ["/*", *(f" * {line}" for line in about), " */"]
             heads += [f"{self._head(f'{library.name}_{routine.name}', routine)};", ""]
-        header = [f"#ifndef {guard}", f"#define {guard}", "", *heads, "#endif", ""]
-        lines = ["#include <math.h>", "", f'#include "{library.name}.h"', ""]
+        truth = ["#include <stdbool.h>", ""] * any(r.truth for r in library.public)
+        header = [f"#ifndef {guard}", f"#define {guard}", "", *truth, *_LINKED, *heads,
+                  "#ifdef __cplusplus", "}", "#endif", "", "#endif", ""]  # fmt: skip
+        lines = [f'#include "{library.name}.h"', "", "#include <math.h>", "", *STRICT.split("\n")]
         for helper in library.helpers:
-            lines.append(f"/* {helper.about} */")
+            lines.append(f"// {helper.about}")
             lines += self._written(helper, f"static {self._head(self.call(helper.name), helper)}")
         for routine in library.public:
             lines += self._written(routine, self._head(f"{library.name}_{routine.name}", routine))
-        return {f"{library.name}.h": "\n".join(header), f"{library.name}.c": "\n".join(lines)}
+        files = {f"{library.name}.h": header, f"{library.name}.c": lines}
+        return {name: "\n".join(wrapped(text)) for name, text in files.items()}
 
     def _out(self, name: str) -> str:
         return f"{name}_out"
@@ -83,7 +106,7 @@ class C(Target):
     def _written(self, routine: Routine, head: str) -> list[str]:
         ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
         ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
-        return [f"{head} {{", *braces(self, lazy(routine), ends, f"const {self.real}"), "}", ""]
+        return [f"{head} {{", *braces(self, guarded(routine), ends, f"const {self.real}"), "}", ""]
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """Through pointers."""
@@ -92,16 +115,23 @@ class C(Target):
 
     def _head(self, name: str, routine: Routine) -> str:
         args = [f"{self.real} {self.rename(s.name)}" for s in routine.arguments]
-        kind = self.real
+        kind = "bool" if routine.truth else self.real
         if len(routine.results) > 1:
             kind, args = "void", args + [f"{self.real} *{self._out(n)}" for n, _ in routine.results]
         return f"{kind} {name}({', '.join(args) or 'void'})"
+
+    def notes(self, library: Library) -> list[str]:
+        """What it refuses to be compiled with."""
+        return [
+            "With -ffast-math, -Ofast or /fp:fast it does not compile: these take it that there is",
+            "no NaN, and rewrite sums. C++ may include the header, too.",
+        ]
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""
         first = library.public[0]
         head = self._head(f"{library.name}_{first.name}", first)
-        return f'#include "{library.name}.h"\n\n{head};'
+        return "\n".join([f'#include "{library.name}.h"', "", *wrapped([f"{head};"])])
 
     def selftest(self, library: Library) -> dict[str, str]:
         """selftest.c."""
@@ -119,7 +149,8 @@ class C(Target):
                 f'        if (strcmp(name, "{r.name}") == 0) {{\n'
                 f"            arguments = {count}, results = {len(r.results)};\n"
                 f"            read_all(file, x, arguments + 2*results);\n"
-                f"            {call};\n        }}\n"
+                + "".join(f"{part}\n" for part in wrapped([f"            {call};"]))
+                + "        }\n"
             )
         return {"selftest.c": _SELFTEST % (library.name, self.real, self.real, "".join(cases))}
 
@@ -130,6 +161,8 @@ class C(Target):
             ["./selftest"],
         ]
 
+
+_LINKED = ["#ifdef __cplusplus", 'extern "C" {', "#endif", ""]
 
 _SELFTEST = """#include <math.h>
 #include <stdio.h>
@@ -159,7 +192,7 @@ int main(void) {
         for (i = 0; i < results; ++i) {
             const double expected = x[arguments + 2*i], allowed = x[arguments + 2*i + 1];
             ++tried;
-            if (!(fabs(got[i] - expected) <= allowed)) {
+            if (!(fabs(got[i] - expected) <= allowed) && !(isnan(got[i]) && isnan(expected))) {
                 ++missed;
                 printf("%%s, result %%d: %%.17g instead of %%.17g\\n", name, i, got[i], expected);
             }

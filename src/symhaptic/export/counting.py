@@ -128,7 +128,7 @@ def _leads(k: _Quadratic) -> Expr:
     return Or(k.c < 0, And(zero, Or(k.b < 0, And(sp.Eq(k.b, 0), k.a < 0))))
 
 
-def unstable_roots() -> Routine:
+def whole_roots() -> Routine:
     """The number of roots outside the unit circle."""
     do = Steps()
     e = do("e", 1 - loss)
@@ -158,7 +158,7 @@ def unstable_roots() -> Routine:
         "end", choose(v.far > 0, side, 0) - (d + 3) + choose(apart > 0, choose(n1 >= 0, 1, -1), 0)
     )
     total = do("total", total + choose(_leads(near), begin, 0))
-    return do.routine("UnstableRoots", "roots outside the unit circle", ARGUMENTS,
+    return do.routine("WholeRoots", "roots outside the unit circle", ARGUMENTS,
                       total - choose(_leads(far), end, 0))  # fmt: skip
 
 
@@ -174,5 +174,5 @@ def stable(precision: Precision = DOUBLE) -> Routine:
                       (roots, alpha, beta, gamma, delta), choose(good, 1, 0))  # fmt: skip
 
 
-ROUTINES = (unstable_roots,)
+ROUTINES = (whole_roots,)
 PRECISE = (stable,)

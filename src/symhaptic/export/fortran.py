@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-import textwrap
 from types import MappingProxyType
 
 from sympy.printing.fortran import FCodePrinter
 
+from symhaptic.export import standard
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
-from symhaptic.export.branches import lazy
+from symhaptic.export.branches import guarded
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Repeat, Routine, Several
 from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.wrapping import wrapped
 
 
 class _Printer(Printing, FCodePrinter):  # type: ignore[misc]
@@ -40,7 +41,9 @@ class Fortran(Target):
 
     name, title, printer, ignores_case = "fortran", "Fortran 2008", _Printer, True
     choice = "merge({1}, {2}, {0})"
-    words = MappingProxyType({"&&": ".and.", "||": ".or.", "!=": "/=", "!": ".not."})
+    words = MappingProxyType(
+        {"&&": ".and.", "||": ".or.", "!=": "/=", "!": ".not.", "false": ".false."}
+    )
     keywords = vocabulary(
         "allocatable allocate assign associate block call case character class close common "
         "complex contains continue cycle data deallocate default dimension do double elemental "
@@ -52,6 +55,7 @@ class Fortran(Target):
         "volatile where while write exp sin cos tan sqrt abs max min floor merge wp expm1 "
         "selftest spread scale"
     )
+    modules = standard.FORTRAN
     operations = called(
         "",
         Infinity="ieee_value(1.0_wp, ieee_positive_inf)",
@@ -95,9 +99,10 @@ class Fortran(Target):
             "",
         ]
         for helper in library.helpers:
-            lines += [f"  ! {helper.about}", *self._written(helper), ""]
+            lines += [*_folded(f"  ! {helper.about}"), *self._written(helper), ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += [f"  ! {line}" for line in describe(form)]
+            about = describe(form, self.precision)
+            lines += [part for line in about for part in _folded(f"  ! {line}")]
             lines += [*self._written(routine), ""]
         return {f"{library.name}.f90": "\n".join([*lines, f"end module {library.name}", ""])}
 
@@ -109,11 +114,12 @@ class Fortran(Target):
     def _written(self, routine: Routine) -> list[str]:
         args = [self.rename(s.name) for s in routine.arguments]
         results, name = self._results(routine), self.call(routine.name)
-        block = lazy(routine)
+        block = guarded(routine)
         locals_ = sorted({self.rename(n) for n in _assigned(block)})
         if len(results) == 1:
             head = f"  pure function {name}({', '.join(args)}) result({results[0]})"
-            kinds, tail = [f"    real(wp) :: {results[0]}"], "function"
+            kind = "logical" if routine.truth else "real(wp)"
+            kinds, tail = [f"    {kind} :: {results[0]}"], "function"
         else:
             head = f"  pure subroutine {name}({', '.join(args + results)})"
             kinds, tail = [f"    real(wp), intent(out) :: {', '.join(results)}"], "subroutine"
@@ -133,6 +139,13 @@ class Fortran(Target):
         """From a subroutine."""
         return [f"call {function}({', '.join([args, *names])})"]
 
+    def notes(self, library: Library) -> list[str]:
+        """What it must not be compiled with."""
+        return [
+            "Never compile it with -ffast-math, -Ofast, -Mfprelaxed or -fp-model=fast (ifx's own;",
+            "-fp-model=precise is right): these take it that there is no NaN, and rewrite sums.",
+        ]
+
     def usage(self, library: Library) -> str:
         """A use of the first function."""
         return f"use {library.name}, only: {library.public[0].name}"
@@ -144,7 +157,8 @@ class Fortran(Target):
             count, many = len(r.arguments), len(r.results)
             args = [f"x({i + 1})" for i in range(count)]
             if many == 1:
-                call = f"got(1) = {r.name}({', '.join(args)})"
+                call = f"{r.name}({', '.join(args)})"
+                call = f"got(1) = {f'merge(1.0_wp, 0.0_wp, {call})' if r.truth else call}"
             else:
                 call = (
                     f"call {r.name}({', '.join([*args, *(f'got({i + 1})' for i in range(many))])})"
@@ -195,20 +209,12 @@ def _assigned(block: Block) -> set[str]:
 
 def _folded(line: str) -> list[str]:
     """A line in pieces that a compiler takes, each continued by an ampersand."""
-    if len(line) <= 100:
-        return [line]
-    indent = " " * (len(line) - len(line.lstrip()) + 4)
-    pieces = textwrap.wrap(
-        line, 98, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False,
-        drop_whitespace=True,
-    )  # fmt: skip
-    first = line[: len(line) - len(line.lstrip())]
-    pieces[0] = first + pieces[0].lstrip()
-    return [f"{piece} &" for piece in pieces[:-1]] + pieces[-1:]
+    return wrapped([line], " &")
 
 
 _SELFTEST = """program selftest
   use, intrinsic :: iso_fortran_env, only: wp => KIND, int64
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
   use NAME
   implicit none
   character(len=8000) :: line
@@ -233,6 +239,7 @@ CASES
       expected = x(arguments + 2*i - 1)
       allowed = x(arguments + 2*i)
       tried = tried + 1
+      if (ieee_is_nan(expected) .and. ieee_is_nan(got(i))) cycle
       if (.not. abs(got(i) - expected) <= allowed) then
         missed = missed + 1
         print *, trim(name), i, got(i), expected
@@ -255,7 +262,12 @@ contains
     character(len=14) :: digits
     into = 0
     do k = 1, count
-      at = index(text, "x")
+      at = index(text(1:index(text, " ")), "x")
+      if (at == 0) then ! nan, inf or -inf
+        read (text(1:index(text, " ") - 1), *) into(k)
+        text = adjustl(text(index(text, " "):))
+        cycle
+      end if
       digits = text(at + 1:at + 1)//text(at + 3:at + 15)
       read (digits, '(z14)') whole
       read (text(at + 17:index(text, " ") - 1), *) power

@@ -93,8 +93,8 @@ _MODULES = (
 )  # fmt: skip
 
 
-def routine(form: Form) -> Routine:
-    """A form with its common subexpressions shared."""
+def routine(form: Form, precision: Precision = DOUBLE) -> Routine:
+    """A form with its common subexpressions shared, and what its arguments have to be."""
     taken = {s.name for e in form.expressions for s in e.free_symbols}
     fresh = (Symbol(n) for n in (f"t{i}" for i in range(10**6)) if n not in taken)
     given, together = _apart(form.expressions)
@@ -108,8 +108,10 @@ def routine(form: Form) -> Routine:
         done.append((name, _with_named_bases(expr.xreplace(inverse), done, fresh)))
     found = together([_with_named_bases(e.xreplace(inverse), done, fresh) for e in results])
     names = [name for name, _ in form.results]
+    results = tuple(zip(names, found, strict=True))
+    within = tuple(map(precision.at, form.within))
     return Routine(
-        form.name, form.title, form.arguments, tuple(done), tuple(zip(names, found, strict=True))
+        form.name, form.title, form.arguments, tuple(done), results, within, form.outside
     )
 
 
@@ -118,18 +120,22 @@ def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], 
 
     So that what a choice shares with others is not computed where it does not count.
     """
-    if not all(isinstance(expr, Piecewise) for expr in exprs):
+    chosen = [expr for expr in exprs if isinstance(expr, Piecewise)]
+    if not chosen:
         return list(exprs), lambda found: found
-    first = exprs[0].args[0][1]
+    first = chosen[0].args[0][1]
     count = len(exprs)
-    if not isinstance(first, sp.Eq) or any(e.args[0][1] != first or len(e.args) > 2 for e in exprs):
+    plain = [expr for expr in exprs if not isinstance(expr, Piecewise) and not expr.is_number]
+    other = [expr for expr in chosen if expr.args[0][1] != first or len(expr.args) > 2]
+    if not isinstance(first, sp.Eq) or plain or other:
         raise ValueError(f"{first}: is not the one condition of all results")
 
     def together(found: list[Expr]) -> list[Expr]:
         pairs = zip(found[:count], found[count:-1], strict=True)
         return [choose(sp.Eq(found[-1], first.rhs), *pair) for pair in pairs]
 
-    return [e.args[k][0] for k in (0, 1) for e in exprs] + [first.lhs], together
+    sides = [e.args[k][0] if e in chosen else e for k in (0, 1) for e in exprs]
+    return [*sides, first.lhs], together
 
 
 def _by_size(expr: Expr) -> tuple[int, object]:
@@ -171,7 +177,7 @@ def library(
     Raises :class:`Refused` for an operation that the target does not have.
     """
     forms = tuple(forms)
-    public = tuple(routine(form) for form in forms)
+    public = tuple(routine(form, target.precision) for form in forms)
     routines = known(target.precision)
     if merges:
         public = tuple(map(merged, public))

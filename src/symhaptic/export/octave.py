@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import MappingProxyType
 
 from sympy.printing.octave import OctaveCodePrinter
 
-from symhaptic.export.branches import lazy
+from symhaptic.export import standard
+from symhaptic.export.branches import guarded
 from symhaptic.export.library import Library
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.wrapping import wrapped
 
 
 class _Printer(Printing, OctaveCodePrinter):  # type: ignore[misc]
@@ -30,7 +33,7 @@ _WORDS = Words(
 
 
 class Octave(Target):
-    """One file a function, of scalars, with what it needs behind it; arrayfun does arrays."""
+    """One file a function, of numbers and of arrays, with what it needs behind it."""
 
     name, title, printer = "octave", "GNU Octave and MATLAB", _Printer
     choice = "pick({0}, {1}, {2})"
@@ -38,8 +41,10 @@ class Octave(Target):
     keywords = vocabulary(
         "break case catch classdef continue do else elseif end endfunction endif endwhile "
         "enumeration events for function global if methods otherwise parfor persistent properties "
-        "return spmd switch try unwind_protect until while pick pi i j ans selftest"
+        "return spmd switch try unwind_protect until while pick pi i j ans selftest "
+        "elementwise names varargout varargin nargout"
     )
+    modules = standard.OCTAVE
     operations = called(
         "",
         Infinity="Inf",
@@ -52,11 +57,16 @@ class Octave(Target):
         files = {}
         written = {helper.name: self._helper(helper) for helper in library.helpers}
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines = [self._head(routine), *(f"  % {line}" for line in describe(form))]
+            about = [f"  % {line}" for line in describe(form, self.precision)]
+            lines = [self._head(routine, "varargout" if routine.arguments else ""), *about]
+            if routine.arguments:
+                lines += [*_of_arrays(routine), "end", "", *_ELEMENTWISE.split("\n")]
+                lines += ["% the same of numbers", self._head(replace(routine, name="of_numbers"))]
             lines += [*self._body(routine), "end", ""]
             for helper in library.needed(routine):
                 lines += written[helper.name]
-            files[f"+{library.name}/{routine.name}.m"] = "\n".join([*lines, _PICK])
+            text = [*wrapped(lines, " ..."), _PICK]
+            files[f"+{library.name}/{routine.name}.m"] = "\n".join(text)
         return files
 
     def _helper(self, routine: Routine) -> list[str]:
@@ -66,16 +76,23 @@ class Octave(Target):
         return [f"{self.rename(name)}_out" for name, _ in routine.results]
 
     def _body(self, routine: Routine) -> list[str]:
-        return worded(self, lazy(routine), self._results(routine), _WORDS, "  ")
+        return worded(self, guarded(routine), self._results(routine), _WORDS, "  ")
 
-    def _head(self, routine: Routine) -> str:
+    def _head(self, routine: Routine, outs: str = "") -> str:
         args = ", ".join(self.rename(s.name) for s in routine.arguments)
-        results = ", ".join(self._results(routine))
-        return f"function [{results}] = {self.call(routine.name)}({args})"
+        outs = outs or f"[{', '.join(self._results(routine))}]"
+        return f"function {outs} = {self.call(routine.name)}({args})"
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """As results."""
         return [f"[{', '.join(names)}] = {function}({args});"]
+
+    def notes(self, library: Library) -> list[str]:
+        """What it takes."""
+        return [
+            "Arguments are numbers, or arrays of one size beside numbers; results have that size.",
+            f"The folder that holds +{library.name} has to be on the path.",
+        ]
 
     def usage(self, library: Library) -> str:
         """A call of the first function."""
@@ -91,16 +108,56 @@ class Octave(Target):
             many = len(r.results)
             args = ", ".join(f"x({i + 1})" for i in range(len(r.arguments)))
             outs = ", ".join(f"got({i + 1})" for i in range(many))
-            cases.append(
-                f"    case '{r.name}'\n      count = {len(r.arguments)}; got = zeros(1, {many});\n"
-                f"      [{outs}] = {library.name}.{r.name}({args});\n"
-            )
+            lines = [
+                f"    case '{r.name}'",
+                f"      count = {len(r.arguments)}; got = zeros(1, {many});",
+                f"      [{outs}] = {library.name}.{r.name}({args});",
+            ]
+            cases += [f"{part}\n" for part in wrapped(lines, " ...")]
         return {"selftest.m": _SELFTEST.replace("CASES", "".join(cases))}
 
     def commands(self, name: str) -> list[list[str]]:
         """Run; the program takes a warning for a miss."""
         return [["octave-cli", "--norc", "--no-history", "--quiet", "--eval", "selftest"]]
 
+
+def _of_arrays(routine: Routine) -> list[str]:
+    """The call for each element."""
+    names = ", ".join(f"'{s.name}'" for s in routine.arguments)
+    args = ", ".join(TARGET.rename(s.name) for s in routine.arguments)
+    return [
+        f"  names = {{{names}}};",
+        f"  [varargout{{1:max(nargout, 1)}}] = elementwise(@of_numbers, names, {args});",
+    ]
+
+
+_ELEMENTWISE = """% one function of numbers, and of arrays of one size beside numbers
+function varargout = elementwise(one, names, varargin)
+  wide = [1 1];
+  for k = 1:numel(varargin)
+    x = varargin{k};
+    if ~(isnumeric(x) || islogical(x)) || ~isreal(x)
+      error('%s: is not allowed; real numbers are', names{k});
+    elseif numel(x) ~= 1 && isequal(wide, [1 1])
+      wide = size(x);
+    elseif numel(x) ~= 1 && ~isequal(wide, size(x))
+      error('%s: has the size %s; numbers and arrays of the size %s are allowed', ...
+          names{k}, mat2str(size(x)), mat2str(wide));
+    end
+    varargin{k} = double(x);
+  end
+  if isequal(wide, [1 1])
+    [varargout{1:nargout}] = one(varargin{:});
+    return
+  end
+  for k = 1:numel(varargin)
+    if numel(varargin{k}) == 1
+      varargin{k} = repmat(varargin{k}, wide);
+    end
+  end
+  [varargout{1:nargout}] = arrayfun(one, varargin{:});
+end
+"""
 
 _PICK = """% one of two numbers
 function y = pick(condition, yes, no)
@@ -125,20 +182,26 @@ CASES    otherwise
     end
     for i = 1:numel(got)
       tried = tried + 1;
-      if ~(abs(got(i) - x(count + 2*i - 1)) <= x(count + 2*i))
+      none = isnan(got(i)) && isnan(x(count + 2*i - 1));
+      if ~(abs(got(i) - x(count + 2*i - 1)) <= x(count + 2*i)) && ~none
         missed = missed + 1;
-        printf('%s, result %d: %.17g instead of %.17g\\n', words{1}, i, got(i), x(count + 2*i - 1));
+        fprintf('%s, result %d: %.17g instead of %.17g\\n', ...
+            words{1}, i, got(i), x(count + 2*i - 1));
       end
     end
     line = fgetl(file);
   end
   fclose(file);
-  printf('%d values, %d missed\\n', tried, missed);
+  fprintf('%d values, %d missed\\n', tried, missed);
   exit(tried == 0 || missed > 0 || ~isempty(lastwarn()));
 end
 
 % -0x1.8000000000000p+1, always with 13 digits
 function y = parse(word)
+  if any(strcmp(word, {'nan', 'inf', '-inf'}))
+    y = str2double(word);
+    return
+  end
   sign = 1;
   if word(1) == '-'
     sign = -1; word = word(2:end);

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 from sympy import Expr
+from sympy.logic.boolalg import Boolean
+
+from symhaptic.model.domain import BELOW_PI, LARGEST, LONGEST
 
 _GUARD = 2.0**-12
 """A truncated series may miss this part of half a last place."""
@@ -27,6 +30,10 @@ class Precision:
     """Results below are not measured: what leads to them may lose its last digits."""
     huge: float
     """The same above."""
+    largest: float
+    """Size of an argument up to which no sum or product of the formulas overflows."""
+    longest: float
+    """Delay up to which a phase is known: beyond, floats have no fractions to speak of."""
 
     @property
     def last(self) -> sp.Rational:
@@ -55,6 +62,11 @@ class Precision:
     def split(self) -> sp.Integer:
         """Veltkamp's factor: halves of a float whose products are exact."""
         return sp.Integer(2 ** ((self.bits + 1) // 2) + 1)
+
+    def at(self, condition: Boolean) -> Boolean:
+        """A condition on arguments with the numbers of this precision."""
+        ends = {LARGEST: self.largest, LONGEST: self.longest, BELOW_PI: self.below_pi}
+        return condition.xreplace({s: sp.Rational(*v.as_integer_ratio()) for s, v in ends.items()})
 
     def nearest(self, number: float | Expr) -> float:
         """The float nearest to a number.
@@ -96,7 +108,7 @@ class Precision:
         return n
 
 
-DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290)
-SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30)
+DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290, 1e70, 1e15)
+SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30, 1e8, 1e6)
 
 PRECISIONS = {p.name: p for p in (DOUBLE, SINGLE)}

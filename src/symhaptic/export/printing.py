@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from sympy import Expr, Symbol
+from sympy.logic.boolalg import Boolean
 from sympy.printing.codeprinter import CodePrinter
 
 from symhaptic.export.target import Refused
@@ -46,6 +47,9 @@ class Printing(CodePrinter):  # type: ignore[misc]
 
     def _print_NaN(self, expr: Expr) -> str:
         return self._written("NaN", ())
+
+    def _print_BooleanFalse(self, expr: Boolean) -> str:
+        return self.target.words.get("false", "false")
 
     def _print_Infinity(self, expr: Expr) -> str:
         return self._written("Infinity", ())

@@ -15,7 +15,7 @@ from sympy import Expr
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.library import Library
 from symhaptic.export.precision import Precision
-from symhaptic.export.target import Target
+from symhaptic.export.target import Target, beyond, sizes
 from symhaptic.export.vectors import allowed
 from symhaptic.model.searched import LatePart, SomePart, WholePart
 from symhaptic.model.stable import Form
@@ -41,6 +41,9 @@ def readme(library: Library, target: Target, count: int) -> str:
         target.usage(library),
         "```",
         "",
+        *_contract(library),
+        *target.notes(library),
+        "",
         f"The self-test reads {count} lines of vectors.txt, with numbers to the last digit, and",
         "ends with status 1 where a value is farther off than allowed:",
         "",
@@ -61,6 +64,26 @@ def readme(library: Library, target: Target, count: int) -> str:
         lines += [f"- {name}: {meaning}" for name, meaning in sorted(meanings.items())]
         lines.append("")
     return "\n".join(lines)
+
+
+def _contract(library: Library) -> list[str]:
+    """What holds outside of a domain, and what is no number."""
+    lines = [
+        "Outside its domain, which every function asks first, and for NaN and infinite arguments,",
+        "a result is NaN.",
+    ]
+    names = {form.name for form in library.forms}
+    if "is_stable" in names:
+        lines += [
+            "is_stable is a truth value: true where the loop is stable, false where it",
+            "is not and wherever nobody can tell.",
+        ]
+    if "unstable_roots" in names:
+        lines += [
+            "unstable_roots is a whole number, which is a float since a",
+            "delay may be long; outside the domain it is -1, never 0.",
+        ]
+    return [*textwrap.wrap(" ".join(lines), 88), ""]
 
 
 def _meanings(library: Library) -> dict[str, str]:
@@ -143,6 +166,9 @@ def _function(form: Form, precision: Precision) -> list[str]:
         lines.append("")
     if form.domain:
         lines += [f"Domain: {', '.join(form.domain)}.", ""]
+    if form.arguments:
+        none = f"{beyond(form)}, and where an argument is NaN or {sizes(form, precision)}."
+        lines += [none, ""]
     plain = form.plain or form
     lines += _formulas(plain)
     if form.plain is not None:

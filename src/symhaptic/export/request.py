@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import Sequence
@@ -27,6 +28,9 @@ LISTING = "FILES"
 
 _LONGEST = 6
 """Periods up to which a polynomial is written out."""
+
+_LETTERS = 31
+"""Of a name: so many count in every language."""
 
 
 def target(name: str, precision: str = "double") -> Target:
@@ -62,7 +66,14 @@ def chosen(
     """
     if delay is not None and not 0 <= delay <= _LONGEST:
         raise Refused(f"--delay {delay}: whole numbers from 0 to {_LONGEST} are allowed")
-    periods = (1 if delay is None else delay) if parts.delay else (delay or None)
+    if delay is not None and not parts.delay:
+        raise Refused(f"--delay {delay}: is not allowed with a scene that has no delay")
+    if delay is not None and not any(_is_for_one_delay(n) for n in names or stable.FOR_ONE_DELAY):
+        raise Refused(
+            f"--delay {delay}: changes nothing for {', '.join(names)}; allowed is it with "
+            f"{', '.join(stable.FOR_ONE_DELAY)}"
+        )
+    periods = (1 if delay is None else delay) if parts.delay else None
     if not names:
         every = list(stable.forms(parts, periods))
         return _all_differentiated(every, derivatives) if derivatives else every
@@ -73,6 +84,11 @@ def chosen(
     if not derivatives:
         return list(found.values())
     return [_differentiated(form, derivatives) for form in found.values()]
+
+
+def _is_for_one_delay(name: str) -> bool:
+    known = {id: own for own, ids in stable.STATEMENTS.items() for id in ids}
+    return known.get(name, name) in stable.FOR_ONE_DELAY
 
 
 def _differentiated(form: Form, by: Sequence[str]) -> Form:
@@ -114,10 +130,13 @@ def built(
     language: Target, forms: Sequence[Form], name: str = "haptic", vectors: bool = True
 ) -> tuple[Library, dict[str, str]]:
     """The library and all files of an export, by name; without ``vectors`` the source alone."""
-    if not name.isascii() or not name.isidentifier() or name != name.lower():
-        raise Refused(f"--name {name}: is no name; lower-case letters, digits and _ are allowed")
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or len(name) > _LETTERS:
+        raise Refused(
+            f"--name {name}: is no name; a lower-case letter, then up to {_LETTERS - 1} of these, "
+            "digits and _ are allowed"
+        )
     taken = {"selftest", "main", "python", "numpy", *(form.name for form in forms)}
-    if language.reserves(name) or name in taken:
+    if language.reserves(name) or name in taken | language.modules:
         raise Refused(f"--name {name}: is reserved in {language.title}; another word is allowed")
     made = library(name, TITLE, forms, language)
     files = language.source(made)

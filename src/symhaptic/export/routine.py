@@ -112,6 +112,15 @@ class Routine:
     arguments: tuple[Symbol, ...]
     steps: tuple[Step, ...]
     results: tuple[tuple[str, Expr], ...]
+    within: tuple[Boolean, ...] = ()
+    """What is true of each argument inside the domain alone, NaN included, if that is asked."""
+    outside: sp.Basic = sp.nan
+    """What every result is where one of these is not true; of a truth value, false."""
+
+    @property
+    def truth(self) -> bool:
+        """Whether the only result is 1 or 0 for yes or no."""
+        return self.outside is sp.false
 
     @property
     def assignments(self) -> tuple[tuple[Symbol, Expr], ...]:

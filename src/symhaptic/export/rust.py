@@ -6,13 +6,15 @@ from types import MappingProxyType
 
 from sympy.printing.rust import RustCodePrinter
 
-from symhaptic.export.branches import lazy
+from symhaptic.export import standard
+from symhaptic.export.branches import guarded
 from symhaptic.export.library import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
 from symhaptic.export.target import Target, describe, vocabulary
+from symhaptic.export.wrapping import wrapped
 
 
 class _Printer(Printing, RustCodePrinter):  # type: ignore[misc]
@@ -32,6 +34,7 @@ class Rust(Target):
         "unsafe use where while abstract become box do final macro override priv typeof unsized "
         "virtual yield try union gen core std main"
     )
+    modules = standard.RUST
     operations = MappingProxyType(
         {
             "Abs": "({0}).abs()",
@@ -63,15 +66,16 @@ class Rust(Target):
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.rs, a module."""
-        lines = ["#![allow(unused_parens, unused_variables)]", ""]
+        lines = [*_ALLOWED.split("\n"), *_without_std(self.real)]
         for helper in library.helpers:
             lines += [f"// {helper.about}", *self._written(helper, "fn")]
         for form, routine in zip(library.forms, library.public, strict=True):
             lines += [
-                *(f"/// {line}" for line in describe(form)),
+                *(f"/// {line}" for line in describe(form, self.precision)),
                 *self._written(routine, "pub fn"),
             ]
-        return {f"{library.name}.rs": "\n".join(lines)}
+        package = _PACKAGE.replace("NAME", library.name)
+        return {f"{library.name}.rs": "\n".join(wrapped(lines)), "Cargo.toml": package}
 
     def _written(self, routine: Routine, word: str) -> list[str]:
         args = ", ".join(f"{self.rename(s.name)}: {self.real}" for s in routine.arguments)
@@ -79,12 +83,22 @@ class Rust(Target):
         values = ", ".join(f"{{{i}}}" for i in range(count))
         end = f"return ({values});" if count > 1 else "return {0};"
         kind = f"({', '.join([self.real] * count)})" if count > 1 else self.real
+        kind = "bool" if routine.truth else kind
         head = f"{word} {self.call(routine.name)}({args}) -> {kind} {{"
-        return [head, *braces(self, lazy(routine), [end], "let"), "}", ""]
+        return [head, *braces(self, guarded(routine), [end], "let"), "}", ""]
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """From a tuple."""
         return [f"let ({', '.join(names)}) = {function}({args});"]
+
+    def notes(self, library: Library) -> list[str]:
+        """Without std, and as a crate."""
+        return [
+            "Cargo.toml makes a crate of it (`cargo build`, `cargo clippy -- -D warnings`). A",
+            "crate without std takes the module, too, if it has a feature `libm` that switches",
+            'on the optional dependency `libm = { version = "0.2", optional = true }`, whose',
+            "functions may differ in their last digits from those measured below.",
+        ]
 
     def usage(self, library: Library) -> str:
         """A use of the first function."""
@@ -97,12 +111,14 @@ class Rust(Target):
             count, many = len(r.arguments), len(r.results)
             args = ", ".join(f"x[{i}]" for i in range(count))
             call = f"{library.name}::{r.name}({args})"
+            call = f"if {call} {{ 1.0 }} else {{ 0.0 }}" if r.truth else call
             got = (
                 f"{{ let y = {call}; vec![{', '.join(f'y.{i}' for i in range(many))}] }}"
                 if many > 1
                 else f"vec![{call}]"
             )
-            arms.append(f'            "{r.name}" => ({count}, {got}),\n')
+            arm = wrapped([f'            "{r.name}" => ({count}, {got}),'])
+            arms += [f"{part}\n" for part in arm]
         return {
             "selftest.rs": _SELFTEST.replace("NAME", library.name)
             .replace("ARMS", "".join(arms))
@@ -117,10 +133,74 @@ class Rust(Target):
         ]
 
 
+_ALLOWED = """\
+// Formulas keep their brackets, digits and arguments; what is asked is what is true inside the
+// domain, since NaN makes every comparison false; a name may get its value in a branch.
+#![allow(unused_parens, unused_variables)]
+#![allow(unexpected_cfgs)] // of the feature "libm", which a crate with std need not know
+#![allow(clippy::approx_constant, clippy::double_parens, clippy::excessive_precision)]
+#![allow(clippy::manual_range_contains, clippy::nonminimal_bool)]
+#![allow(clippy::neg_cmp_op_on_partial_ord, clippy::needless_late_init, clippy::needless_return)]
+#![allow(clippy::too_many_arguments, clippy::type_complexity, clippy::doc_lazy_continuation)]
+"""
+
+_CALLS = {
+    "abs": "fabs", "atan2": "atan2", "cos": "cos", "exp": "exp", "exp_m1": "expm1",
+    "floor": "floor", "mul_add": "fma", "sin": "sin", "sqrt": "sqrt", "tan": "tan",
+}  # fmt: skip
+"""Methods of std, and functions of the crate libm, which has them without std."""
+
+
+def _without_std(real: str) -> list[str]:
+    """A trait with the methods that floats have with std alone."""
+    lines = []
+    for method, call in _CALLS.items():
+        more = {"atan2": ["x"], "mul_add": ["x", "y"]}.get(method, [])
+        given = "".join(f", {name}: Self" for name in more)
+        lines.append((f"        fn {method}(self{given}) -> Self", call, ["self", *more]))
+    end = "" if real == "f64" else "f"
+    return [
+        '#[cfg(feature = "libm")]',
+        "#[allow(unused_imports)] // where std is linked all the same",
+        "use without_std::Real;",
+        "",
+        '#[cfg(feature = "libm")]',
+        "#[allow(dead_code)] // newer compilers have some of these without std, too",
+        "mod without_std {",
+        "    pub trait Real {",
+        *(f"{head};" for head, _, _ in lines),
+        "    }",
+        "",
+        f"    impl Real for {real} {{",
+        *(f"{head} {{ libm::{call}{end}({', '.join(args)}) }}" for head, call, args in lines),
+        "    }",
+        "}",
+        "",
+    ]
+
+
+_PACKAGE = """# The module NAME.rs stands alone; this builds it as a library, with its self-test.
+[package]
+name = "NAME"
+version = "0.0.0"
+edition = "2021"
+publish = false
+
+[lib]
+path = "NAME.rs"
+
+[[bin]]
+name = "selftest"
+path = "selftest.rs"
+"""
+
 _SELFTEST = """mod NAME;
 
 // -0x1.8000000000000p+1, always with 13 digits
 fn parse(word: &str) -> REAL {
+    if word.ends_with("nan") || word.ends_with("inf") {
+        return word.parse().unwrap();
+    }
     let (sign, rest) = match word.strip_prefix('-') {
         Some(rest) => (-1.0, rest),
         None => (1.0, word),
@@ -145,7 +225,8 @@ ARMS            _ => panic!("{}", name),
         for (i, value) in got.iter().enumerate() {
             let (expected, allowed) = (x[count + 2 * i], x[count + 2 * i + 1]);
             tried += 1;
-            let close = (value - expected).abs() <= allowed;
+            let close = (value - expected).abs() <= allowed
+                || (value.is_nan() && expected.is_nan());
             if !close {
                 missed += 1;
                 println!("{}, result {}: {} instead of {}", name, i, value, expected);

@@ -11,7 +11,7 @@ from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose, difference, product
 from symhaptic.export.search import crossing
 from symhaptic.model import stiffest
-from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
+from symhaptic.model.counted import LateRoots, Stable, WholeRoots
 from symhaptic.model.stability_forms import curve
 from symhaptic.model.stiffest_angle import STIFFEST_ARGUMENTS, STIFFEST_SPRING
 from symhaptic.notation import theta
@@ -155,7 +155,7 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     wall = inside, damping
     outside = choose(
         whole,
-        UnstableRoots(*wall, steps, first, last, *numbers),
+        WholeRoots(*wall, steps, first, last, *numbers),
         LateRoots(*wall, steps, first, last, *numbers),
     )
     outside = do("outside", outside)

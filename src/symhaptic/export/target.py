@@ -94,6 +94,8 @@ class Target:
     operations: Mapping[str, str]
     """How each of the shared operations is written, its arguments numbered."""
     keywords: frozenset[str]
+    modules: frozenset[str] = frozenset()
+    """Standard headers, modules and the like, whose names no export may have."""
     printer: type[Printing]
     choice = "({0} ? {1} : {2})"
     words: Mapping[str, str] = MappingProxyType({})
@@ -181,8 +183,12 @@ class Target:
         """A line or two of source that call the first function."""
         raise NotImplementedError
 
+    def notes(self, library: Library) -> list[str]:
+        """Lines of the README on what is special in this language."""
+        return []
 
-def describe(form: Form) -> list[str]:
+
+def describe(form: Form, precision: Precision = DOUBLE) -> list[str]:
     """A function in lines of plain text: what it gives, its arguments and its domain."""
     lines = [f"{form.title}."]
     for symbol in form.arguments:
@@ -190,7 +196,29 @@ def describe(form: Form) -> list[str]:
         lines.append(f"{symbol.name}: {known.meaning} [{known.unit}]")
     if form.domain:
         lines.append(f"Domain: {', '.join(form.domain)}.")
+    if form.arguments:
+        lines.append(f"{beyond(form)}, and where an argument is NaN or {sizes(form, precision)}.")
     return lines
+
+
+def beyond(form: Form) -> str:
+    """What a function gives outside its domain.
+
+    >>> from symhaptic.model.stable import form
+    >>> beyond(form("is_stable")), beyond(form("discretize"))
+    ('False outside', 'NaN outside')
+    """
+    return f"{'NaN' if form.outside is sp.nan else str(form.outside)} outside"
+
+
+def sizes(form: Form, precision: Precision) -> str:
+    """How large an argument has to be to be outside."""
+    names = {symbol.name for symbol in form.arguments}
+    some = [f"larger than {precision.largest:g}".replace("e+0", "e").replace("e+", "e")] * bool(
+        names - {"d", "epsilon", "theta"}
+    )
+    long = f"d larger than {precision.longest:g}".replace("e+0", "e").replace("e+", "e")
+    return " or ".join([*some, *[long] * ("d" in names)] or ["infinite"])
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import product
@@ -15,7 +16,7 @@ from sympy import Expr, Symbol
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.sizes import size as slope_size
-from symhaptic.model.counted import LateRoots, Stable, UnstableRoots, late_outside, outside
+from symhaptic.model.counted import NEAR, LateRoots, Stable, WholeRoots, late_outside, outside
 from symhaptic.model.entire import C, Entire, S
 from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
 from symhaptic.model.response import Careful, closed
@@ -62,11 +63,13 @@ def hexadecimal(number: float) -> str:
 
     >>> hexadecimal(-3.0), hexadecimal(0.0)
     ('-0x1.8000000000000p+1', '0x0.0000000000000p+0')
+    >>> hexadecimal(float("nan")), hexadecimal(float("-inf"))
+    ('nan', '-inf')
     """
     text = number.hex()
     mantissa, _, power = text.partition("p")
     whole, _, digits = mantissa.partition(".")
-    return f"{whole}.{digits:0<13}p{power}"
+    return f"{whole}.{digits:0<13}p{power}" if power else text
 
 
 def points(form: Form, precision: Precision = DOUBLE) -> list[tuple[float, ...]]:
@@ -145,10 +148,10 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         kind: Any = type(expr)
         exact = _searched(kind, tuple(v for v, _ in parts))
         return exact, parts[1][1] if kind is Rated else max(abs(exact), _leans(expr, exact, at))
-    if isinstance(expr, UnstableRoots | LateRoots):
-        count = (outside if isinstance(expr, UnstableRoots) else late_outside)(
-            *(v for v, _ in parts)
-        )
+    if isinstance(expr, WholeRoots | LateRoots):
+        near = {"near": at[NEAR][0]} if NEAR in at else {}
+        exact = outside if isinstance(expr, WholeRoots) else late_outside
+        count = exact(*(v for v, _ in parts), **near)
         return count, count
     if isinstance(expr, Stable):  # no root on the circle, where the count is known
         good = mpf(parts[0][0] == 0)
@@ -237,22 +240,41 @@ def _swing(expr: Expr, args: list[mpf]) -> mpf:
 def vectors(form: Form, precision: Precision = DOUBLE) -> tuple[tuple[float, ...], ...]:
     """For each point: the arguments, then each result's exact value, rounded, and its tolerance.
 
-    Points where a result is no number, or too small or large for a float, are left out.
+    Points where a result is no number, or too small or large for a float, are left out; points
+    outside the domain follow.
     """
-    return tuple(_rows(form, precision))
+    return (*_rows(form, precision), *_outside(form, precision))
+
+
+_ORDINARY = {gamma: 1.0, delta: 2.0, alpha: 0.25, beta: 0.125, d: 1.0, epsilon: 0.5, theta: 0.5}
+
+
+def _outside(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
+    """An ordinary point with one argument that may not be, each in its turn."""
+    result = float("nan") if form.outside is sp.nan else float(int(form.outside == -1) * -1)
+    results = (result, 0.0) * len(form.results)
+    bad = float("nan"), float("inf"), float("-inf"), -1.0
+    for i, (symbol, within) in enumerate(zip(form.arguments, form.within, strict=True)):
+        most = precision.longest if symbol == d else precision.largest
+        for value in (*bad, 4 * most, -4 * most):
+            if math.isnan(value) or not precision.at(within).xreplace({symbol: sp.Float(value)}):
+                point = [_ORDINARY[s] for s in form.arguments]
+                point[i] = value
+                yield (*point, *results)
 
 
 def _rows(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
     for point in points(form, precision):
         with mpmath.workdps(_DIGITS):
             at = {s: (mpf(v), abs(mpf(v))) for s, v in zip(form.arguments, point, strict=True)}
+            at[NEAR] = mpmath.sqrt(mpf(precision.ulp(1.0))) / 16, mpf(0)
             try:
                 found = [sized(expr, at) for expr in form.expressions]
             except ArithmeticError:
                 continue
             if any(size > precision.huge or 0 < abs(v) < precision.tiny for v, size in found):
                 continue
-            if form.name == "is_stable" and _swings_on(
+            if form.outside is not sp.nan and _swings_on(
                 {s: v for s, (v, _) in at.items()}, precision
             ):
                 continue

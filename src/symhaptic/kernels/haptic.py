@@ -4,6 +4,7 @@
 import functools
 import math
 import sys
+from typing import NamedTuple
 
 import numpy
 from array_api_compat import (
@@ -18,6 +19,24 @@ from array_api_compat import (
 
 BLOCK = 25_000
 """Elements of NumPy arrays worked on at a time: few calls, and each branch fits the caches."""
+
+
+class Limits(NamedTuple):
+    """What an argument may be at most."""
+
+    size: float
+    periods: float
+    angle: float
+    """The last float before pi."""
+
+
+DOUBLE = Limits(1e+70, 1000000000000000.0, 3.141592653589793)
+SINGLE = Limits(100000000.0, 1000000.0, 3.141592502593994)
+
+
+def limits(xp, x):
+    """Those of the precision of an array."""
+    return SINGLE if x.dtype == xp.float32 else DOUBLE
 
 
 def by_value(function):
@@ -85,20 +104,33 @@ def elementwise(xp, work, *values):
 
     It gets flat ones, of one element where there is but one, unless numbers cannot be looked at.
     """
+    return _broadcast(xp, functools.partial(_without_nan, xp, work), values)
+
+
+def guarded(xp, work, inside, count, outside, *values):
+    """The same where all values are ``inside``, elsewhere ``count`` results that are ``outside``.
+
+    ``work`` gets no value that is outside.
+    """
+    return _broadcast(xp, functools.partial(_inside, xp, work, inside, count, outside), values)
+
+
+def _broadcast(xp, work, values):
+    """All results of ``work`` on flat pieces of the arrays, in the shape that they broadcast to."""
     shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))
     if deferred(values[0]):
-        results = _without_nan(xp, work, values)
+        results = work(values)
         results = [xp.broadcast_to(r, shape) for r in results]
         return results[0] if len(results) == 1 else tuple(results)
     size = math.prod(shape)
     flat = [xp.reshape(_stretched(xp, v, shape), (-1,)) for v in values]
     if size <= BLOCK or not is_numpy_array(values[0]):
-        found = [xp.broadcast_to(r, (size,)) for r in _without_nan(xp, work, flat)]
+        found = [xp.broadcast_to(r, (size,)) for r in work(flat)]
     else:
         found = None
         for begin in range(0, size, BLOCK):
             part = slice(begin, begin + BLOCK)
-            rows = _without_nan(xp, work, [v if v.shape[0] == 1 else v[part] for v in flat])
+            rows = work([v if v.shape[0] == 1 else v[part] for v in flat])
             if found is None:
                 found = [numpy.empty(size, r.dtype) for r in rows]
             for whole, row in zip(found, rows, strict=True):
@@ -120,6 +152,23 @@ def _without_nan(xp, work, values):
         return [r if is_array_api_obj(r) else xp.full_like(values[0], r) for r in results]
     nan = xp.full_like(values[0], math.nan)
     return [xp.where(unknown, nan, r) for r in results]
+
+
+def _inside(xp, work, inside, count, outside, values):
+    """All results of ``work``, and the one for outside where a value is not inside."""
+    known = inside(*values)
+    if deferred(known):
+        found = _rows(xp, values[0], work(*(xp.where(known, v, 0.5) for v in values)))
+        return [xp.where(known, r, xp.full_like(r, outside)) for r in found]
+    if bool(xp.all(known)):
+        return _rows(xp, values[0], work(*values))
+    (at,), (none,) = xp.nonzero(known), xp.nonzero(~known)
+    kind = xp.bool if outside is False else values[0].dtype
+    nothing = [xp.full(none.shape, outside, dtype=kind, device=device(known))] * count
+    if at.shape[0] == 0:
+        return nothing
+    found = _rows(xp, values[0][:1], work(*_some(xp, at, values)))
+    return _together(xp, known.shape[0], [(at, found), (none, nothing)])
 
 
 def select(xp, condition, yes, yes_values, no, no_values):
@@ -496,7 +545,8 @@ def fall_series_single(xp, gamma, delta):
         low6 = lost20 - lost19 + lost18 + lost17
         return low6 + total19
 
-    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no, (delta, gamma))
+    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no,
+        (delta, gamma))
 
 
 def fall_series(xp, gamma, delta):
@@ -689,7 +739,8 @@ def fall_series(xp, gamma, delta):
         low6 = lost20 - lost19 + lost18 + lost17
         return low6 + total19
 
-    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no, (delta, gamma))
+    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no,
+        (delta, gamma))
 
 
 def rise_series_single(xp, h, w):
@@ -942,7 +993,8 @@ def fall_rise_swing_single(xp, gamma, delta):
             fall_low6 = lost532 - lost542
             total55 = (total542*total542)
             total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
             rest16 = rise_series(xp, half2, total2)
             total542 = rest16 + 0.5
             back32 = total542 - rest16
@@ -1031,7 +1083,8 @@ def fall_rise_swing_single(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total212 = envelope*even
             envelope_halves = halves(xp, envelope)
@@ -1087,7 +1140,8 @@ def fall_rise_swing_single(xp, gamma, delta):
             total38 = total31/whole3
             far = (total38*total38)
 
-            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34, total35, total36, total37, total38, whole3):
+            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34,
+                total35, total36, total37, total38, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -1167,7 +1221,10 @@ def fall_rise_swing_single(xp, gamma, delta):
                 lost37 = one9 + two9
                 total49 = given4*total39
                 total39_halves = halves(xp, total39)
-                lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
                 total39 = total40 - total49
                 back22 = total39 - total40
                 rest10 = total39 - back22
@@ -1226,7 +1283,8 @@ def fall_rise_swing_single(xp, gamma, delta):
                 swing_of = 2.0*lost212 + 2.0*total212
                 return fall_of, rise_of, swing_of
 
-            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff, total212):
+            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212):
 
                 def yes(lost2, square2):
                     given3 = square2
@@ -1261,7 +1319,8 @@ def fall_rise_swing_single(xp, gamma, delta):
                     odd_low2 = lost23
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
 
                 total24 = half*odd
                 half_halves = halves(xp, half)
@@ -1282,7 +1341,10 @@ def fall_rise_swing_single(xp, gamma, delta):
                 total25 = envelope*total26
                 envelope_halves = halves(xp, envelope)
                 total26_halves = halves(xp, total26)
-                lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total26_halves)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total26_halves)
+                )
                 total26 = total25/stiff
                 left16 = total25 - stiff*total26
                 total26_halves = halves(xp, total26)
@@ -1298,7 +1360,10 @@ def fall_rise_swing_single(xp, gamma, delta):
                 lost25 = one3 + two3
                 total24 = envelope*total25
                 total25_halves = halves(xp, total25)
-                lost25 = envelope*(even_low2 + lost24 + lost25) + product_error(total24, envelope_halves, total25_halves)
+                lost25 = (
+                    envelope*(even_low2 + lost24 + lost25) +
+                    product_error(total24, envelope_halves, total25_halves)
+                )
                 total25 = 1.0 - total24
                 back16 = total25 - 1.0
                 lost24 = -back16 - total24
@@ -1313,11 +1378,16 @@ def fall_rise_swing_single(xp, gamma, delta):
                 swing_of = 2.0*lost212 + 2.0*total212
                 return fall_of, rise_of, swing_of
 
-            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30, total31, total29, total37, total38, whole3), no, (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff, total212))
+            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75),
+                yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30,
+                total31, total29, total37, total38, whole3), no,
+                (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212))
 
             return fall_of, rise_of, swing_of
 
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
 
         return fall_of, rise_of, swing_of
 
@@ -1403,7 +1473,8 @@ def fall_rise_swing_single(xp, gamma, delta):
             fall_low6 = lost532 - lost542
             total55 = (total542*total542)
             total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
             rest16 = rise_series(xp, half2, total2)
             total542 = rest16 + 0.5
             back3 = total542 - rest16
@@ -1426,7 +1497,8 @@ def fall_rise_swing_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -1458,7 +1530,10 @@ def fall_rise_swing_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -1485,7 +1560,9 @@ def fall_rise_swing_single(xp, gamma, delta):
             total232 = fall_*total55
             fall__halves = halves(xp, fall_)
             total55_halves = halves(xp, total55)
-            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
+            )
             creep2 = fall_low2*total55 + lost222 + total232
             fall_of = lost3*total54 + lost55 + total61
             rise_of = lost532*total542 + lost542 + total592
@@ -1523,7 +1600,8 @@ def fall_rise_swing_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -1556,7 +1634,9 @@ def fall_rise_swing_single(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -1569,7 +1649,10 @@ def fall_rise_swing_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -1602,7 +1685,9 @@ def fall_rise_swing_single(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             total16 = fall2*mean
             fall2_halves = halves(xp, fall2)
@@ -1646,24 +1731,31 @@ def fall_rise_swing_single(xp, gamma, delta):
             lost222 = fall2 - back3
             total232 = fall_*total16
             total16_halves = halves(xp, total16)
-            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            )
             creep2 = fall_low2*total16 + lost222 + total232
             fall_of = creep_
             rise_of = lost3 + total17
             swing_of = creep2
             return fall_of, rise_of, swing_of
 
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
 
         return fall_of, rise_of, swing_of
 
-    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2),
+        no, (delta, gamma, half, lost, total2))
 
     return fall_of, rise_of, swing_of
 
 
 def fall_rise_swing(xp, gamma, delta):
-    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the device in a period; a, the sum of the sampled device's poles"""
+    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
+    moves the device in a period; a, the sum of the sampled device's poles
+    """
     if gamma.dtype == xp.float32:
         return fall_rise_swing_single(xp, gamma, delta)
     half = 0.5*delta
@@ -1742,7 +1834,8 @@ def fall_rise_swing(xp, gamma, delta):
             fall_low6 = lost532 - lost542
             total55 = (total542*total542)
             total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
             rest16 = rise_series(xp, half2, total2)
             total542 = rest16 + 0.5
             back32 = total542 - rest16
@@ -1831,7 +1924,8 @@ def fall_rise_swing(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total212 = envelope*even
             envelope_halves = halves(xp, envelope)
@@ -1887,7 +1981,8 @@ def fall_rise_swing(xp, gamma, delta):
             total38 = total31/whole3
             far = (total38*total38)
 
-            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34, total35, total36, total37, total38, whole3):
+            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34,
+                total35, total36, total37, total38, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -1967,7 +2062,10 @@ def fall_rise_swing(xp, gamma, delta):
                 lost37 = one9 + two9
                 total49 = given4*total39
                 total39_halves = halves(xp, total39)
-                lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
                 total39 = total40 - total49
                 back22 = total39 - total40
                 rest10 = total39 - back22
@@ -2026,7 +2124,8 @@ def fall_rise_swing(xp, gamma, delta):
                 swing_of = 2.0*lost212 + 2.0*total212
                 return fall_of, rise_of, swing_of
 
-            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff, total212):
+            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212):
 
                 def yes(lost2, square2):
                     given3 = square2
@@ -2061,7 +2160,8 @@ def fall_rise_swing(xp, gamma, delta):
                     odd_low2 = lost23
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
 
                 total24 = half*odd
                 half_halves = halves(xp, half)
@@ -2082,7 +2182,10 @@ def fall_rise_swing(xp, gamma, delta):
                 total25 = envelope*total26
                 envelope_halves = halves(xp, envelope)
                 total26_halves = halves(xp, total26)
-                lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total26_halves)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total26_halves)
+                )
                 total26 = total25/stiff
                 left16 = total25 - stiff*total26
                 total26_halves = halves(xp, total26)
@@ -2098,7 +2201,10 @@ def fall_rise_swing(xp, gamma, delta):
                 lost25 = one3 + two3
                 total24 = envelope*total25
                 total25_halves = halves(xp, total25)
-                lost25 = envelope*(even_low2 + lost24 + lost25) + product_error(total24, envelope_halves, total25_halves)
+                lost25 = (
+                    envelope*(even_low2 + lost24 + lost25) +
+                    product_error(total24, envelope_halves, total25_halves)
+                )
                 total25 = 1.0 - total24
                 back16 = total25 - 1.0
                 lost24 = -back16 - total24
@@ -2113,11 +2219,16 @@ def fall_rise_swing(xp, gamma, delta):
                 swing_of = 2.0*lost212 + 2.0*total212
                 return fall_of, rise_of, swing_of
 
-            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30, total31, total29, total37, total38, whole3), no, (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff, total212))
+            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75),
+                yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30,
+                total31, total29, total37, total38, whole3), no,
+                (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
+                total212))
 
             return fall_of, rise_of, swing_of
 
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
 
         return fall_of, rise_of, swing_of
 
@@ -2203,7 +2314,8 @@ def fall_rise_swing(xp, gamma, delta):
             fall_low6 = lost532 - lost542
             total55 = (total542*total542)
             total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                total542_halves)
             rest16 = rise_series(xp, half2, total2)
             total542 = rest16 + 0.5
             back3 = total542 - rest16
@@ -2226,7 +2338,8 @@ def fall_rise_swing(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -2258,7 +2371,10 @@ def fall_rise_swing(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -2285,7 +2401,9 @@ def fall_rise_swing(xp, gamma, delta):
             total232 = fall_*total55
             fall__halves = halves(xp, fall_)
             total55_halves = halves(xp, total55)
-            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
+            )
             creep2 = fall_low2*total55 + lost222 + total232
             fall_of = lost3*total54 + lost55 + total61
             rise_of = lost532*total542 + lost542 + total592
@@ -2323,7 +2441,8 @@ def fall_rise_swing(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -2356,7 +2475,9 @@ def fall_rise_swing(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -2369,7 +2490,10 @@ def fall_rise_swing(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -2402,7 +2526,9 @@ def fall_rise_swing(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             total16 = fall2*mean
             fall2_halves = halves(xp, fall2)
@@ -2446,18 +2572,23 @@ def fall_rise_swing(xp, gamma, delta):
             lost222 = fall2 - back3
             total232 = fall_*total16
             total16_halves = halves(xp, total16)
-            lost222 = fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            lost222 = (
+                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
+            )
             creep2 = fall_low2*total16 + lost222 + total232
             fall_of = creep_
             rise_of = lost3 + total17
             swing_of = creep2
             return fall_of, rise_of, swing_of
 
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
+        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
+            (delta, gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
 
         return fall_of, rise_of, swing_of
 
-    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2),
+        no, (delta, gamma, half, lost, total2))
 
     return fall_of, rise_of, swing_of
 
@@ -2572,7 +2703,8 @@ def fall_single(xp, gamma, delta):
             total38 = total31/whole3
             far = (total38*total38)
 
-            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37, total38, whole3):
+            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37,
+                total38, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -2650,7 +2782,10 @@ def fall_single(xp, gamma, delta):
                 lost37 = one9 + two9
                 total41 = given4*total39
                 total39_halves = halves(xp, total39)
-                lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total41, given4_halves, total39_halves)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total41, given4_halves, total39_halves)
+                )
                 total39 = total40 - total41
                 back22 = total39 - total40
                 rest10 = total39 - back22
@@ -2726,7 +2861,8 @@ def fall_single(xp, gamma, delta):
                     odd_low2 = lost23
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
 
                 total24 = half*odd
                 half_halves = halves(xp, half)
@@ -2747,7 +2883,10 @@ def fall_single(xp, gamma, delta):
                 total25 = envelope*total24
                 envelope_halves = halves(xp, envelope)
                 total24_halves = halves(xp, total24)
-                lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total24_halves)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total24_halves)
+                )
                 total24 = total25/stiff
                 left16 = total25 - stiff*total24
                 total24_halves = halves(xp, total24)
@@ -2757,9 +2896,12 @@ def fall_single(xp, gamma, delta):
                 lost26 = left16/stiff
                 return lost26 + total24
 
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37, total38, whole3), no, (gamma, half, lost2, root, size, total2))
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37,
+                total38, whole3), no, (gamma, half, lost2, root, size, total2))
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, total, total2))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, total, total2))
 
     def no(delta, gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -2838,7 +2980,8 @@ def fall_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -2871,7 +3014,9 @@ def fall_single(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -2883,7 +3028,10 @@ def fall_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -2916,7 +3064,9 @@ def fall_single(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             total16 = fall2*mean
             fall2_halves = halves(xp, fall2)
@@ -2941,9 +3091,11 @@ def fall_single(xp, gamma, delta):
             creep_ = fall_low2*total16 + lost2 + total17
             return creep_
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, root, size, total, total2, total3))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no,
+        (delta, gamma, half, rest, total, total2))
 
 
 def fall(xp, gamma, delta):
@@ -3058,7 +3210,8 @@ def fall(xp, gamma, delta):
             total38 = total31/whole3
             far = (total38*total38)
 
-            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37, total38, whole3):
+            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37,
+                total38, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -3136,7 +3289,10 @@ def fall(xp, gamma, delta):
                 lost37 = one9 + two9
                 total41 = given4*total39
                 total39_halves = halves(xp, total39)
-                lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total41, given4_halves, total39_halves)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total41, given4_halves, total39_halves)
+                )
                 total39 = total40 - total41
                 back22 = total39 - total40
                 rest10 = total39 - back22
@@ -3212,7 +3368,8 @@ def fall(xp, gamma, delta):
                     odd_low2 = lost23
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
 
                 total24 = half*odd
                 half_halves = halves(xp, half)
@@ -3233,7 +3390,10 @@ def fall(xp, gamma, delta):
                 total25 = envelope*total24
                 envelope_halves = halves(xp, envelope)
                 total24_halves = halves(xp, total24)
-                lost26 = envelope*(lost24 - even_low2 + lost25 + lost26) + product_error(total25, envelope_halves, total24_halves)
+                lost26 = (
+                    envelope*(lost24 - even_low2 + lost25 + lost26) +
+                    product_error(total25, envelope_halves, total24_halves)
+                )
                 total24 = total25/stiff
                 left16 = total25 - stiff*total24
                 total24_halves = halves(xp, total24)
@@ -3243,9 +3403,12 @@ def fall(xp, gamma, delta):
                 lost26 = left16/stiff
                 return lost26 + total24
 
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37, total38, whole3), no, (gamma, half, lost2, root, size, total2))
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37,
+                total38, whole3), no, (gamma, half, lost2, root, size, total2))
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, total, total2))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, total, total2))
 
     def no(delta, gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -3324,7 +3487,8 @@ def fall(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -3357,7 +3521,9 @@ def fall(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -3369,7 +3535,10 @@ def fall(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -3402,7 +3571,9 @@ def fall(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             total16 = fall2*mean
             fall2_halves = halves(xp, fall2)
@@ -3427,9 +3598,11 @@ def fall(xp, gamma, delta):
             creep_ = fall_low2*total16 + lost2 + total17
             return creep_
 
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no, (gamma, half, rest2, root, size, total, total2, total3))
+        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no, (delta, gamma, half, rest, total, total2))
+    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no,
+        (delta, gamma, half, rest, total, total2))
 
 
 def rise_single(xp, gamma, delta):
@@ -3540,7 +3713,8 @@ def rise_single(xp, gamma, delta):
             total37 = total30/whole3
             far = (total37*total37)
 
-            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36, total37, whole3):
+            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36,
+                total37, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -3690,7 +3864,8 @@ def rise_single(xp, gamma, delta):
                     odd_low2 = lost22
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
 
                 total23 = half*odd
                 half_halves = halves(xp, half)
@@ -3705,7 +3880,10 @@ def rise_single(xp, gamma, delta):
                 total23 = envelope*total24
                 envelope_halves = halves(xp, envelope)
                 total24_halves = halves(xp, total24)
-                lost24 = envelope*(even_low2 + lost23 + lost24) + product_error(total23, envelope_halves, total24_halves)
+                lost24 = (
+                    envelope*(even_low2 + lost23 + lost24) +
+                    product_error(total23, envelope_halves, total24_halves)
+                )
                 total24 = 1.0 - total23
                 back16 = total24 - 1.0
                 lost23 = -back16 - total23
@@ -3718,9 +3896,12 @@ def rise_single(xp, gamma, delta):
                 lost23 = left16/stiff
                 return lost23 + total23
 
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36, total37, whole3), no, (gamma, half, lost2, root, size, total2))
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36,
+                total37, whole3), no, (gamma, half, lost2, root, size, total2))
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, total, total2))
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, total, total2))
 
     def no(gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -3797,7 +3978,8 @@ def rise_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -3830,7 +4012,9 @@ def rise_single(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -3842,7 +4026,10 @@ def rise_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 mean2 = total11
                 return mean2, mean_low3
 
@@ -3885,9 +4072,11 @@ def rise_single(xp, gamma, delta):
             lost2 = left/whole
             return lost2 + total16
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, root, size, total, total2, total3))
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no, (gamma, half, rest, total, total2))
+    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no,
+        (gamma, half, rest, total, total2))
 
 
 def rise(xp, gamma, delta):
@@ -4000,7 +4189,8 @@ def rise(xp, gamma, delta):
             total37 = total30/whole3
             far = (total37*total37)
 
-            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36, total37, whole3):
+            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36,
+                total37, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -4150,7 +4340,8 @@ def rise(xp, gamma, delta):
                     odd_low2 = lost22
                     return even, even_low2, odd, odd_low2
 
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
+                    no, (lost2, root, size))
 
                 total23 = half*odd
                 half_halves = halves(xp, half)
@@ -4165,7 +4356,10 @@ def rise(xp, gamma, delta):
                 total23 = envelope*total24
                 envelope_halves = halves(xp, envelope)
                 total24_halves = halves(xp, total24)
-                lost24 = envelope*(even_low2 + lost23 + lost24) + product_error(total23, envelope_halves, total24_halves)
+                lost24 = (
+                    envelope*(even_low2 + lost23 + lost24) +
+                    product_error(total23, envelope_halves, total24_halves)
+                )
                 total24 = 1.0 - total23
                 back16 = total24 - 1.0
                 lost23 = -back16 - total23
@@ -4178,9 +4372,12 @@ def rise(xp, gamma, delta):
                 lost23 = left16/stiff
                 return lost23 + total23
 
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36, total37, whole3), no, (gamma, half, lost2, root, size, total2))
+            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36,
+                total37, whole3), no, (gamma, half, lost2, root, size, total2))
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, total, total2))
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, total, total2))
 
     def no(gamma, half, rest2, total, total2):
         size = xp.abs(total2)
@@ -4257,7 +4454,8 @@ def rise(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -4290,7 +4488,9 @@ def rise(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -4302,7 +4502,10 @@ def rise(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 mean2 = total11
                 return mean2, mean_low3
 
@@ -4345,9 +4548,11 @@ def rise(xp, gamma, delta):
             lost2 = left/whole
             return lost2 + total16
 
-        return select(xp, reach < 0.5625, yes, (half, total2), no, (gamma, half, rest2, root, size, total, total2, total3))
+        return select(xp, reach < 0.5625, yes, (half, total2), no,
+            (gamma, half, rest2, root, size, total, total2, total3))
 
-    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no, (gamma, half, rest, total, total2))
+    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no,
+        (gamma, half, rest, total, total2))
 
 
 def together_series_single(xp, h, w):
@@ -4548,7 +4753,8 @@ def swing_together_single(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total21 = envelope*even
             envelope_halves = halves(xp, envelope)
@@ -4604,7 +4810,8 @@ def swing_together_single(xp, gamma, delta):
             total232 = total162/whole3
             far = (total232*total232)
 
-            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202, total21, total212, total222, total232, whole3):
+            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202,
+                total21, total212, total222, total232, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -4672,7 +4879,8 @@ def swing_together_single(xp, gamma, delta):
                 lost222 = low4 - back142
                 total24 = (total34*total34)
                 total34_halves = halves(xp, total34)
-                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves, total34_halves)
+                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves,
+                    total34_halves)
                 total34 = total25*total30
                 total30_halves = halves(xp, total30)
                 total25_halves = halves(xp, total25)
@@ -4741,11 +4949,15 @@ def swing_together_single(xp, gamma, delta):
                 together_of = 4.0*lost102 + 4.0*total92
                 return swing_of, together_of
 
-            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21, total142, total222, total232, whole3), no, (envelope, half, lost2, lost21, root, size, stiff, total21))
+            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21,
+                total142, total222, total232, whole3), no,
+                (envelope, half, lost2, lost21, root, size, stiff, total21))
 
             return swing_of, together_of
 
-        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no, (gamma, half, lost2, total2))
+        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no,
+            (gamma, half, lost2, total2))
 
         return swing_of, together_of
 
@@ -4798,7 +5010,8 @@ def swing_together_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -4830,7 +5043,10 @@ def swing_together_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -4857,7 +5073,9 @@ def swing_together_single(xp, gamma, delta):
             total23 = fall_*total55
             fall__halves = halves(xp, fall_)
             total55_halves = halves(xp, total55)
-            lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
+            lost22 = (
+                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
+            )
             creep_ = fall_low2*total55 + lost22 + total23
             swing_of = creep_
             together_of = 2.0*lost3 + 2.0*total56
@@ -4894,7 +5112,8 @@ def swing_together_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -4927,7 +5146,9 @@ def swing_together_single(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -4940,7 +5161,10 @@ def swing_together_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -4991,11 +5215,14 @@ def swing_together_single(xp, gamma, delta):
             together_of = lost3 + total22
             return swing_of, together_of
 
-        swing_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
+        swing_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
 
         return swing_of, together_of
 
-    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no, (gamma, half, lost, total2))
+    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no,
+        (gamma, half, lost, total2))
 
     return swing_of, together_of
 
@@ -5110,7 +5337,8 @@ def swing_together(xp, gamma, delta):
                 even_low2 = -root_low*sine
                 return even, even_low2
 
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total21 = envelope*even
             envelope_halves = halves(xp, envelope)
@@ -5166,7 +5394,8 @@ def swing_together(xp, gamma, delta):
             total232 = total162/whole3
             far = (total232*total232)
 
-            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202, total21, total212, total222, total232, whole3):
+            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202,
+                total21, total212, total222, total232, whole3):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -5234,7 +5463,8 @@ def swing_together(xp, gamma, delta):
                 lost222 = low4 - back142
                 total24 = (total34*total34)
                 total34_halves = halves(xp, total34)
-                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves, total34_halves)
+                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves,
+                    total34_halves)
                 total34 = total25*total30
                 total30_halves = halves(xp, total30)
                 total25_halves = halves(xp, total25)
@@ -5303,11 +5533,15 @@ def swing_together(xp, gamma, delta):
                 together_of = 4.0*lost102 + 4.0*total92
                 return swing_of, together_of
 
-            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21, total142, total222, total232, whole3), no, (envelope, half, lost2, lost21, root, size, stiff, total21))
+            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21,
+                total142, total222, total232, whole3), no,
+                (envelope, half, lost2, lost21, root, size, stiff, total21))
 
             return swing_of, together_of
 
-        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no, (gamma, half, lost2, total2))
+        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no,
+            (gamma, half, lost2, total2))
 
         return swing_of, together_of
 
@@ -5360,7 +5594,8 @@ def swing_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -5392,7 +5627,10 @@ def swing_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -5419,7 +5657,9 @@ def swing_together(xp, gamma, delta):
             total23 = fall_*total55
             fall__halves = halves(xp, fall_)
             total55_halves = halves(xp, total55)
-            lost22 = fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
+            lost22 = (
+                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
+            )
             creep_ = fall_low2*total55 + lost22 + total23
             swing_of = creep_
             together_of = 2.0*lost3 + 2.0*total56
@@ -5456,7 +5696,8 @@ def swing_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -5489,7 +5730,9 @@ def swing_together(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
 
             def yes(root, root_low):
@@ -5502,7 +5745,10 @@ def swing_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -5553,11 +5799,14 @@ def swing_together(xp, gamma, delta):
             together_of = lost3 + total22
             return swing_of, together_of
 
-        swing_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total3))
+        swing_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (gamma, half, lost2, root, size, total3))
 
         return swing_of, together_of
 
-    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no, (gamma, half, lost, total2))
+    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no,
+        (gamma, half, lost, total2))
 
     return swing_of, together_of
 
@@ -5716,7 +5965,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -5752,7 +6002,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back17 = total542 - rest5
@@ -5800,7 +6053,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     odd_low2 = lost22
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, total2))
 
                 total55 = envelope*odd
                 odd_halves = halves(xp, odd)
@@ -5866,7 +6120,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     odd_low2 = lost22
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
 
                 total27 = envelope*odd
                 odd_halves = halves(xp, odd)
@@ -5924,7 +6179,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 total38 = total31/whole32
                 far = (total38*total38)
 
-                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222, total28, total34, total35, total36, total37, total38, whole32):
+                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222,
+                    total28, total34, total35, total36, total37, total38, whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -5991,7 +6247,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     total39 = given4*total45
                     given4_halves = halves(xp, given4)
                     total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
                     total47 = 1.0 - total39
                     back22 = total47 - 1.0
                     lost37 = -back22 - total39
@@ -6004,7 +6261,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     lost37 = one9 + two9
                     total49 = given4*total39
                     total39_halves = halves(xp, total39)
-                    lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
                     total39 = total40 - total49
                     back22 = total39 - total40
                     rest10 = total39 - back22
@@ -6044,7 +6304,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
                     total482 = total40*total47
                     total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
                     total47 = total41 + total482
                     back22 = total47 - total41
                     rest10 = total47 - back22
@@ -6065,7 +6326,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     rise_of = lost512 + total40
                     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2, stiff, total222, total28):
+                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28):
                     total23 = half*odd
                     half_halves = halves(xp, half)
                     odd_halves = halves(xp, odd)
@@ -6099,7 +6361,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even, even_low2
 
-                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, root, size))
 
                     total252 = total23 - even
                     back162 = total252 - total23
@@ -6116,7 +6379,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     total252 = envelope*total262
                     envelope_halves = halves(xp, envelope)
                     total262_halves = halves(xp, total262)
-                    lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
                     total262 = total252/stiff
                     left16 = total252 - stiff*total262
                     total262_halves = halves(xp, total262)
@@ -6132,7 +6398,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     lost252 = one32 + two32
                     total23 = envelope*total252
                     total252_halves = halves(xp, total252)
-                    lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total23, envelope_halves, total252_halves)
+                    lost252 = (
+                        envelope*(even_low2 + lost23 + lost252) +
+                        product_error(total23, envelope_halves, total252_halves)
+                    )
                     total252 = 1.0 - total23
                     back162 = total252 - 1.0
                     lost23 = -back162 - total23
@@ -6149,11 +6418,20 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     rise_of = lost23 + total23
                     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-                apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222, total28, total30, total31, total27, total37, total38, whole32), no, (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2, stiff, total222, total28))
+                apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222,
+                    total28, total30, total31, total27, total37, total38, whole32), no,
+                    (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28))
+                )
 
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (gamma, half, lost2, total2))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -6198,7 +6476,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 odd_low2 = lost22
                 return odd, odd_low2
 
-            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
@@ -6270,7 +6549,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
             total38 = total31/whole32
             far = (total38*total38)
 
-            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222, total26, total34, total35, total36, total37, total38, whole32):
+            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222,
+                total26, total34, total35, total36, total37, total38, whole32):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -6350,7 +6630,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 lost37 = one9 + two9
                 total49 = given4*total39
                 total39_halves = halves(xp, total39)
-                lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
                 total39 = total40 - total49
                 back22 = total39 - total40
                 rest10 = total39 - back22
@@ -6411,7 +6694,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 rise_of = lost512 + total40
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2, stiff, total222, total26):
+            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2,
+                stiff, total222, total26):
                 total23 = half*odd
                 half_halves = halves(xp, half)
                 odd_halves = halves(xp, odd)
@@ -6445,7 +6729,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     even_low2 = -root_low*sine
                     return even, even_low2
 
-                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
 
                 total252 = total23 - even
                 back162 = total252 - total23
@@ -6462,7 +6747,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 total252 = envelope*total262
                 envelope_halves = halves(xp, envelope)
                 total262_halves = halves(xp, total262)
-                lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                lost262 = (
+                    envelope*(lost23 - even_low2 + lost252 + lost262) +
+                    product_error(total252, envelope_halves, total262_halves)
+                )
                 total262 = total252/stiff
                 left16 = total252 - stiff*total262
                 total262_halves = halves(xp, total262)
@@ -6478,7 +6766,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 lost252 = one32 + two32
                 total23 = envelope*total252
                 total252_halves = halves(xp, total252)
-                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total23, envelope_halves, total252_halves)
+                lost252 = (
+                    envelope*(even_low2 + lost23 + lost252) +
+                    product_error(total23, envelope_halves, total252_halves)
+                )
                 total252 = 1.0 - total23
                 back162 = total252 - 1.0
                 lost23 = -back162 - total23
@@ -6495,11 +6786,20 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 rise_of = lost23 + total23
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26, total30, total31, total24, total37, total38, whole32), no, (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2, stiff, total25, total26))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26,
+                total30, total31, total24, total37, total38, whole32), no,
+                (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2,
+                stiff, total25, total26))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
 
         return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -6563,7 +6863,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -6599,7 +6900,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back3 = total542 - rest5
@@ -6622,7 +6926,9 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -6654,7 +6960,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     mean2 = total11
                     return mean2, mean_low3
 
@@ -6676,7 +6985,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     mean_low4 = lost14
                     return mean2, mean_low4
 
-                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
 
                 total55 = fall_*mean2
                 fall__halves = halves(xp, fall_)
@@ -6736,7 +7046,9 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -6769,7 +7081,9 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     mean_low2 = lost8
                     return fall_, fall_low2, mean, mean_low2
 
-                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
 
 
                 def yes(root, root_low):
@@ -6782,11 +7096,15 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -6815,7 +7133,9 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                     mean_low4 = lost14
                     return fall2, fall_low4, mean2, mean_low4
 
-                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
 
                 total27 = fall2*mean
                 fall2_halves = halves(xp, fall2)
@@ -6864,7 +7184,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 rise_of = lost173 + total172
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -6900,7 +7223,8 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -6933,7 +7257,9 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
 
@@ -6947,7 +7273,10 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -6980,7 +7309,9 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -7044,17 +7375,26 @@ def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
             rise_of = lost17 + total17
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
 
         return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-    apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
 
     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
 
 def apart_fall_kick_kick_low_rise(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how far a unit force moves the device in a period"""
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta);
+    displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how
+    far a unit force moves the device in a period
+    """
     if gamma.dtype == xp.float32:
         return apart_fall_kick_kick_low_rise_single(xp, gamma, delta)
     half = 0.5*delta
@@ -7110,7 +7450,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -7146,7 +7487,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back17 = total542 - rest5
@@ -7194,7 +7538,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     odd_low2 = lost22
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, total2))
 
                 total55 = envelope*odd
                 odd_halves = halves(xp, odd)
@@ -7260,7 +7605,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     odd_low2 = lost22
                     return odd, odd_low2
 
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
 
                 total27 = envelope*odd
                 odd_halves = halves(xp, odd)
@@ -7318,7 +7664,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total38 = total31/whole32
                 far = (total38*total38)
 
-                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222, total28, total34, total35, total36, total37, total38, whole32):
+                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222,
+                    total28, total34, total35, total36, total37, total38, whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -7385,7 +7732,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total39 = given4*total45
                     given4_halves = halves(xp, given4)
                     total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
                     total47 = 1.0 - total39
                     back22 = total47 - 1.0
                     lost37 = -back22 - total39
@@ -7398,7 +7746,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     lost37 = one9 + two9
                     total49 = given4*total39
                     total39_halves = halves(xp, total39)
-                    lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
                     total39 = total40 - total49
                     back22 = total39 - total40
                     rest10 = total39 - back22
@@ -7438,7 +7789,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
                     total482 = total40*total47
                     total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
                     total47 = total41 + total482
                     back22 = total47 - total41
                     rest10 = total47 - back22
@@ -7459,7 +7811,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     rise_of = lost512 + total40
                     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2, stiff, total222, total28):
+                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28):
                     total23 = half*odd
                     half_halves = halves(xp, half)
                     odd_halves = halves(xp, odd)
@@ -7493,7 +7846,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even, even_low2
 
-                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, root, size))
 
                     total252 = total23 - even
                     back162 = total252 - total23
@@ -7510,7 +7864,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total252 = envelope*total262
                     envelope_halves = halves(xp, envelope)
                     total262_halves = halves(xp, total262)
-                    lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
                     total262 = total252/stiff
                     left16 = total252 - stiff*total262
                     total262_halves = halves(xp, total262)
@@ -7526,7 +7883,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     lost252 = one32 + two32
                     total23 = envelope*total252
                     total252_halves = halves(xp, total252)
-                    lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total23, envelope_halves, total252_halves)
+                    lost252 = (
+                        envelope*(even_low2 + lost23 + lost252) +
+                        product_error(total23, envelope_halves, total252_halves)
+                    )
                     total252 = 1.0 - total23
                     back162 = total252 - 1.0
                     lost23 = -back162 - total23
@@ -7543,11 +7903,20 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     rise_of = lost23 + total23
                     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-                apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222, total28, total30, total31, total27, total37, total38, whole32), no, (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2, stiff, total222, total28))
+                apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222,
+                    total28, total30, total31, total27, total37, total38, whole32), no,
+                    (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2,
+                    stiff, total222, total28))
+                )
 
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (gamma, half, lost2, total2))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -7592,7 +7961,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 odd_low2 = lost22
                 return odd, odd_low2
 
-            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
@@ -7664,7 +8034,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             total38 = total31/whole32
             far = (total38*total38)
 
-            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222, total26, total34, total35, total36, total37, total38, whole32):
+            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222,
+                total26, total34, total35, total36, total37, total38, whole32):
                 sign_low = -lost2
                 left = size - (root*root)
                 root_halves = halves(xp, root)
@@ -7744,7 +8115,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 lost37 = one9 + two9
                 total49 = given4*total39
                 total39_halves = halves(xp, total39)
-                lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                lost37 = (
+                    given4*(lost37 - lost36 + mean_low5) +
+                    product_error(total49, given4_halves, total39_halves)
+                )
                 total39 = total40 - total49
                 back22 = total39 - total40
                 rest10 = total39 - back22
@@ -7805,7 +8179,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 rise_of = lost512 + total40
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2, stiff, total222, total26):
+            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2,
+                stiff, total222, total26):
                 total23 = half*odd
                 half_halves = halves(xp, half)
                 odd_halves = halves(xp, odd)
@@ -7839,7 +8214,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     even_low2 = -root_low*sine
                     return even, even_low2
 
-                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                    (lost2, root, size))
 
                 total252 = total23 - even
                 back162 = total252 - total23
@@ -7856,7 +8232,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total252 = envelope*total262
                 envelope_halves = halves(xp, envelope)
                 total262_halves = halves(xp, total262)
-                lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                lost262 = (
+                    envelope*(lost23 - even_low2 + lost252 + lost262) +
+                    product_error(total252, envelope_halves, total262_halves)
+                )
                 total262 = total252/stiff
                 left16 = total252 - stiff*total262
                 total262_halves = halves(xp, total262)
@@ -7872,7 +8251,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 lost252 = one32 + two32
                 total23 = envelope*total252
                 total252_halves = halves(xp, total252)
-                lost252 = envelope*(even_low2 + lost23 + lost252) + product_error(total23, envelope_halves, total252_halves)
+                lost252 = (
+                    envelope*(even_low2 + lost23 + lost252) +
+                    product_error(total23, envelope_halves, total252_halves)
+                )
                 total252 = 1.0 - total23
                 back162 = total252 - 1.0
                 lost23 = -back162 - total23
@@ -7889,11 +8271,20 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 rise_of = lost23 + total23
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26, total30, total31, total24, total37, total38, whole32), no, (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2, stiff, total25, total26))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26,
+                total30, total31, total24, total37, total38, whole32), no,
+                (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2,
+                stiff, total25, total26))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
 
         return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -7957,7 +8348,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -7993,7 +8385,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back3 = total542 - rest5
@@ -8016,7 +8411,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -8048,7 +8445,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     mean2 = total11
                     return mean2, mean_low3
 
@@ -8070,7 +8470,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     mean_low4 = lost14
                     return mean2, mean_low4
 
-                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
 
                 total55 = fall_*mean2
                 fall__halves = halves(xp, fall_)
@@ -8130,7 +8531,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -8163,7 +8566,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     mean_low2 = lost8
                     return fall_, fall_low2, mean, mean_low2
 
-                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
 
 
                 def yes(root, root_low):
@@ -8176,11 +8581,15 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -8209,7 +8618,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                     mean_low4 = lost14
                     return fall2, fall_low4, mean2, mean_low4
 
-                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
 
                 total27 = fall2*mean
                 fall2_halves = halves(xp, fall2)
@@ -8258,7 +8669,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 rise_of = lost173 + total172
                 return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
+            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
 
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -8294,7 +8708,8 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -8327,7 +8742,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
 
@@ -8341,7 +8758,10 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -8374,7 +8794,9 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -8438,11 +8860,17 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
             rise_of = lost17 + total17
             return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
 
         return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
-    apart_of, fall_of, kick_of, kick_low_of, rise_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, fall_of, kick_of, kick_low_of, rise_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
 
     return apart_of, fall_of, kick_of, kick_low_of, rise_of
 
@@ -8502,7 +8930,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -8539,7 +8968,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back17 = total542 - rest5
@@ -8560,7 +8992,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total55
                 total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total55_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
 
                 def yes(square2):
                     given3 = square2
@@ -8582,7 +9015,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
 
                 total55 = even*twice2
 
-                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61, square2, total2, total263, total28, total563, total582, total592, total60, total61, twice2):
+                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    square2, total2, total263, total28, total563, total582, total592, total60,
+                    total61, twice2):
                     e = xp.exp(-delta)
                     total253 = e + 1.0
                     back182 = total253 - 1.0
@@ -8618,11 +9053,13 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, total2))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost28 + total28
                     fall_of = lost59*total60 + lost61 + total61
                     nyquist_of = lost253 + lost263 + lost273 + total273
@@ -8630,7 +9067,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     together_of = 2.0*lost563 + 2.0*total563
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61, total2, total28, total563, total582, total592, total60, total61):
+                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    total2, total28, total563, total582, total592, total60, total61):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -8659,7 +9097,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest33 = total102 - back82
@@ -8674,7 +9113,13 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     together_of = 2.0*lost563 + 2.0*total563
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532, lost54, lost542, lost55, square2, total2, total55, total28, total563, total542, total592, total27, total61, twice2), no, (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55, total2, total28, total563, total542, total592, total27, total61))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532,
+                    lost54, lost542, lost55, square2, total2, total55, total28, total563,
+                    total542, total592, total27, total61, twice2), no,
+                    (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55,
+                    total2, total28, total563, total542, total592, total27, total61))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -8705,7 +9150,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total27_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total27_halves)
 
                 def yes(square2):
                     given3 = square2
@@ -8774,9 +9220,13 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 total38 = total31/whole32
                 far = (total38*total38)
 
-                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root, size, square2, stiff, total263, total28, total34, total35, total36, total37, total38, total563, twice2, whole32):
+                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root,
+                    size, square2, stiff, total263, total28, total34, total35, total36, total37,
+                    total38, total563, twice2, whole32):
 
-                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size, square2, stiff, total263, total28, total34, total35, total36, total37, total38, total563, twice2, whole32):
+                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32):
                         sign_low = -lost2
                         left = size - (root*root)
                         root_halves = halves(xp, root)
@@ -8791,7 +9241,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost35 = one9 + two9
                         count_halves = halves(xp, count)
                         number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                        lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                        lost36 = product_error(count*6.2831854820251465, count_halves,
+                            number2_halves)
                         back22 = total37 - root
                         rest10 = total37 - back22
                         one9 = root - rest10
@@ -8843,7 +9294,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         total39 = given4*total45
                         given4_halves = halves(xp, given4)
                         total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
                         total47 = 1.0 - total39
                         back22 = total47 - 1.0
                         lost37 = -back22 - total39
@@ -8856,7 +9308,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost37 = one9 + two9
                         total49 = given4*total39
                         total39_halves = halves(xp, total39)
-                        lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
                         total39 = total40 - total49
                         back22 = total39 - total40
                         rest10 = total39 - back22
@@ -8873,7 +9328,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         total39 = total47*total49
                         total47_halves = halves(xp, total47)
                         total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
                         low22 = fall_low5*total49 + lost35
                         total49 = total39/stiff
                         left = total39 - stiff*total49
@@ -8890,7 +9346,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         back22 = total273 - total39
                         lost273 = total263 - back22
                         total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
                         total482 = total45 - total39
                         back22 = total482 - total45
                         rest10 = total482 - back22
@@ -8900,10 +9357,12 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
                         total41 = given4*total482
                         total482_halves = halves(xp, total482)
-                        lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                        lost482 = given4*low22 + product_error(total41, given4_halves,
+                            total482_halves)
                         total482 = total40*total47
                         total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
                         total47 = total41 + total482
                         back22 = total47 - total41
                         rest10 = total47 - back22
@@ -8936,11 +9395,13 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                             even_low2 = -root_low*sine
                             return even_low2
 
-                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                            (root, root_low))
 
                         twice2_halves = halves(xp, twice2)
                         even_halves = halves(xp, even)
-                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
                         apart_of = lost28 + total28
                         fall_of = lost35 + total49
                         nyquist_of = lost37 + lost36 + lost273 + total273
@@ -8948,7 +9409,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff, total28, total34, total35, total36, total37, total38, total563, whole32):
+                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff,
+                        total28, total34, total35, total36, total37, total38, total563, whole32):
                         sign_low = -lost2
                         left = size - (root*root)
                         root_halves = halves(xp, root)
@@ -8963,7 +9425,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost35 = one9 + two9
                         count_halves = halves(xp, count)
                         number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                        lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
+                        lost36 = product_error(count*6.2831854820251465, count_halves,
+                            number2_halves)
                         back22 = total37 - root
                         rest10 = total37 - back22
                         one9 = root - rest10
@@ -9015,7 +9478,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         total39 = given4*total45
                         given4_halves = halves(xp, given4)
                         total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
                         total47 = 1.0 - total39
                         back22 = total47 - 1.0
                         lost37 = -back22 - total39
@@ -9028,7 +9492,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost37 = one9 + two9
                         total49 = given4*total39
                         total39_halves = halves(xp, total39)
-                        lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
                         total39 = total40 - total49
                         back22 = total39 - total40
                         rest10 = total39 - back22
@@ -9045,7 +9512,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         total39 = total47*total49
                         total47_halves = halves(xp, total47)
                         total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
                         low22 = fall_low5*total49 + lost35
                         total49 = total39/stiff
                         left = total39 - stiff*total49
@@ -9073,7 +9541,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         total39 = envelope*total102
                         envelope_halves = halves(xp, envelope)
                         total102_halves = halves(xp, total102)
-                        lost37 = envelope*low22 + product_error(total39, envelope_halves, total102_halves)
+                        lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                            total102_halves)
                         total102 = (grown*grown) + total39
                         back82 = total102 - total39
                         rest10 = total102 - back82
@@ -9082,7 +9551,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost102 = one9 + two9
                         low22 = lost37 + lost102
                         total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
                         total482 = total45 - total39
                         back82 = total482 - total45
                         rest10 = total482 - back82
@@ -9092,10 +9562,12 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
                         total41 = given4*total482
                         total482_halves = halves(xp, total482)
-                        lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
+                        lost102 = given4*low24 + product_error(total41, given4_halves,
+                            total482_halves)
                         total482 = total40*total47
                         total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
                         total47 = total41 + total482
                         back82 = total47 - total41
                         rest10 = total47 - back82
@@ -9116,13 +9588,23 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost28, lost563, low2, root, size, square2, stiff, total263, total28, total34, total35, total36, total37, total38, total563, twice2, whole32), no, (count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff, total28, total34, total35, total36, total37, total38, total563, whole32))
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32), no,
+                        (count, envelope, half, lost2, lost28, lost563, low2, root, size,
+                        stiff, total28, total34, total35, total36, total37, total38, total563,
+                        whole32))
+                    )
 
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total263, total28, total563, twice2):
+                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                    stiff, total263, total28, total563, twice2):
 
-                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total263, total28, total563, twice2):
+                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2):
                         e = xp.exp(-delta)
                         total253 = e + 1.0
                         back182 = total253 - 1.0
@@ -9174,7 +9656,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                             odd_low2 = lost22
                             return even_low2, odd, odd_low2
 
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (lost2, root, size))
 
                         total253 = half*odd
                         half_halves = halves(xp, half)
@@ -9195,17 +9678,22 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         total252 = envelope*total262
                         envelope_halves = halves(xp, envelope)
                         total262_halves = halves(xp, total262)
-                        lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                        lost262 = (
+                            envelope*(lost23 - even_low2 + lost252 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
                         total262 = total252/stiff
                         left16 = total252 - stiff*total262
                         total262_halves = halves(xp, total262)
                         stiff_halves = halves(xp, stiff)
-                        left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                        left16 = left16 - product_error(total262*stiff, total262_halves,
+                            stiff_halves)
                         left16 = left16 + lost262
                         lost262 = left16/stiff
                         twice2_halves = halves(xp, twice2)
                         even_halves = halves(xp, even)
-                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
                         total252 = even + total253
                         back182 = total252 - even
                         rest42 = total252 - back182
@@ -9214,14 +9702,18 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost242 = one32 + two32
                         total253 = envelope*total252
                         total252_halves = halves(xp, total252)
-                        lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total253, envelope_halves, total252_halves)
+                        lost242 = (
+                            envelope*(even_low2 + lost23 + lost242) +
+                            product_error(total253, envelope_halves, total252_halves)
+                        )
                         total252 = 1.0 - total253
                         back182 = total252 - 1.0
                         lost23 = -back182 - total253
                         total253 = total252/stiff
                         left16 = total252 - stiff*total253
                         total253_halves = halves(xp, total253)
-                        left16 = left16 - product_error(total253*stiff, total253_halves, stiff_halves)
+                        left16 = left16 - product_error(total253*stiff, total253_halves,
+                            stiff_halves)
                         left16 = left16 - lost242 + lost23
                         lost23 = left16/stiff
                         apart_of = lost28 + total28
@@ -9231,7 +9723,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total28, total563):
+                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563):
                         sign_low = -lost2
                         left = size - (root*root)
                         root_halves = halves(xp, root)
@@ -9258,7 +9751,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         total92 = envelope*total102
                         envelope_halves = halves(xp, envelope)
                         total102_halves = halves(xp, total102)
-                        lost92 = envelope*low4 + product_error(total92, envelope_halves, total102_halves)
+                        lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                            total102_halves)
                         total102 = (grown*grown) + total92
                         back82 = total102 - total92
                         rest33 = total102 - back82
@@ -9295,7 +9789,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                             left10 = sine - some*total22
                             total22_halves = halves(xp, total22)
                             some_halves = halves(xp, some)
-                            left10 = left10 - product_error(total22*some, total22_halves, some_halves)
+                            left10 = left10 - product_error(total22*some, total22_halves,
+                                some_halves)
                             left10 = cosine*root_low + left10 - root_low*total22
                             lost22 = left10/some
                             even_low2 = -root_low*sine
@@ -9303,7 +9798,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                             odd_low2 = lost22
                             return even_low2, odd, odd_low2
 
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (root, root_low))
 
                         total92 = half*odd
                         half_halves = halves(xp, half)
@@ -9323,7 +9819,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost262 = one23 + two23
                         total252 = envelope*total262
                         total262_halves = halves(xp, total262)
-                        lost262 = envelope*(lost102 - even_low2 + lost92 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                        lost262 = (
+                            envelope*(lost102 - even_low2 + lost92 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
                         total262 = total252/stiff
                         left = total252 - stiff*total262
                         total262_halves = halves(xp, total262)
@@ -9339,7 +9838,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         lost92 = one23 + two23
                         total92 = envelope*total252
                         total252_halves = halves(xp, total252)
-                        lost92 = envelope*(even_low2 + lost102 + lost92) + product_error(total92, envelope_halves, total252_halves)
+                        lost92 = (
+                            envelope*(even_low2 + lost102 + lost92) +
+                            product_error(total92, envelope_halves, total252_halves)
+                        )
                         total252 = 1.0 - total92
                         back82 = total252 - 1.0
                         lost102 = -back82 - total92
@@ -9356,15 +9858,31 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total263, total28, total563, twice2), no, (envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total28, total563))
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2), no,
+                        (envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563))
+                    )
 
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root, size, square2, stiff, total27, total28, total30, total31, total29, total37, total38, total563, twice2, whole32), no, (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2, stiff, total27, total28, total563, twice2))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root,
+                    size, square2, stiff, total27, total28, total30, total31, total29, total37,
+                    total38, total563, twice2, whole32), no,
+                    (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2,
+                    stiff, total27, total28, total563, twice2))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (delta, gamma, half, lost2, total2))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -9416,7 +9934,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, odd, odd_low2
 
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
@@ -9486,9 +10005,13 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
             total38 = total31/whole32
             far = (total38*total38)
 
-            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2, stiff, total26, total263, total34, total35, total36, total37, total38, twice2, whole32):
+            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2,
+                stiff, total26, total263, total34, total35, total36, total37, total38, twice2,
+                whole32):
 
-                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff, total26, total263, total34, total35, total36, total37, total38, twice2, whole32):
+                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff,
+                    total26, total263, total34, total35, total36, total37, total38, twice2,
+                    whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -9555,7 +10078,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total39 = given4*total45
                     given4_halves = halves(xp, given4)
                     total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
                     total47 = 1.0 - total39
                     back22 = total47 - 1.0
                     lost37 = -back22 - total39
@@ -9568,7 +10092,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     lost37 = one9 + two9
                     total49 = given4*total39
                     total39_halves = halves(xp, total39)
-                    lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
                     total39 = total40 - total49
                     back22 = total39 - total40
                     rest10 = total39 - back22
@@ -9615,7 +10142,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
                     total482 = total40*total47
                     total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
                     total39 = total41 + total482
                     back22 = total39 - total41
                     rest10 = total39 - back22
@@ -9638,7 +10166,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     lost482 = low22 - back22
                     total39 = (total47*total47)
                     total47_halves = halves(xp, total47)
-                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves, total47_halves)
+                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves,
+                        total47_halves)
                     total47 = total39 + 2.0*total482
                     back22 = total47 - total39
                     rest10 = total47 - back22
@@ -9671,11 +10200,13 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost26 + total26
                     fall_of = lost35 + total49
                     nyquist_of = lost37 + lost482 + lost273 + total273
@@ -9683,7 +10214,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     together_of = lost372 + total40
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26, total34, total35, total36, total37, total38, whole32):
+                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -9750,7 +10282,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total39 = given4*total45
                     given4_halves = halves(xp, given4)
                     total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
                     total47 = 1.0 - total39
                     back22 = total47 - 1.0
                     lost37 = -back22 - total39
@@ -9763,7 +10296,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     lost37 = one9 + two9
                     total49 = given4*total39
                     total39_halves = halves(xp, total39)
-                    lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
                     total39 = total40 - total49
                     back22 = total39 - total40
                     rest10 = total39 - back22
@@ -9808,7 +10344,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total39 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost37 = envelope*low22 + product_error(total39, envelope_halves, total102_halves)
+                    lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total39
                     back82 = total102 - total39
                     rest10 = total102 - back82
@@ -9830,7 +10367,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
                     total482 = total40*total47
                     total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
                     total39 = total41 + total482
                     back82 = total39 - total41
                     rest10 = total39 - back82
@@ -9853,7 +10391,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     lost102 = low24 - back82
                     total39 = (total47*total47)
                     total47_halves = halves(xp, total47)
-                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves, total47_halves)
+                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves,
+                        total47_halves)
                     total47 = total39 + 2.0*total482
                     back82 = total47 - total39
                     rest10 = total47 - back82
@@ -9874,13 +10413,21 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     together_of = lost372 + total40
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff, total26, total263, total34, total35, total36, total37, total38, twice2, whole32), no, (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26, total34, total35, total36, total37, total38, whole32))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2,
+                    root, size, square2, stiff, total26, total263, total34, total35, total36,
+                    total37, total38, twice2, whole32), no,
+                    (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26, total263, twice2):
+            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                stiff, total26, total263, twice2):
 
-                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26, total263, twice2):
+                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size,
+                    square2, stiff, total26, total263, twice2):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -9950,7 +10497,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total264 = envelope*total103
                     envelope_halves = halves(xp, envelope)
                     total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves, total103_halves)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total264
                     back83 = total103 - total264
                     rest42 = total103 - back83
@@ -9983,17 +10531,25 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     total262_halves = halves(xp, total262)
-                    lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
                     left = left + lost262
                     lost262 = left/stiff
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     total253_halves = halves(xp, total253)
-                    lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total23, envelope_halves, total253_halves)
+                    lost242 = (
+                        envelope*(even_low2 + lost23 + lost242) +
+                        product_error(total23, envelope_halves, total253_halves)
+                    )
                     left162 = left162 - lost242 + lost264
                     lost264 = left162/stiff
                     apart_of = lost26 + total26
@@ -10003,7 +10559,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     together_of = 4.0*lost103 + 4.0*total264
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26):
+                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -10052,7 +10609,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest42 = total102 - back82
@@ -10087,7 +10645,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     low5 = lost103 + 2.0*lost93*total264
                     total264 = envelope*total103
                     total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves, total103_halves)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total264
                     back162 = total103 - total264
                     rest42 = total103 - back162
@@ -10120,14 +10679,21 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     total262_halves = halves(xp, total262)
-                    lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
                     left = left + lost262
                     lost262 = left/stiff
                     total92_halves = halves(xp, total92)
-                    lost102 = envelope*(even_low2 + lost23 + lost102) + product_error(total23, envelope_halves, total92_halves)
+                    lost102 = (
+                        envelope*(even_low2 + lost23 + lost102) +
+                        product_error(total23, envelope_halves, total92_halves)
+                    )
                     left162 = left162 - lost102 + lost92
                     lost92 = left162/stiff
                     apart_of = lost26 + total26
@@ -10137,15 +10703,29 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     together_of = 4.0*lost103 + 4.0*total264
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no, (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26,
+                    odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no,
+                    (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2, stiff, total24, total25, total30, total31, total29, total37, total38, twice2, whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root, size, square2, stiff, total24, total25, twice2))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2,
+                stiff, total24, total25, total30, total31, total29, total37, total38, twice2,
+                whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root,
+                size, square2, stiff, total24, total25, twice2))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -10209,7 +10789,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -10245,7 +10826,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back3 = total542 - rest5
@@ -10266,7 +10850,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total55
                 total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total55_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -10278,7 +10863,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -10313,11 +10900,15 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -10332,7 +10923,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     fall_low4 = sunk_low2
                     return fall2, fall_low4
 
-                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
 
                 fast = fall_*fall2
                 fall__halves = halves(xp, fall_)
@@ -10345,7 +10937,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 total312 = total55*total302
                 total55_halves = halves(xp, total55)
                 total302_halves = halves(xp, total302)
-                lost292 = total55*(lost292 + low32) + product_error(total312, total55_halves, total302_halves)
+                lost292 = (
+                    total55*(lost292 + low32) + product_error(total312, total55_halves,
+                    total302_halves)
+                )
                 apart_of = lost3 + total28
                 fall_of = lost54*total27 + lost55 + total61
                 nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
@@ -10394,7 +10989,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total27_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total27_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -10406,7 +11002,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -10439,7 +11037,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     mean_low2 = lost8
                     return fall_, fall_low2, mean, mean_low2
 
-                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
 
                 total27 = fall_ + 1.0
                 back3 = total27 - 1.0
@@ -10455,11 +11055,15 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -10488,7 +11092,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                     mean_low4 = lost14
                     return fall2, fall_low4, mean2, mean_low4
 
-                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
 
                 fast = fall_*fall2
                 total162 = fall2*mean
@@ -10520,7 +11126,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 total162 = total27*total172
                 total27_halves = halves(xp, total27)
                 total172_halves = halves(xp, total172)
-                lost162 = total27*(lost162 + low32) + product_error(total162, total27_halves, total172_halves)
+                lost162 = (
+                    total27*(lost162 + low32) + product_error(total162, total27_halves,
+                    total172_halves)
+                )
                 total27 = fall_*mean2
                 mean2_halves = halves(xp, mean2)
                 lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
@@ -10544,7 +11153,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 together_of = 2.0*lost553 + 2.0*total563
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -10580,7 +11192,8 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -10613,7 +11226,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
             total283 = fall_ + 1.0
@@ -10630,7 +11245,10 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -10663,7 +11281,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -10710,7 +11330,9 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
             total16 = total283*total17
             total283_halves = halves(xp, total283)
             total17_halves = halves(xp, total17)
-            lost18 = total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
+            lost18 = (
+                total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
+            )
             total283 = fall_*mean2
             lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
             pulled_low = fall_low2*mean2 + lost17
@@ -10746,17 +11368,25 @@ def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
             together_of = lost16 + total173
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
 
     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
 
 def apart_fall_nyquist_rise_together(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a + e; n1, how far a unit force moves the device in a period; n1 + n0"""
+    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a +
+    e; n1, how far a unit force moves the device in a period; n1 + n0
+    """
     if gamma.dtype == xp.float32:
         return apart_fall_nyquist_rise_together_single(xp, gamma, delta)
     half = 0.5*delta
@@ -10812,7 +11442,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -10849,7 +11480,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back17 = total542 - rest5
@@ -10870,7 +11504,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total55
                 total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total55_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
 
                 def yes(square2):
                     given3 = square2
@@ -10892,7 +11527,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
 
                 total55 = even*twice2
 
-                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61, square2, total2, total263, total28, total563, total582, total592, total60, total61, twice2):
+                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    square2, total2, total263, total28, total563, total582, total592, total60,
+                    total61, twice2):
                     e = xp.exp(-delta)
                     total253 = e + 1.0
                     back182 = total253 - 1.0
@@ -10928,11 +11565,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (lost2, total2))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost28 + total28
                     fall_of = lost59*total60 + lost61 + total61
                     nyquist_of = lost253 + lost263 + lost273 + total273
@@ -10940,7 +11579,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 2.0*lost563 + 2.0*total563
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61, total2, total28, total563, total582, total592, total60, total61):
+                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
+                    total2, total28, total563, total582, total592, total60, total61):
                     size = xp.abs(total2)
                     root = square_root(xp, size)
                     sign_low = -lost2
@@ -10969,7 +11609,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest33 = total102 - back82
@@ -10984,7 +11625,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 2.0*lost563 + 2.0*total563
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532, lost54, lost542, lost55, square2, total2, total55, total28, total563, total542, total592, total27, total61, twice2), no, (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55, total2, total28, total563, total542, total592, total27, total61))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532,
+                    lost54, lost542, lost55, square2, total2, total55, total28, total563,
+                    total542, total592, total27, total61, twice2), no,
+                    (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55,
+                    total2, total28, total563, total542, total592, total27, total61))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -11015,7 +11662,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total27_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total27_halves)
 
                 def yes(square2):
                     given3 = square2
@@ -11084,9 +11732,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total38 = total31/whole32
                 far = (total38*total38)
 
-                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root, size, square2, stiff, total263, total28, total34, total35, total36, total37, total38, total563, twice2, whole32):
+                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root,
+                    size, square2, stiff, total263, total28, total34, total35, total36, total37,
+                    total38, total563, twice2, whole32):
 
-                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size, square2, stiff, total263, total28, total34, total35, total36, total37, total38, total563, twice2, whole32):
+                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32):
                         sign_low = -lost2
                         left = size - (root*root)
                         root_halves = halves(xp, root)
@@ -11101,7 +11753,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost35 = one9 + two9
                         count_halves = halves(xp, count)
                         number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                        lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                        lost36 = product_error(count*6.283185307179586, count_halves,
+                            number2_halves)
                         back22 = total37 - root
                         rest10 = total37 - back22
                         one9 = root - rest10
@@ -11153,7 +11806,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         total39 = given4*total45
                         given4_halves = halves(xp, given4)
                         total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
                         total47 = 1.0 - total39
                         back22 = total47 - 1.0
                         lost37 = -back22 - total39
@@ -11166,7 +11820,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost37 = one9 + two9
                         total49 = given4*total39
                         total39_halves = halves(xp, total39)
-                        lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
                         total39 = total40 - total49
                         back22 = total39 - total40
                         rest10 = total39 - back22
@@ -11183,7 +11840,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         total39 = total47*total49
                         total47_halves = halves(xp, total47)
                         total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
                         low22 = fall_low5*total49 + lost35
                         total49 = total39/stiff
                         left = total39 - stiff*total49
@@ -11200,7 +11858,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         back22 = total273 - total39
                         lost273 = total263 - back22
                         total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
                         total482 = total45 - total39
                         back22 = total482 - total45
                         rest10 = total482 - back22
@@ -11210,10 +11869,12 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
                         total41 = given4*total482
                         total482_halves = halves(xp, total482)
-                        lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
+                        lost482 = given4*low22 + product_error(total41, given4_halves,
+                            total482_halves)
                         total482 = total40*total47
                         total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
                         total47 = total41 + total482
                         back22 = total47 - total41
                         rest10 = total47 - back22
@@ -11246,11 +11907,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                             even_low2 = -root_low*sine
                             return even_low2
 
-                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                            (root, root_low))
 
                         twice2_halves = halves(xp, twice2)
                         even_halves = halves(xp, even)
-                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
                         apart_of = lost28 + total28
                         fall_of = lost35 + total49
                         nyquist_of = lost37 + lost36 + lost273 + total273
@@ -11258,7 +11921,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff, total28, total34, total35, total36, total37, total38, total563, whole32):
+                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff,
+                        total28, total34, total35, total36, total37, total38, total563, whole32):
                         sign_low = -lost2
                         left = size - (root*root)
                         root_halves = halves(xp, root)
@@ -11273,7 +11937,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost35 = one9 + two9
                         count_halves = halves(xp, count)
                         number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                        lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
+                        lost36 = product_error(count*6.283185307179586, count_halves,
+                            number2_halves)
                         back22 = total37 - root
                         rest10 = total37 - back22
                         one9 = root - rest10
@@ -11325,7 +11990,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         total39 = given4*total45
                         given4_halves = halves(xp, given4)
                         total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                            total45_halves)
                         total47 = 1.0 - total39
                         back22 = total47 - 1.0
                         lost37 = -back22 - total39
@@ -11338,7 +12004,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost37 = one9 + two9
                         total49 = given4*total39
                         total39_halves = halves(xp, total39)
-                        lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                        lost37 = (
+                            given4*(lost37 - lost36 + mean_low5) +
+                            product_error(total49, given4_halves, total39_halves)
+                        )
                         total39 = total40 - total49
                         back22 = total39 - total40
                         rest10 = total39 - back22
@@ -11355,7 +12024,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         total39 = total47*total49
                         total47_halves = halves(xp, total47)
                         total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
+                        lost35 = lost35*total47 + product_error(total39, total47_halves,
+                            total49_halves)
                         low22 = fall_low5*total49 + lost35
                         total49 = total39/stiff
                         left = total39 - stiff*total49
@@ -11383,7 +12053,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         total39 = envelope*total102
                         envelope_halves = halves(xp, envelope)
                         total102_halves = halves(xp, total102)
-                        lost37 = envelope*low22 + product_error(total39, envelope_halves, total102_halves)
+                        lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                            total102_halves)
                         total102 = (grown*grown) + total39
                         back82 = total102 - total39
                         rest10 = total102 - back82
@@ -11392,7 +12063,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost102 = one9 + two9
                         low22 = lost37 + lost102
                         total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
+                        lost36 = lost36*total47 + product_error(total39, total47_halves,
+                            total41_halves)
                         total482 = total45 - total39
                         back82 = total482 - total45
                         rest10 = total482 - back82
@@ -11402,10 +12074,12 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
                         total41 = given4*total482
                         total482_halves = halves(xp, total482)
-                        lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
+                        lost102 = given4*low24 + product_error(total41, given4_halves,
+                            total482_halves)
                         total482 = total40*total47
                         total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                            total40_halves)
                         total47 = total41 + total482
                         back82 = total47 - total41
                         rest10 = total47 - back82
@@ -11426,13 +12100,23 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost28, lost563, low2, root, size, square2, stiff, total263, total28, total34, total35, total36, total37, total38, total563, twice2, whole32), no, (count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff, total28, total34, total35, total36, total37, total38, total563, whole32))
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (count, delta, even, half, lost2, lost28, lost563, low2, root, size,
+                        square2, stiff, total263, total28, total34, total35, total36, total37,
+                        total38, total563, twice2, whole32), no,
+                        (count, envelope, half, lost2, lost28, lost563, low2, root, size,
+                        stiff, total28, total34, total35, total36, total37, total38, total563,
+                        whole32))
+                    )
 
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total263, total28, total563, twice2):
+                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                    stiff, total263, total28, total563, twice2):
 
-                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total263, total28, total563, twice2):
+                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2):
                         e = xp.exp(-delta)
                         total253 = e + 1.0
                         back182 = total253 - 1.0
@@ -11484,7 +12168,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                             odd_low2 = lost22
                             return even_low2, odd, odd_low2
 
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (lost2, root, size))
 
                         total253 = half*odd
                         half_halves = halves(xp, half)
@@ -11505,17 +12190,22 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         total252 = envelope*total262
                         envelope_halves = halves(xp, envelope)
                         total262_halves = halves(xp, total262)
-                        lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                        lost262 = (
+                            envelope*(lost23 - even_low2 + lost252 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
                         total262 = total252/stiff
                         left16 = total252 - stiff*total262
                         total262_halves = halves(xp, total262)
                         stiff_halves = halves(xp, stiff)
-                        left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
+                        left16 = left16 - product_error(total262*stiff, total262_halves,
+                            stiff_halves)
                         left16 = left16 + lost262
                         lost262 = left16/stiff
                         twice2_halves = halves(xp, twice2)
                         even_halves = halves(xp, even)
-                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                            even_halves)
                         total252 = even + total253
                         back182 = total252 - even
                         rest42 = total252 - back182
@@ -11524,14 +12214,18 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost242 = one32 + two32
                         total253 = envelope*total252
                         total252_halves = halves(xp, total252)
-                        lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total253, envelope_halves, total252_halves)
+                        lost242 = (
+                            envelope*(even_low2 + lost23 + lost242) +
+                            product_error(total253, envelope_halves, total252_halves)
+                        )
                         total252 = 1.0 - total253
                         back182 = total252 - 1.0
                         lost23 = -back182 - total253
                         total253 = total252/stiff
                         left16 = total252 - stiff*total253
                         total253_halves = halves(xp, total253)
-                        left16 = left16 - product_error(total253*stiff, total253_halves, stiff_halves)
+                        left16 = left16 - product_error(total253*stiff, total253_halves,
+                            stiff_halves)
                         left16 = left16 - lost242 + lost23
                         lost23 = left16/stiff
                         apart_of = lost28 + total28
@@ -11541,7 +12235,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total28, total563):
+                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563):
                         sign_low = -lost2
                         left = size - (root*root)
                         root_halves = halves(xp, root)
@@ -11568,7 +12263,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         total92 = envelope*total102
                         envelope_halves = halves(xp, envelope)
                         total102_halves = halves(xp, total102)
-                        lost92 = envelope*low4 + product_error(total92, envelope_halves, total102_halves)
+                        lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                            total102_halves)
                         total102 = (grown*grown) + total92
                         back82 = total102 - total92
                         rest33 = total102 - back82
@@ -11605,7 +12301,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                             left10 = sine - some*total22
                             total22_halves = halves(xp, total22)
                             some_halves = halves(xp, some)
-                            left10 = left10 - product_error(total22*some, total22_halves, some_halves)
+                            left10 = left10 - product_error(total22*some, total22_halves,
+                                some_halves)
                             left10 = cosine*root_low + left10 - root_low*total22
                             lost22 = left10/some
                             even_low2 = -root_low*sine
@@ -11613,7 +12310,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                             odd_low2 = lost22
                             return even_low2, odd, odd_low2
 
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
+                            (lost2, square2), no, (root, root_low))
 
                         total92 = half*odd
                         half_halves = halves(xp, half)
@@ -11633,7 +12331,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost262 = one23 + two23
                         total252 = envelope*total262
                         total262_halves = halves(xp, total262)
-                        lost262 = envelope*(lost102 - even_low2 + lost92 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                        lost262 = (
+                            envelope*(lost102 - even_low2 + lost92 + lost262) +
+                            product_error(total252, envelope_halves, total262_halves)
+                        )
                         total262 = total252/stiff
                         left = total252 - stiff*total262
                         total262_halves = halves(xp, total262)
@@ -11649,7 +12350,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         lost92 = one23 + two23
                         total92 = envelope*total252
                         total252_halves = halves(xp, total252)
-                        lost92 = envelope*(even_low2 + lost102 + lost92) + product_error(total92, envelope_halves, total252_halves)
+                        lost92 = (
+                            envelope*(even_low2 + lost102 + lost92) +
+                            product_error(total92, envelope_halves, total252_halves)
+                        )
                         total252 = 1.0 - total92
                         back82 = total252 - 1.0
                         lost102 = -back82 - total92
@@ -11666,15 +12370,31 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         together_of = 2.0*lost563 + 2.0*total563
                         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total263, total28, total563, twice2), no, (envelope, even, half, lost2, lost28, lost563, root, size, square2, stiff, total28, total563))
+                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                        select(xp, total263 > 0.0, yes,
+                        (delta, envelope, even, half, lost2, lost28, lost563, root, size,
+                        square2, stiff, total263, total28, total563, twice2), no,
+                        (envelope, even, half, lost2, lost28, lost563, root, size, square2,
+                        stiff, total28, total563))
+                    )
 
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root, size, square2, stiff, total27, total28, total30, total31, total29, total37, total38, total563, twice2, whole32), no, (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2, stiff, total27, total28, total563, twice2))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root,
+                    size, square2, stiff, total27, total28, total30, total31, total29, total37,
+                    total38, total563, twice2, whole32), no,
+                    (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2,
+                    stiff, total27, total28, total563, twice2))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
+                (delta, gamma, half, lost2, total2))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -11726,7 +12446,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, odd, odd_low2
 
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
@@ -11796,9 +12517,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             total38 = total31/whole32
             far = (total38*total38)
 
-            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2, stiff, total26, total263, total34, total35, total36, total37, total38, twice2, whole32):
+            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2,
+                stiff, total26, total263, total34, total35, total36, total37, total38, twice2,
+                whole32):
 
-                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff, total26, total263, total34, total35, total36, total37, total38, twice2, whole32):
+                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff,
+                    total26, total263, total34, total35, total36, total37, total38, twice2,
+                    whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -11865,7 +12590,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total39 = given4*total45
                     given4_halves = halves(xp, given4)
                     total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
                     total47 = 1.0 - total39
                     back22 = total47 - 1.0
                     lost37 = -back22 - total39
@@ -11878,7 +12604,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost37 = one9 + two9
                     total49 = given4*total39
                     total39_halves = halves(xp, total39)
-                    lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
                     total39 = total40 - total49
                     back22 = total39 - total40
                     rest10 = total39 - back22
@@ -11925,7 +12654,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
                     total482 = total40*total47
                     total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
                     total39 = total41 + total482
                     back22 = total39 - total41
                     rest10 = total39 - back22
@@ -11948,7 +12678,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost482 = low22 - back22
                     total39 = (total47*total47)
                     total47_halves = halves(xp, total47)
-                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves, total47_halves)
+                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves,
+                        total47_halves)
                     total47 = total39 + 2.0*total482
                     back22 = total47 - total39
                     rest10 = total47 - back22
@@ -11981,11 +12712,13 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost26 + total26
                     fall_of = lost35 + total49
                     nyquist_of = lost37 + lost482 + lost273 + total273
@@ -11993,7 +12726,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = lost372 + total40
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26, total34, total35, total36, total37, total38, whole32):
+                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -12060,7 +12794,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total39 = given4*total45
                     given4_halves = halves(xp, given4)
                     total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
+                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
+                        total45_halves)
                     total47 = 1.0 - total39
                     back22 = total47 - 1.0
                     lost37 = -back22 - total39
@@ -12073,7 +12808,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost37 = one9 + two9
                     total49 = given4*total39
                     total39_halves = halves(xp, total39)
-                    lost37 = given4*(lost37 - lost36 + mean_low5) + product_error(total49, given4_halves, total39_halves)
+                    lost37 = (
+                        given4*(lost37 - lost36 + mean_low5) +
+                        product_error(total49, given4_halves, total39_halves)
+                    )
                     total39 = total40 - total49
                     back22 = total39 - total40
                     rest10 = total39 - back22
@@ -12118,7 +12856,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total39 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost37 = envelope*low22 + product_error(total39, envelope_halves, total102_halves)
+                    lost37 = envelope*low22 + product_error(total39, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total39
                     back82 = total102 - total39
                     rest10 = total102 - back82
@@ -12140,7 +12879,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
                     total482 = total40*total47
                     total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
+                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
+                        total40_halves)
                     total39 = total41 + total482
                     back82 = total39 - total41
                     rest10 = total39 - back82
@@ -12163,7 +12903,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     lost102 = low24 - back82
                     total39 = (total47*total47)
                     total47_halves = halves(xp, total47)
-                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves, total47_halves)
+                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves,
+                        total47_halves)
                     total47 = total39 + 2.0*total482
                     back82 = total47 - total39
                     rest10 = total47 - back82
@@ -12184,13 +12925,21 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = lost372 + total40
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff, total26, total263, total34, total35, total36, total37, total38, twice2, whole32), no, (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26, total34, total35, total36, total37, total38, whole32))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2,
+                    root, size, square2, stiff, total26, total263, total34, total35, total36,
+                    total37, total38, twice2, whole32), no,
+                    (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
+                    total34, total35, total36, total37, total38, whole32))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26, total263, twice2):
+            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                stiff, total26, total263, twice2):
 
-                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26, total263, twice2):
+                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size,
+                    square2, stiff, total26, total263, twice2):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -12260,7 +13009,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total264 = envelope*total103
                     envelope_halves = halves(xp, envelope)
                     total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves, total103_halves)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total264
                     back83 = total103 - total264
                     rest42 = total103 - back83
@@ -12293,17 +13043,25 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     total262_halves = halves(xp, total262)
-                    lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
                     left = left + lost262
                     lost262 = left/stiff
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     total253_halves = halves(xp, total253)
-                    lost242 = envelope*(even_low2 + lost23 + lost242) + product_error(total23, envelope_halves, total253_halves)
+                    lost242 = (
+                        envelope*(even_low2 + lost23 + lost242) +
+                        product_error(total23, envelope_halves, total253_halves)
+                    )
                     left162 = left162 - lost242 + lost264
                     lost264 = left162/stiff
                     apart_of = lost26 + total26
@@ -12313,7 +13071,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 4.0*lost103 + 4.0*total264
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26):
+                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -12362,7 +13121,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest42 = total102 - back82
@@ -12397,7 +13157,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     low5 = lost103 + 2.0*lost93*total264
                     total264 = envelope*total103
                     total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves, total103_halves)
+                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total264
                     back162 = total103 - total264
                     rest42 = total103 - back162
@@ -12430,14 +13191,21 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     total262_halves = halves(xp, total262)
-                    lost262 = envelope*(lost23 - even_low2 + lost252 + lost262) + product_error(total252, envelope_halves, total262_halves)
+                    lost262 = (
+                        envelope*(lost23 - even_low2 + lost252 + lost262) +
+                        product_error(total252, envelope_halves, total262_halves)
+                    )
                     left = left + lost262
                     lost262 = left/stiff
                     total92_halves = halves(xp, total92)
-                    lost102 = envelope*(even_low2 + lost23 + lost102) + product_error(total23, envelope_halves, total92_halves)
+                    lost102 = (
+                        envelope*(even_low2 + lost23 + lost102) +
+                        product_error(total23, envelope_halves, total92_halves)
+                    )
                     left162 = left162 - lost102 + lost92
                     lost92 = left162/stiff
                     apart_of = lost26 + total26
@@ -12447,15 +13215,29 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     together_of = 4.0*lost103 + 4.0*total264
                     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-                apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no, (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2, stiff, total26))
+                apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                    select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26,
+                    odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no,
+                    (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
+                    stiff, total26))
+                )
 
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2, stiff, total24, total25, total30, total31, total29, total37, total38, twice2, whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root, size, square2, stiff, total24, total25, twice2))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2,
+                stiff, total24, total25, total30, total31, total29, total37, total38, twice2,
+                whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root,
+                size, square2, stiff, total24, total25, twice2))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
+            (delta, gamma, half, lost2, total2))
+        )
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -12519,7 +13301,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low6 = lost54 - lost55
                 total27 = (total55*total55)
                 total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves, total55_halves)
+                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
+                    total55_halves)
                 total55 = (total27*total27)
                 total27_halves = halves(xp, total27)
                 lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
@@ -12555,7 +13338,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 fall_low6 = lost532 - lost542
                 total55 = (total542*total542)
                 total542_halves = halves(xp, total542)
-                lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves, total542_halves)
+                lost532 = (
+                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
+                    total542_halves)
+                )
                 rest5 = rise_series(xp, half2, total2)
                 total542 = rest5 + 0.5
                 back3 = total542 - rest5
@@ -12576,7 +13362,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total55
                 total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total55_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total55_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -12588,7 +13375,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -12623,11 +13412,15 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -12642,7 +13435,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     fall_low4 = sunk_low2
                     return fall2, fall_low4
 
-                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
+                    (root, root_low))
 
                 fast = fall_*fall2
                 fall__halves = halves(xp, fall_)
@@ -12655,7 +13449,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total312 = total55*total302
                 total55_halves = halves(xp, total55)
                 total302_halves = halves(xp, total302)
-                lost292 = total55*(lost292 + low32) + product_error(total312, total55_halves, total302_halves)
+                lost292 = (
+                    total55*(lost292 + low32) + product_error(total312, total55_halves,
+                    total302_halves)
+                )
                 apart_of = lost3 + total28
                 fall_of = lost54*total27 + lost55 + total61
                 nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
@@ -12704,7 +13501,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 lost553 = one4 + two4
                 total563 = envelope*total27
                 total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves, total27_halves)
+                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
+                    total27_halves)
 
                 def yes(q, q_low):
                     given = q
@@ -12716,7 +13514,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total5 = curved + total4
                     back4 = total5 - total4
                     lost5 = curved - back4
-                    mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    mean_low = (
+                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                    )
                     total4 = given*total5
                     given_halves = halves(xp, given)
                     total5_halves = halves(xp, total5)
@@ -12749,7 +13549,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     mean_low2 = lost8
                     return fall_, fall_low2, mean, mean_low2
 
-                fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                fall_, fall_low2, mean, mean_low2 = (
+                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+                )
 
                 total27 = fall_ + 1.0
                 back3 = total27 - 1.0
@@ -12765,11 +13567,15 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     total11 = curved2 + total10
                     back8 = total11 - total10
                     lost11 = curved2 - back8
-                    mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    mean_low3 = (
+                        lost10 + lost11 - 2.0*root_low*
+                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                    )
                     total10 = given2*total11
                     given2_halves = halves(xp, given2)
                     total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
+                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
+                        total11_halves)
                     total13 = 1.0 - total10
                     back8 = total13 - 1.0
                     lost10 = -back8 - total10
@@ -12798,7 +13604,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                     mean_low4 = lost14
                     return fall2, fall_low4, mean2, mean_low4
 
-                fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                fall2, fall_low4, mean2, mean_low4 = (
+                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+                )
 
                 fast = fall_*fall2
                 total162 = fall2*mean
@@ -12830,7 +13638,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total162 = total27*total172
                 total27_halves = halves(xp, total27)
                 total172_halves = halves(xp, total172)
-                lost162 = total27*(lost162 + low32) + product_error(total162, total27_halves, total172_halves)
+                lost162 = (
+                    total27*(lost162 + low32) + product_error(total162, total27_halves,
+                    total172_halves)
+                )
                 total27 = fall_*mean2
                 mean2_halves = halves(xp, mean2)
                 lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
@@ -12854,7 +13665,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 together_of = 2.0*lost553 + 2.0*total563
                 return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-            apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2, total3), no, (gamma, half, lost2, root, size, total2, total3))
+            apart_of, fall_of, nyquist_of, rise_of, together_of = (
+                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
+                total3), no, (gamma, half, lost2, root, size, total2, total3))
+            )
 
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -12890,7 +13704,8 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -12923,7 +13738,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
             total283 = fall_ + 1.0
@@ -12940,7 +13757,10 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -12973,7 +13793,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -13020,7 +13842,9 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             total16 = total283*total17
             total283_halves = halves(xp, total283)
             total17_halves = halves(xp, total17)
-            lost18 = total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
+            lost18 = (
+                total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
+            )
             total283 = fall_*mean2
             lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
             pulled_low = fall_low2*mean2 + lost17
@@ -13056,11 +13880,17 @@ def apart_fall_nyquist_rise_together(xp, gamma, delta):
             together_of = lost16 + total173
             return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-        apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
+            total3), no, (delta, gamma, half, lost2, root, size, total3))
+        )
 
         return apart_of, fall_of, nyquist_of, rise_of, together_of
 
-    apart_of, fall_of, nyquist_of, rise_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, fall_of, nyquist_of, rise_of, together_of = (
+        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
+        (delta, gamma, half, lost, total2))
+    )
 
     return apart_of, fall_of, nyquist_of, rise_of, together_of
 
@@ -13132,21 +13962,25 @@ def cubic_root(xp, k0, k1, k2, k3, low, high, rise_):
         next_moves = xp.where(down*(y - new) > 0.0, xp.full_like(down, 1.0), 0.0)
         return next_y, next_moves
 
-    y, moves = repeat(xp, 100, over, step, (xp.where(down > 0.0, high, low), 1.0), (down, high, k0, k1, k2, k3, low))
+    y, moves = repeat(xp, 100, over, step, (xp.where(down > 0.0, high, low), 1.0),
+        (down, high, k0, k1, k2, k3, low))
     return y
 
 
-def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d):
+def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
+    together_, apart_, center, beyond, d):
     """what the crossing on a piece, if there is one, adds"""
 
-    def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low, n1, slope, together_, zone):
+    def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss,
+        low, n1, slope, together_, zone):
         x = cubic_root(xp, k0, k1, k2, k3, low, high, at_high - at_low)
         case1 = zone == 1.0
         case2 = zone == 0.0
         y = xp.where(case2, x, xp.where(case1, center + x, 4.0 - x))
         rest = xp.where(case2, 4.0 - x, xp.where(case1, beyond - x, x))
 
-        def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope, together_, x, y, zone):
+        def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
+            together_, x, y, zone):
             off = xp.where(zone == 0.0, x - center, xp.where(zone == 1.0, x, beyond - x))
             at = xp.where(0.0 > y, 0.0, y)
             still = xp.where(0.0 > rest, 0.0, rest)
@@ -13167,31 +14001,44 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             halves3 = xp.where(case3, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
             turned3 = xp.atan2(xp.where(case3, -y2, y2), xp.abs(x2))
             case4 = at > 2.0
-            half = xp.atan2(xp.where(case4, square_root(xp, still), square_root(xp, at)), xp.where(case4, square_root(xp, at), square_root(xp, still)))
+            half = xp.atan2(xp.where(case4, square_root(xp, still), square_root(xp, at)),
+                xp.where(case4, square_root(xp, at), square_root(xp, still)))
             late = d + 2.0
             halves3 = halves2 - halves_ + halves3 - xp.where(case4, late, 0.0)
-            share = 0.5*(turned2 - late*xp.where(case4, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
+            share = (
+                0.5*(turned2 - late*xp.where(case4, -2.0*half, 2.0*half) - turned + turned3)/
+                3.141592653589793
+            )
             even = xp.floor(0.5*halves3)
             left = 0.5*halves3 - even
-            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
-            rises = xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
+            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0,
+                xp.floor(left + share + 0.5))
+            rises = (
+                xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
+                xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
+            )
             turned3 = -2.0*rises*turns
             return turned3
 
         def no(rest):
             return 0.0
 
-        turned4 = select(xp, (rest > 0.0) & (y > 0.0), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope, together_, x, y, zone), no, (rest,))
+        turned4 = select(xp, (rest > 0.0) & (y > 0.0), yes,
+            (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
+            together_, x, y, zone), no, (rest,))
 
         return turned4
 
     def no(at_high):
         return 0.0
 
-    return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) & (high > low), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low, n1, slope, together_, zone), no, (at_high,))
+    return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
+        (high > low), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1,
+        k2, k3, loss, low, n1, slope, together_, zone), no, (at_high,))
 
 
-def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d):
+def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
+    together_, apart_, center, beyond, d):
     """what the crossings between two points add to the count"""
     disc = (k2*k2) - 3.0*k1*k3
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
@@ -13227,10 +14074,14 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     height = first*(first*(first*k3 + k2) + k1) + k0
     height2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
     height3 = k0 + last*(k1 + last*(k2 + k3*last))
-    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, height, height2, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope, far,
+        n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, height, height2, zone, alpha,
+        slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha,
+        slope, far, n1, loss, together_, apart_, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha,
+        slope, far, n1, loss, together_, apart_, center, beyond, d)
     return found
 
 
@@ -13279,9 +14130,25 @@ def late_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together_
     before = own0 - one*(own1 - one*(own2 - one*own3))
     after = own0 + two*(own1 + two*(own2 + own3*two))
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-    end = xp.where(wall_far > 0.0, side, 0.0) - d + xp.where(apart_ > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) - 3.0
-    total = xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0, after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3, xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d) + zone_turns(xp, own0, own1, own2, own3, -one, two, before, after, xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d)
-    return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+    end = (
+        xp.where(wall_far > 0.0, side, 0.0) - d +
+        xp.where(apart_ > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) -
+        3.0
+    )
+    total = (
+        xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
+        (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side),
+        0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0,
+        after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together_,
+        apart_, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3,
+        xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha, slope,
+        wall_far, across, loss, together_, apart_, middle, rest, d) +
+        zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
+        xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together_, apart_,
+        middle, rest, d)
+    )
+    return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) |
+        (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
 
 
 def some_part(xp, d):
@@ -13293,7 +14160,10 @@ def some_part(xp, d):
 def stable_single(xp, roots, alpha, beta, gamma, delta):
     """The same in single precision."""
     swing_ = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) & (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) & (~((delta < 5.960464477539062e-07) & (gamma > 1.0) & (swing_ >= 4194304.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+    return xp.where((alpha > -gamma) & (roots == 0.0) &
+        (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
+        (~((delta < 5.960464477539062e-07) & (gamma > 1.0) &
+        (swing_ >= 4194304.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
@@ -13301,10 +14171,18 @@ def stable(xp, roots, alpha, beta, gamma, delta):
     if roots.dtype == xp.float32:
         return stable_single(xp, roots, alpha, beta, gamma, delta)
     swing_ = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) & (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) & (~((delta < 1.1102230246251565e-15) & (gamma > 1.0) & (swing_ >= 2251799813685248.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+    return xp.where((alpha > -gamma) & (roots == 0.0) &
+        (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
+        (~((delta < 1.1102230246251565e-15) & (gamma > 1.0) &
+        (swing_ >= 2251799813685248.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
 
 
-def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together_, apart_):
+def whole_part(xp, d):
+    """whole periods of a delay"""
+    return xp.floor(d)
+
+
+def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together_, apart_):
     """roots outside the unit circle"""
     e = 1.0 - loss
     slope = alpha + beta
@@ -13341,7 +14219,10 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     product3 = 4.0*far0*square
     size3 = square4 + xp.abs(product3)
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-    end = xp.where(wall_far > 0.0, side, 0.0) - d + xp.where(apart_ > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
+    end = (
+        xp.where(wall_far > 0.0, side, 0.0) - d +
+        xp.where(apart_ > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
+    )
 
     def yes(product2, square3):
         disc2 = square3 - product2
@@ -13357,14 +14238,17 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             disc = square2 - product
             return disc
 
-        disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no, (product, square2))
+        disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no,
+            (product, square2))
 
         return disc4
 
-    disc4 = select(xp, (size >= size2) & (size2 <= size3), yes, (product2, square3), no, (product, product3, size, size2, size3, square2, square4))
+    disc4 = select(xp, (size >= size2) & (size2 <= size3), yes, (product2, square3), no,
+        (product, product3, size, size2, size3, square2, square4))
 
 
-    def yes(alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far):
+    def yes(alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0,
+        own1, own2, slope, square, together_, wall_far):
 
         def yes(disc4, near0, near1, square):
             positive = disc4
@@ -13426,7 +14310,8 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             high = one
             return low, high
 
-        low, high = select(xp, near1 >= 0.0, yes, (disc4, near0, near1, square), no, (disc4, near0, near1, square))
+        low, high = select(xp, near1 >= 0.0, yes, (disc4, near0, near1, square), no,
+            (disc4, near0, near1, square))
 
 
         def yes(disc4, far0, far1, square):
@@ -13489,12 +14374,14 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             high3 = one3
             return low3, high3
 
-        low3, high3 = select(xp, far1 >= 0.0, yes, (disc4, far0, far1, square), no, (disc4, far0, far1, square))
+        low3, high3 = select(xp, far1 >= 0.0, yes, (disc4, far0, far1, square), no,
+            (disc4, far0, far1, square))
 
         edge = xp.where(high3 > low, low, high3)
         edge2 = xp.where(high < low3, high, low3)
 
-        def yes(alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far):
+        def yes(alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1,
+            own2, slope, together_, wall_far):
             late = d + 2.0
 
             def yes(disc4, own1, own2):
@@ -13559,23 +14446,31 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             halves3 = xp.where(case5, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
             turned3 = xp.atan2(xp.where(case5, -y, y), xp.abs(x))
             case6 = at > 2.0
-            half = xp.atan2(xp.where(case6, square_root(xp, still), square_root(xp, at)), xp.where(case6, square_root(xp, at), square_root(xp, still)))
+            half = xp.atan2(xp.where(case6, square_root(xp, still), square_root(xp, at)),
+                xp.where(case6, square_root(xp, at), square_root(xp, still)))
             halves3 = halves2 - halves_ + halves3 - xp.where(case6, late, 0.0)
-            share = 0.5*(turned2 - late*xp.where(case6, -2.0*half, 2.0*half) - turned + turned3)/3.141592653589793
+            share = (
+                0.5*(turned2 - late*xp.where(case6, -2.0*half, 2.0*half) - turned + turned3)/
+                3.141592653589793
+            )
             even = xp.floor(0.5*halves3)
             left = 0.5*halves3 - even
-            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
+            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0,
+                xp.floor(left + share + 0.5))
             found = 2.0*turns
             return found
 
         def no(edge):
             return 0.0
 
-        found = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1, own2, slope, together_, wall_far), no, (edge,))
+        found = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes,
+            (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1,
+            own2, slope, together_, wall_far), no, (edge,))
 
         total = found
 
-        def yes(alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far):
+        def yes(alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0,
+            own1, own2, slope, together_, wall_far):
             late2 = d + 2.0
 
             def yes(disc4, own0, own1):
@@ -13640,19 +14535,24 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
             halves7 = xp.where(case5, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
             turned6 = xp.atan2(xp.where(case5, -y4, y4), xp.abs(x4))
             case6 = at4 > 2.0
-            half2 = xp.atan2(xp.where(case6, square_root(xp, still4), square_root(xp, at4)), xp.where(case6, square_root(xp, at4), square_root(xp, still4)))
+            half2 = xp.atan2(xp.where(case6, square_root(xp, still4), square_root(xp, at4)),
+                xp.where(case6, square_root(xp, at4), square_root(xp, still4)))
             halves7 = halves6 - halves5 + halves7 - xp.where(case6, late2, 0.0)
-            share2 = 0.5*(turned5 - late2*xp.where(case6, -2.0*half2, 2.0*half2) - turned4 + turned6)/3.141592653589793
+            share2 = 0.5*(turned5 - late2*xp.where(case6, -2.0*half2, 2.0*half2) - turned4 +
+                turned6)/3.141592653589793
             even2 = xp.floor(0.5*halves7)
             left2 = 0.5*halves7 - even2
-            turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0, xp.floor(left2 + share2 + 0.5))
+            turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0,
+                xp.floor(left2 + share2 + 0.5))
             found2 = -2.0*turns2
             return found2
 
         def no(edge2):
             return 0.0
 
-        found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes, (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1, own2, slope, together_, wall_far), no, (edge2,))
+        found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes,
+            (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1,
+            own2, slope, together_, wall_far), no, (edge2,))
 
         total = found2 + total
         return total
@@ -13660,19 +14560,20 @@ def unstable_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, toget
     def no(disc4):
         return 0.0
 
-    total3 = select(xp, disc4 >= 0.0, yes, (alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far), no, (disc4,))
+    total3 = select(xp, disc4 >= 0.0, yes,
+        (alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0,
+        own1, own2, slope, square, together_, wall_far), no, (disc4,))
 
-    total4 = total3 + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-    return total4 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
-
-
-def whole_part(xp, d):
-    """whole periods of a delay"""
-    return xp.floor(d)
+    total4 = total3 + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
+        (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
+    return total4 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) |
+        (far0 < 0.0), end, 0.0)
 
 
 def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
-    """the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)"""
+    """the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2
+    j psi)
+    """
     t = xp.tan(psi)
     square = (t*t)
     t_halves = halves(xp, t)
@@ -13784,7 +14685,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
 
             total27 = even*twice2
 
-            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28, total56, twice2):
+            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28,
+                total56, twice2):
                 e = xp.exp(-delta)
                 total252 = e + 1.0
                 back18 = total252 - 1.0
@@ -13872,7 +14774,11 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 together_of = 2.0*lost56 + 2.0*total56
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2, total2, total27, total28, total56, twice2), no, (envelope, half, lost2, lost27, lost55, total2, total28, total56))
+            apart_of, nyquist_of, together_of = (
+                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2,
+                total2, total27, total28, total56, twice2), no,
+                (envelope, half, lost2, lost27, lost55, total2, total28, total56))
+            )
 
             return apart_of, nyquist_of, together_of
 
@@ -13924,7 +14830,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, odd, odd_low2
 
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
@@ -13994,9 +14901,13 @@ def apart_nyquist_together_single(xp, gamma, delta):
             total232 = total162/whole32
             far = (total232*total232)
 
-            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size, square2, stiff, total192, total202, total212, total222, total232, total26, total262, twice2, whole32):
+            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size,
+                square2, stiff, total192, total202, total212, total222, total232, total26,
+                total262, twice2, whole32):
 
-                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff, total192, total202, total212, total222, total232, total26, total262, twice2, whole32):
+                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff,
+                    total192, total202, total212, total222, total232, total26, total262, twice2,
+                    whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -14057,7 +14968,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     total252 = given22*total302
                     given22_halves = halves(xp, given22)
                     total302_halves = halves(xp, total302)
-                    lost202 = given22*mean_low5 + product_error(total252, given22_halves, total302_halves)
+                    lost202 = given22*mean_low5 + product_error(total252, given22_halves,
+                        total302_halves)
                     total302 = 1.0 - total252
                     back18 = total302 - 1.0
                     lost222 = -back18 - total252
@@ -14071,11 +14983,13 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     lost222 = low42 - back18
                     total252 = (total34*total34)
                     total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves, total34_halves)
+                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves,
+                        total34_halves)
                     total34 = total253*total302
                     total302_halves = halves(xp, total302)
                     total253_halves = halves(xp, total253)
-                    lost202 = lift_low*total302 + product_error(total34, total302_halves, total253_halves)
+                    lost202 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
                     total302 = total252 + 2.0*total34
                     back18 = total302 - total252
                     rest9 = total302 - back18
@@ -14109,17 +15023,20 @@ def apart_nyquist_together_single(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost26 + total26
                     nyquist_of = lost252 + lost202 + lost272 + total272
                     together_of = lost212 + total253
                     return apart_of, nyquist_of, together_of
 
-                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff, total26, total262, twice2):
+                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff,
+                    total26, total262, twice2):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -14153,7 +15070,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     total252 = envelope*total103
                     envelope_halves = halves(xp, envelope)
                     total103_halves = halves(xp, total103)
-                    lost93 = envelope*low4 + product_error(total252, envelope_halves, total103_halves)
+                    lost93 = envelope*low4 + product_error(total252, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total252
                     back83 = total103 - total252
                     rest33 = total103 - back83
@@ -14187,23 +15105,33 @@ def apart_nyquist_together_single(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost26 + total26
                     nyquist_of = lost252 + lost93 + lost272 + total272
                     together_of = 4.0*lost103 + 4.0*total252
                     return apart_of, nyquist_of, together_of
 
-                apart_of, nyquist_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff, total192, total202, total212, total222, total232, total26, total262, twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root, size, square2, stiff, total26, total262, twice2))
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, even, half, lost2, lost26, low32, root, size, square2,
+                    stiff, total192, total202, total212, total222, total232, total26, total262,
+                    twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root,
+                    size, square2, stiff, total26, total262, twice2))
+                )
 
                 return apart_of, nyquist_of, together_of
 
-            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192, total202, total212, total222, total232, total26, whole32):
+            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192,
+                total202, total212, total222, total232, total26, whole32):
 
-                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192, total202, total212, total222, total232, total26, whole32):
+                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -14230,7 +15158,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest32 = total102 - back82
@@ -14284,7 +15213,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     total92 = given22*total302
                     given22_halves = halves(xp, given22)
                     total302_halves = halves(xp, total302)
-                    lost102 = given22*mean_low5 + product_error(total92, given22_halves, total302_halves)
+                    lost102 = given22*mean_low5 + product_error(total92, given22_halves,
+                        total302_halves)
                     total302 = 1.0 - total92
                     back82 = total302 - 1.0
                     lost222 = -back82 - total92
@@ -14298,11 +15228,13 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     lost222 = low42 - back82
                     total92 = (total34*total34)
                     total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves, total34_halves)
+                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves,
+                        total34_halves)
                     total34 = total253*total302
                     total302_halves = halves(xp, total302)
                     total253_halves = halves(xp, total253)
-                    lost102 = lift_low*total302 + product_error(total34, total302_halves, total253_halves)
+                    lost102 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
                     total302 = total92 + 2.0*total34
                     back82 = total302 - total92
                     rest32 = total302 - back82
@@ -14349,7 +15281,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest32 = total102 - back82
@@ -14370,7 +15303,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     low4 = lost92 + 2.0*lost102*total92
                     total92 = envelope*total103
                     total103_halves = halves(xp, total103)
-                    lost102 = envelope*low4 + product_error(total92, envelope_halves, total103_halves)
+                    lost102 = envelope*low4 + product_error(total92, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total92
                     back72 = total103 - total92
                     rest32 = total103 - back72
@@ -14390,15 +15324,27 @@ def apart_nyquist_together_single(xp, gamma, delta):
                     together_of = 4.0*lost92 + 4.0*total92
                     return apart_of, nyquist_of, together_of
 
-                apart_of, nyquist_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192, total202, total212, total222, total232, total26, whole32), no, (envelope, half, lost2, lost26, root, size, stiff, total26))
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32), no,
+                    (envelope, half, lost2, lost26, root, size, stiff, total26))
+                )
 
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2, lost25, low32, root, size, square2, stiff, total152, total162, total142, total222, total232, total24, total25, twice2, whole32), no, (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152, total162, total142, total222, total232, total24, whole32))
+            apart_of, nyquist_of, together_of = (
+                select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2,
+                lost25, low32, root, size, square2, stiff, total152, total162, total142,
+                total222, total232, total24, total25, twice2, whole32), no,
+                (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152,
+                total162, total142, total222, total232, total24, whole32))
+            )
 
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
 
         return apart_of, nyquist_of, together_of
 
@@ -14461,7 +15407,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -14496,7 +15443,10 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -14528,7 +15478,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
             total31 = total27*total30
             total27_halves = halves(xp, total27)
             total30_halves = halves(xp, total30)
-            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves, total30_halves)
+            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves,
+                total30_halves)
             apart_of = lost3 + total28
             nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
             together_of = 2.0*lost55 + 2.0*total56
@@ -14566,7 +15517,8 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -14599,7 +15551,9 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
             total282 = fall_ + 1.0
@@ -14616,7 +15570,10 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -14649,7 +15606,9 @@ def apart_nyquist_together_single(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -14678,7 +15637,9 @@ def apart_nyquist_together_single(xp, gamma, delta):
             total17 = total282*total16
             total282_halves = halves(xp, total282)
             total16_halves = halves(xp, total16)
-            lost18 = total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            lost18 = (
+                total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            )
             total282 = 1.0 - fast
             back3 = total282 - 1.0
             lost17 = -back3 - fast
@@ -14697,11 +15658,14 @@ def apart_nyquist_together_single(xp, gamma, delta):
             together_of = lost17 + total282
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (delta, gamma, half, lost2, root, size, total3))
 
         return apart_of, nyquist_of, together_of
 
-    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes,
+        (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
 
     return apart_of, nyquist_of, together_of
 
@@ -14773,7 +15737,8 @@ def apart_nyquist_together(xp, gamma, delta):
 
             total27 = even*twice2
 
-            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28, total56, twice2):
+            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28,
+                total56, twice2):
                 e = xp.exp(-delta)
                 total252 = e + 1.0
                 back18 = total252 - 1.0
@@ -14861,7 +15826,11 @@ def apart_nyquist_together(xp, gamma, delta):
                 together_of = 2.0*lost56 + 2.0*total56
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2, total2, total27, total28, total56, twice2), no, (envelope, half, lost2, lost27, lost55, total2, total28, total56))
+            apart_of, nyquist_of, together_of = (
+                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2,
+                total2, total27, total28, total56, twice2), no,
+                (envelope, half, lost2, lost27, lost55, total2, total28, total56))
+            )
 
             return apart_of, nyquist_of, together_of
 
@@ -14913,7 +15882,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 odd_low2 = lost22
                 return even, odd, odd_low2
 
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, root, size))
+            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                (lost2, root, size))
 
             total24 = envelope*odd
             envelope_halves = halves(xp, envelope)
@@ -14983,9 +15953,13 @@ def apart_nyquist_together(xp, gamma, delta):
             total232 = total162/whole32
             far = (total232*total232)
 
-            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size, square2, stiff, total192, total202, total212, total222, total232, total26, total262, twice2, whole32):
+            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size,
+                square2, stiff, total192, total202, total212, total222, total232, total26,
+                total262, twice2, whole32):
 
-                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff, total192, total202, total212, total222, total232, total26, total262, twice2, whole32):
+                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff,
+                    total192, total202, total212, total222, total232, total26, total262, twice2,
+                    whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -15046,7 +16020,8 @@ def apart_nyquist_together(xp, gamma, delta):
                     total252 = given22*total302
                     given22_halves = halves(xp, given22)
                     total302_halves = halves(xp, total302)
-                    lost202 = given22*mean_low5 + product_error(total252, given22_halves, total302_halves)
+                    lost202 = given22*mean_low5 + product_error(total252, given22_halves,
+                        total302_halves)
                     total302 = 1.0 - total252
                     back18 = total302 - 1.0
                     lost222 = -back18 - total252
@@ -15060,11 +16035,13 @@ def apart_nyquist_together(xp, gamma, delta):
                     lost222 = low42 - back18
                     total252 = (total34*total34)
                     total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves, total34_halves)
+                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves,
+                        total34_halves)
                     total34 = total253*total302
                     total302_halves = halves(xp, total302)
                     total253_halves = halves(xp, total253)
-                    lost202 = lift_low*total302 + product_error(total34, total302_halves, total253_halves)
+                    lost202 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
                     total302 = total252 + 2.0*total34
                     back18 = total302 - total252
                     rest9 = total302 - back18
@@ -15098,17 +16075,20 @@ def apart_nyquist_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost26 + total26
                     nyquist_of = lost252 + lost202 + lost272 + total272
                     together_of = lost212 + total253
                     return apart_of, nyquist_of, together_of
 
-                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff, total26, total262, twice2):
+                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff,
+                    total26, total262, twice2):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -15142,7 +16122,8 @@ def apart_nyquist_together(xp, gamma, delta):
                     total252 = envelope*total103
                     envelope_halves = halves(xp, envelope)
                     total103_halves = halves(xp, total103)
-                    lost93 = envelope*low4 + product_error(total252, envelope_halves, total103_halves)
+                    lost93 = envelope*low4 + product_error(total252, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total252
                     back83 = total103 - total252
                     rest33 = total103 - back83
@@ -15176,23 +16157,33 @@ def apart_nyquist_together(xp, gamma, delta):
                         even_low2 = -root_low*sine
                         return even_low2
 
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (root, root_low))
+                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
+                        (root, root_low))
 
                     twice2_halves = halves(xp, twice2)
                     even_halves = halves(xp, even)
-                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
+                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
+                        even_halves)
                     apart_of = lost26 + total26
                     nyquist_of = lost252 + lost93 + lost272 + total272
                     together_of = 4.0*lost103 + 4.0*total252
                     return apart_of, nyquist_of, together_of
 
-                apart_of, nyquist_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff, total192, total202, total212, total222, total232, total26, total262, twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root, size, square2, stiff, total26, total262, twice2))
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, delta, even, half, lost2, lost26, low32, root, size, square2,
+                    stiff, total192, total202, total212, total222, total232, total26, total262,
+                    twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root,
+                    size, square2, stiff, total26, total262, twice2))
+                )
 
                 return apart_of, nyquist_of, together_of
 
-            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192, total202, total212, total222, total232, total26, whole32):
+            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192,
+                total202, total212, total222, total232, total26, whole32):
 
-                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192, total202, total212, total222, total232, total26, whole32):
+                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32):
                     sign_low = -lost2
                     left = size - (root*root)
                     root_halves = halves(xp, root)
@@ -15219,7 +16210,8 @@ def apart_nyquist_together(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest32 = total102 - back82
@@ -15273,7 +16265,8 @@ def apart_nyquist_together(xp, gamma, delta):
                     total92 = given22*total302
                     given22_halves = halves(xp, given22)
                     total302_halves = halves(xp, total302)
-                    lost102 = given22*mean_low5 + product_error(total92, given22_halves, total302_halves)
+                    lost102 = given22*mean_low5 + product_error(total92, given22_halves,
+                        total302_halves)
                     total302 = 1.0 - total92
                     back82 = total302 - 1.0
                     lost222 = -back82 - total92
@@ -15287,11 +16280,13 @@ def apart_nyquist_together(xp, gamma, delta):
                     lost222 = low42 - back82
                     total92 = (total34*total34)
                     total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves, total34_halves)
+                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves,
+                        total34_halves)
                     total34 = total253*total302
                     total302_halves = halves(xp, total302)
                     total253_halves = halves(xp, total253)
-                    lost102 = lift_low*total302 + product_error(total34, total302_halves, total253_halves)
+                    lost102 = lift_low*total302 + product_error(total34, total302_halves,
+                        total253_halves)
                     total302 = total92 + 2.0*total34
                     back82 = total302 - total92
                     rest32 = total302 - back82
@@ -15338,7 +16333,8 @@ def apart_nyquist_together(xp, gamma, delta):
                     total92 = envelope*total102
                     envelope_halves = halves(xp, envelope)
                     total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
+                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
+                        total102_halves)
                     total102 = (grown*grown) + total92
                     back82 = total102 - total92
                     rest32 = total102 - back82
@@ -15359,7 +16355,8 @@ def apart_nyquist_together(xp, gamma, delta):
                     low4 = lost92 + 2.0*lost102*total92
                     total92 = envelope*total103
                     total103_halves = halves(xp, total103)
-                    lost102 = envelope*low4 + product_error(total92, envelope_halves, total103_halves)
+                    lost102 = envelope*low4 + product_error(total92, envelope_halves,
+                        total103_halves)
                     total103 = (grown*grown) + total92
                     back72 = total103 - total92
                     rest32 = total103 - back72
@@ -15379,15 +16376,27 @@ def apart_nyquist_together(xp, gamma, delta):
                     together_of = 4.0*lost92 + 4.0*total92
                     return apart_of, nyquist_of, together_of
 
-                apart_of, nyquist_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes, (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192, total202, total212, total222, total232, total26, whole32), no, (envelope, half, lost2, lost26, root, size, stiff, total26))
+                apart_of, nyquist_of, together_of = (
+                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
+                    (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
+                    total202, total212, total222, total232, total26, whole32), no,
+                    (envelope, half, lost2, lost26, root, size, stiff, total26))
+                )
 
                 return apart_of, nyquist_of, together_of
 
-            apart_of, nyquist_of, together_of = select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2, lost25, low32, root, size, square2, stiff, total152, total162, total142, total222, total232, total24, total25, twice2, whole32), no, (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152, total162, total142, total222, total232, total24, whole32))
+            apart_of, nyquist_of, together_of = (
+                select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2,
+                lost25, low32, root, size, square2, stiff, total152, total162, total142,
+                total222, total232, total24, total25, twice2, whole32), no,
+                (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152,
+                total162, total142, total222, total232, total24, whole32))
+            )
 
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
 
         return apart_of, nyquist_of, together_of
 
@@ -15450,7 +16459,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -15485,7 +16495,10 @@ def apart_nyquist_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -15517,7 +16530,8 @@ def apart_nyquist_together(xp, gamma, delta):
             total31 = total27*total30
             total27_halves = halves(xp, total27)
             total30_halves = halves(xp, total30)
-            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves, total30_halves)
+            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves,
+                total30_halves)
             apart_of = lost3 + total28
             nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
             together_of = 2.0*lost55 + 2.0*total56
@@ -15555,7 +16569,8 @@ def apart_nyquist_together(xp, gamma, delta):
                 total5 = curved + total4
                 back4 = total5 - total4
                 lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
+                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
+                    0.5)
                 total4 = given*total5
                 given_halves = halves(xp, given)
                 total5_halves = halves(xp, total5)
@@ -15588,7 +16603,9 @@ def apart_nyquist_together(xp, gamma, delta):
                 mean_low2 = lost8
                 return fall_, fall_low2, mean, mean_low2
 
-            fall_, fall_low2, mean, mean_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            fall_, fall_low2, mean, mean_low2 = (
+                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+            )
 
             twice = 2.0*fall_
             total282 = fall_ + 1.0
@@ -15605,7 +16622,10 @@ def apart_nyquist_together(xp, gamma, delta):
                 total11 = curved2 + total10
                 back8 = total11 - total10
                 lost11 = curved2 - back8
-                mean_low3 = lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
+                mean_low3 = (
+                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
+                    given2 + 0.5)
+                )
                 total10 = given2*total11
                 given2_halves = halves(xp, given2)
                 total11_halves = halves(xp, total11)
@@ -15638,7 +16658,9 @@ def apart_nyquist_together(xp, gamma, delta):
                 mean_low4 = lost14
                 return fall2, fall_low4, mean2, mean_low4
 
-            fall2, fall_low4, mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            fall2, fall_low4, mean2, mean_low4 = (
+                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+            )
 
             fast = fall_*fall2
             total16 = mean2*twice
@@ -15667,7 +16689,9 @@ def apart_nyquist_together(xp, gamma, delta):
             total17 = total282*total16
             total282_halves = halves(xp, total282)
             total16_halves = halves(xp, total16)
-            lost18 = total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            lost18 = (
+                total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
+            )
             total282 = 1.0 - fast
             back3 = total282 - 1.0
             lost17 = -back3 - fast
@@ -15686,11 +16710,14 @@ def apart_nyquist_together(xp, gamma, delta):
             together_of = lost17 + total282
             return apart_of, nyquist_of, together_of
 
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes, (gamma, half, lost2, root, size, total2, total3), no, (delta, gamma, half, lost2, root, size, total3))
+        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
+            (gamma, half, lost2, root, size, total2, total3), no,
+            (delta, gamma, half, lost2, root, size, total3))
 
         return apart_of, nyquist_of, together_of
 
-    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
+    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes,
+        (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
 
     return apart_of, nyquist_of, together_of
 
@@ -15732,7 +16759,10 @@ def cos_next_sin_next_single(xp, k, x):
     two = missed*x - back
     lost4 = one + two
     number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-    low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+    low = (
+        lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+        product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+    )
     missed_halves = halves(xp, missed)
     low = low + product_error(missed*x, missed_halves, x_halves)
     wave = xp.sin(total2)
@@ -15753,7 +16783,8 @@ def cos_next_sin_next_single(xp, k, x):
         value2 = sine
         return value, value2
 
-    value, value2 = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+    value, value2 = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+        (low, still, wave))
 
     cos_next_of = xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value, value)
     sin_next_of = xp.where(turn_ >= 2.0, -value2, value2)
@@ -15818,7 +16849,10 @@ def cos_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -15834,7 +16868,8 @@ def cos_next_single(xp, k, x):
             value = cosine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return -value
 
@@ -15871,7 +16906,10 @@ def cos_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -15887,11 +16925,13 @@ def cos_next_single(xp, k, x):
             value = cosine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return value
 
-    return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
+    return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x),
+        no, (angle, count, k, quarters, turn_, x))
 
 
 def cos_next(xp, k, x):
@@ -16031,10 +17071,23 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
     t18 = apart_*t11
     t19 = at_one*t5
     k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
-    k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
-    k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
-    k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
-    k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    k2 = last*(32.0*at_minus_one*t3 + last*
+        (64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*
+        t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+    k3 = (
+        last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
+        (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
+        t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
+        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+    )
+    k4 = (
+        last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*
+        (t6*t3 + t15*(at_minus_one + t13) + t19)
+    )
+    k5 = (
+        last*(t16*t17 + t8*(t6*together_ - t18)) + together_*
+        (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    )
 
     def over(count, found, k, k2, k3, k4, k5):
         return (count > 24.0) | (found > 0.0)
@@ -16050,7 +17103,8 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
 
     def yes(count, k, k2, k3, k4, k5):
         high = 0.041666666666666664*3.141592653589793*count
-        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*high, 0.041666666666666664*3.141592653589793*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*
+            high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
         def yes(low2):
@@ -16068,7 +17122,11 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
             def no(above, below, high2, k, k2, k3, k4, k5, low2):
 
                 def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 2.384185791015625e-07*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
                 def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
                     span = c - b
@@ -16077,7 +17135,8 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -16089,7 +17148,10 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     other = fa/three
                     last2 = fb/two
                     guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                    edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
@@ -16104,11 +17166,13 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, below, high2, k, k2, k3, k4, k5, low2))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, below, high2, k, k2, k3, k4, k5, low2))
 
             return root
 
@@ -16146,10 +17210,23 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
     t18 = apart_*t11
     t19 = at_one*t5
     k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
-    k2 = last*(32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
-    k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*(9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*(t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
-    k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*(t6*t3 + t15*(at_minus_one + t13) + t19)
-    k5 = last*(t16*t17 + t8*(t6*together_ - t18)) + together_*(t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    k2 = last*(32.0*at_minus_one*t3 + last*
+        (64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*
+        t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+    k3 = (
+        last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
+        (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
+        t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
+        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+    )
+    k4 = (
+        last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*
+        (t6*t3 + t15*(at_minus_one + t13) + t19)
+    )
+    k5 = (
+        last*(t16*t17 + t8*(t6*together_ - t18)) + together_*
+        (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
+    )
 
     def over(count, found, k, k2, k3, k4, k5):
         return (count > 24.0) | (found > 0.0)
@@ -16165,7 +17242,8 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
 
     def yes(count, k, k2, k3, k4, k5):
         high = 0.041666666666666664*3.141592653589793*count
-        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*high, 0.041666666666666664*3.141592653589793*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*
+            high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
         def yes(low2):
@@ -16183,7 +17261,11 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
             def no(above, below, high2, k, k2, k3, k4, k5, low2):
 
                 def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 4.440892098500626e-16*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
                 def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
                     span = c - b
@@ -16192,7 +17274,8 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -16204,7 +17287,10 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     other = fa/three
                     last2 = fb/two
                     guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                    edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
@@ -16219,11 +17305,13 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, below, high2, k, k2, k3, k4, k5, low2))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, below, high2, k, k2, k3, k4, k5, low2))
 
             return root
 
@@ -16277,7 +17365,10 @@ def sin_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -16293,7 +17384,8 @@ def sin_next_single(xp, k, x):
             value = sine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return -value
 
@@ -16330,7 +17422,10 @@ def sin_next_single(xp, k, x):
         two = missed*x - back
         lost4 = one + two
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters - product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        low = (
+            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total2)
@@ -16346,11 +17441,13 @@ def sin_next_single(xp, k, x):
             value = sine
             return value
 
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no, (low, still, wave))
+        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
+            (low, still, wave))
 
         return value
 
-    return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no, (angle, count, k, quarters, turn_, x))
+    return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no,
+        (angle, count, k, quarters, turn_, x))
 
 
 def sin_next(xp, k, x):
@@ -16390,7 +17487,11 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     t6 = (t10*t10) + t16*t6
     t18 = t15*t6
     t5 = t5 + 1.0
-    return (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*(t7 + together_))) - t4*(0.5*t18 + t5*(t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
+    return (
+        (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*
+        (t7 + together_))) - t4*(0.5*t18 + t5*
+        (t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
+    )
 
 
 def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
@@ -16401,17 +17502,20 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
         return (count > 24.0) | (found > 0.0)
 
     def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss,
+            together_, apart_, across)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0),
+        (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
 
     def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
         high = 0.041666666666666664*count*turn_
-        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
+            0.041666666666666664*turn_*(count - 1.0))
         above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
         def yes(low2):
@@ -16420,25 +17524,34 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
 
         def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
             high2 = high
-            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_,
+                across)
 
             def yes(high2):
                 root = high2
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_):
 
-                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 2.384185791015625e-07*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
-                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
                     span = c - b
                     rise_ = fc - fb
                     whole = xp.where(span == 0.0, 1.0, span)
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -16450,12 +17563,16 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
                     other = fa/three
                     last = fb/two
                     guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                    edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
                     new = a + share*width
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
+                        apart_, across)
                     case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                     next_b = xp.where(case2, b, a)
                     next_fb = xp.where(case2, fb, fa)
@@ -16465,22 +17582,28 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below),
+                    (across, apart_, at_minus_one, at_one, l, loss, together_))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_))
 
             return root
 
-        root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+        root = select(xp, above <= 0.0, yes, (low,), no,
+            (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
 
         return root
 
     def no(found):
         return xp.nan
 
-    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss,
+        together_, turn_), no, (found,))
 
 
 def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
@@ -16493,17 +17616,20 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
         return (count > 24.0) | (found > 0.0)
 
     def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
-        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss, together_, apart_, across)
+        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss,
+            together_, apart_, across)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+    count, found = repeat(xp, 24, over, step, (1.0, 0.0),
+        (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
 
     def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
         high = 0.041666666666666664*count*turn_
-        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high, 0.041666666666666664*turn_*(count - 1.0))
+        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
+            0.041666666666666664*turn_*(count - 1.0))
         above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
         def yes(low2):
@@ -16512,25 +17638,34 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
 
         def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
             high2 = high
-            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_, across)
+            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_,
+                across)
 
             def yes(high2):
                 root = high2
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_):
+            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_):
 
-                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
-                    return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
+                    return (
+                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                        (xp.abs(a - b) <= 4.440892098500626e-16*
+                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                    )
 
-                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss, together_):
+                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
+                    together_):
                     span = c - b
                     rise_ = fc - fb
                     whole = xp.where(span == 0.0, 1.0, span)
                     place = (a - b)/whole
                     whole = xp.where(rise_ == 0.0, 1.0, rise_)
                     height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                     case1 = safe > 0.0
                     one = xp.where(case1, fb - fa, 1.0)
                     two = xp.where(case1, fb - fc, 1.0)
@@ -16542,12 +17677,16 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                     other = fa/three
                     last = fb/two
                     guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                    edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                    edge = (
+                        4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                        xp.abs(whole)
+                    )
                     edge = xp.where(0.5 < edge, 0.5, edge)
                     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                     share = xp.where(edge > share, edge, share)
                     new = a + share*width
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_, apart_, across)
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
+                        apart_, across)
                     case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                     next_b = xp.where(case2, b, a)
                     next_fb = xp.where(case2, fb, fa)
@@ -16557,22 +17696,28 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                     next_fc = xp.where(case2, fa, fb)
                     return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low2, above, high2, below, high2, below), (across, apart_, at_minus_one, at_one, l, loss, together_))
+                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                    (low2, above, high2, below, high2, below),
+                    (across, apart_, at_minus_one, at_one, l, loss, together_))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no, (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2, together_))
+            root = select(xp, below >= 0.0, yes, (high2,), no,
+                (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+                together_))
 
             return root
 
-        root = select(xp, above <= 0.0, yes, (low,), no, (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+        root = select(xp, above <= 0.0, yes, (low,), no,
+            (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
 
         return root
 
     def no(found):
         return xp.nan
 
-    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss,
+        together_, turn_), no, (found,))
 
 
 def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
@@ -16583,7 +17728,8 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
     t3 = 2.0*together_
     t4 = (together_*together_)
     k2 = t3*((apart_*apart_)*at_one + together_*(at_minus_one*(t + t2) + loss*t))
-    k3 = together_*(at_minus_one*t4 + at_one*(t4 + ((-apart_ - t2)*(-apart_ - t2))) + loss*t3*(2.0*together_ - apart_))
+    k3 = together_*(at_minus_one*t4 + at_one*(t4 + ((-apart_ - t2)*(-apart_ - t2))) + loss*t3*
+        (2.0*together_ - apart_))
 
     def yes(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
@@ -16614,7 +17760,8 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
     return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
 
 
-def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
+def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
+    together_, apart_):
     """The same in single precision."""
 
     def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
@@ -16634,11 +17781,13 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
                 theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_),
+                no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no,
+            (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
 
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
@@ -16659,37 +17808,51 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         def yes(d):
             return 1.0
 
-        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
+        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
+            t14, together_):
             damping = t14
-            inside = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
+            inside_ = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
 
-            def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def yes(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_):
+                outside = whole_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def no(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_):
+                outside = late_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+            outside = select(xp, part == 0.0, yes,
+                (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_),
+                no, (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_))
 
-            good = stable(xp, outside, inside, damping, gamma, delta)
+            good = stable(xp, outside, inside_, damping, gamma, delta)
             return good
 
-        good = select(xp, (delta > 0.0) & (gamma > -stiffness) & (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no, (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7, together_))
+        good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
+            (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
+            (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
+            together_))
 
         return xp.where(good > 0.0, theta, xp.nan)
 
     def no(d):
         return xp.nan
 
-    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) & (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_), no, (d,))
+    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
+        (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
+        part, together_), no, (d,))
 
 
-def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_):
+def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
+    together_, apart_):
     """the angle of the wall of largest stable stiffness, or NaN"""
     if gamma.dtype == xp.float32:
-        return stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together_, apart_)
+        return stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one,
+            at_minus_one, loss, together_, apart_)
 
     def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
         across = xp.where(part == 0.0, first, first - last)
@@ -16708,11 +17871,13 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
                 theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_),
+                no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no, (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
+        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no,
+            (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
 
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
@@ -16733,31 +17898,43 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         def yes(d):
             return 1.0
 
-        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t14, together_):
+        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
+            t14, together_):
             damping = t14
-            inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
+            inside_ = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
 
-            def yes(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = unstable_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def yes(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_):
+                outside = whole_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_):
-                outside = late_roots(xp, inside, damping, l, first, last, at_one, at_minus_one, loss, together_, apart_)
+            def no(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_):
+                outside = late_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
+                    loss, together_, apart_)
                 return outside
 
-            outside = select(xp, part == 0.0, yes, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_), no, (apart_, at_minus_one, at_one, damping, first, inside, l, last, loss, together_))
+            outside = select(xp, part == 0.0, yes,
+                (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_),
+                no, (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
+                together_))
 
-            good = stable(xp, outside, inside, damping, gamma, delta)
+            good = stable(xp, outside, inside_, damping, gamma, delta)
             return good
 
-        good = select(xp, (delta > 0.0) & (gamma > -stiffness) & (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no, (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7, together_))
+        good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
+            (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
+            (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
+            together_))
 
         return xp.where(good > 0.0, theta, xp.nan)
 
     def no(d):
         return xp.nan
 
-    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) & (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_), no, (d,))
+    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
+        (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
+        part, together_), no, (d,))
 
 
 def gap_single(xp, x):
@@ -16830,16 +18007,26 @@ def need(xp, alpha, beta, l, epsilon, psi):
     """the damping that the wall needs at the angle 2 psi"""
 
     def yes(alpha, beta, l, psi):
-        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
+        early = (
+            0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
+            cos_next(xp, l, 2.0*psi)
+        )
         return early
 
     def no(alpha, beta, epsilon, l, psi):
-        early = 0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*cos_next(xp, l, 2.0*psi)
-        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) - beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
-        root = square_root(xp, epsilon*(1.0 - epsilon)*((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(xp.sin(psi)*xp.sin(psi))) + (n*n))
+        early = (
+            0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
+            cos_next(xp, l, 2.0*psi)
+        )
+        n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) -
+            beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
+        root = square_root(xp, epsilon*(1.0 - epsilon)*
+            ((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*
+            (xp.sin(psi)*xp.sin(psi))) + (n*n))
         return 0.5*n + 0.5*root
 
-    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no, (alpha, beta, epsilon, l, psi))
+    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no,
+        (alpha, beta, epsilon, l, psi))
 
 
 def chord(xp, k, x):
@@ -16873,7 +18060,10 @@ def rising(xp, alpha, beta, l, epsilon, psi):
     t4 = t4 + 4.0
     early = t3*(t5*t5)*sinc(xp, psi*t5) - t2*chord(xp, l, t)
     steep = early + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - early - t2*chord(xp, l + 1.0, t))
-    return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*need(xp, alpha, beta, l, epsilon, psi)
+    return (
+        2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*
+        need(xp, alpha, beta, l, epsilon, psi)
+    )
 
 
 def steepness(xp, alpha, beta, l, epsilon, psi):
@@ -16881,11 +18071,18 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
 
     def yes(alpha, beta, l, psi):
         t = 2.0*l + 2.0
-        early = (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/(sinc(xp, psi)*sinc(xp, psi))
+        early = (
+            (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/
+            (sinc(xp, psi)*sinc(xp, psi))
+        )
         return early
 
     def no(alpha, beta, epsilon, l, psi):
-        phase = psi*(2.0*l + 2.0) + xp.atan2(alpha*xp.cos(psi), (alpha + 2.0*beta)*xp.sin(psi)) + xp.atan2(epsilon*xp.sin(2.0*psi), epsilon*xp.cos(2.0*psi) - epsilon + 1.0) - 3.141592653589793
+        phase = (
+            psi*(2.0*l + 2.0) + xp.atan2(alpha*xp.cos(psi), (alpha + 2.0*beta)*xp.sin(psi)) +
+            xp.atan2(epsilon*xp.sin(2.0*psi), epsilon*xp.cos(2.0*psi) - epsilon + 1.0) -
+            3.141592653589793
+        )
 
         def yes(alpha, beta, epsilon, l, psi):
             rising_ = rising(xp, alpha, beta, l, epsilon, psi)
@@ -16895,9 +18092,11 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
             rising_ = rising(xp, alpha, beta, l, epsilon, psi)
             return rising_
 
-        return select(xp, phase > 0.0, yes, (alpha, beta, epsilon, l, psi), no, (alpha, beta, epsilon, l, psi))
+        return select(xp, phase > 0.0, yes, (alpha, beta, epsilon, l, psi), no,
+            (alpha, beta, epsilon, l, psi))
 
-    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no, (alpha, beta, epsilon, l, psi))
+    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no,
+        (alpha, beta, epsilon, l, psi))
 
 
 def worst_angle_single(xp, alpha, beta, l, epsilon):
@@ -16922,7 +18121,11 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
         def no(above, below, damping, epsilon, high, l, stiffness):
 
             def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 7.62939453125e-06*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
                 span = c - b
@@ -16931,7 +18134,8 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
                 place = (a - b)/whole2
                 whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole2
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -16943,7 +18147,9 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
-                edge = 7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                edge = (
+                    7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -16958,11 +18164,13 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, damping, epsilon, high, l, stiffness))
+        root = select(xp, below >= 0.0, yes, (high,), no,
+            (above, below, damping, epsilon, high, l, stiffness))
 
         return root
 
@@ -16995,7 +18203,11 @@ def worst_angle(xp, alpha, beta, l, epsilon):
         def no(above, below, damping, epsilon, high, l, stiffness):
 
             def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 4.656612873077393e-10*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
                 span = c - b
@@ -17004,7 +18216,8 @@ def worst_angle(xp, alpha, beta, l, epsilon):
                 place = (a - b)/whole2
                 whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole2
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -17016,7 +18229,10 @@ def worst_angle(xp, alpha, beta, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
-                edge = 4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
+                edge = (
+                    4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole2)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -17031,11 +18247,13 @@ def worst_angle(xp, alpha, beta, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, damping, epsilon, high, l, stiffness))
+        root = select(xp, below >= 0.0, yes, (high,), no,
+            (above, below, damping, epsilon, high, l, stiffness))
 
         return root
 
@@ -17161,7 +18379,11 @@ def turn_single(xp, psi, l, epsilon):
     t14 = t12*t5
     t15 = t13*t14
     t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    above = (
+        -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*
+        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
+        square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    )
 
     def yes(above):
         return 0.0
@@ -17175,24 +18397,36 @@ def turn_single(xp, psi, l, epsilon):
         t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
         t27 = wave5
         t32 = epsilon*(t27 - wave6)
-        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
+        below = (
+            -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
+            (0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
+            ((t32 - t27)*(t32 - t27))))
+        )
 
         def yes(below):
             return 0.5*3.141592653589793
 
-        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9):
 
-            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 2.384185791015625e-07*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
-            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
                 span = c - b
                 rise_ = fc - fb
                 whole = xp.where(span == 0.0, 1.0, span)
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -17204,7 +18438,10 @@ def turn_single(xp, psi, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -17225,7 +18462,13 @@ def turn_single(xp, psi, l, epsilon):
                 t46 = t37*t44
                 t47 = t45*t46
                 t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                value = (
+                    -2.0*t38*t39*wave8*(t33 + t37) -
+                    (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*
+                    (0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*
+                    square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
+                    (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -17235,15 +18478,21 @@ def turn_single(xp, psi, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
+                (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
+                wave7, wave8, wave9))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+        root = select(xp, below >= 0.0, yes, (below,), no,
+            (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9))
 
         return root
 
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+    root = select(xp, above <= 0.0, yes, (above,), no,
+        (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
     return root
 
@@ -17275,7 +18524,11 @@ def turn(xp, psi, l, epsilon):
     t14 = t12*t5
     t15 = t13*t14
     t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    above = (
+        -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*
+        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
+        square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
+    )
 
     def yes(above):
         return 0.0
@@ -17289,24 +18542,36 @@ def turn(xp, psi, l, epsilon):
         t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
         t27 = wave5
         t32 = epsilon*(t27 - wave6)
-        below = -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*(0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) + ((t32 - t27)*(t32 - t27))))
+        below = (
+            -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
+            (0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
+            ((t32 - t27)*(t32 - t27))))
+        )
 
         def yes(below):
             return 0.5*3.141592653589793
 
-        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9):
 
-            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 4.440892098500626e-16*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
-            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
+            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
+                wave4, wave5, wave6, wave7, wave8, wave9):
                 span = c - b
                 rise_ = fc - fb
                 whole = xp.where(span == 0.0, 1.0, span)
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -17318,7 +18583,10 @@ def turn(xp, psi, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -17339,7 +18607,13 @@ def turn(xp, psi, l, epsilon):
                 t46 = t37*t44
                 t47 = t45*t46
                 t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = -2.0*t38*t39*wave8*(t33 + t37) - (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*(0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                value = (
+                    -2.0*t38*t39*wave8*(t33 + t37) -
+                    (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*
+                    (0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*
+                    square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
+                    (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -17349,15 +18623,21 @@ def turn(xp, psi, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below), (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
+                (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
+                wave7, wave8, wave9))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
-        root = select(xp, below >= 0.0, yes, (below,), no, (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+        root = select(xp, below >= 0.0, yes, (below,), no,
+            (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
+            wave6, wave7, wave8, wave9))
 
         return root
 
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+    root = select(xp, above <= 0.0, yes, (above,), no,
+        (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
 
     return root
 
@@ -17375,7 +18655,11 @@ def passive_angle_single(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = (
+        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) +
+        cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
+        (xp.sin(low)*xp.sin(low))
+    )
 
     def yes(low):
         root = low
@@ -17387,7 +18671,11 @@ def passive_angle_single(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = (
+            need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) +
+            cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*
+            (xp.sin(high)*xp.sin(high))
+        )
 
         def yes(high):
             root = high
@@ -17396,7 +18684,11 @@ def passive_angle_single(xp, l, epsilon):
         def no(above, below, epsilon, high, l, low):
 
             def over(b, fb, a, fa, c, fc, epsilon, l):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 2.384185791015625e-07*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, epsilon, l):
                 span = c - b
@@ -17405,7 +18697,8 @@ def passive_angle_single(xp, l, epsilon):
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -17417,7 +18710,10 @@ def passive_angle_single(xp, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -17426,7 +18722,11 @@ def passive_angle_single(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = (
+                    need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) +
+                    cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*
+                    (xp.sin(new)*xp.sin(new))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -17436,7 +18736,8 @@ def passive_angle_single(xp, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low, above, high, below, high, below), (epsilon, l))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (low, above, high, below, high, below), (epsilon, l))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
@@ -17458,7 +18759,11 @@ def passive_angle(xp, l, epsilon):
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
     need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) + cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(xp.sin(low)*xp.sin(low))
+    above = (
+        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) +
+        cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
+        (xp.sin(low)*xp.sin(low))
+    )
 
     def yes(low):
         root = low
@@ -17470,7 +18775,11 @@ def passive_angle(xp, l, epsilon):
         wall3 = xp.cos(turned2)/(l + 1.0)
         wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
         need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) + cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*(xp.sin(high)*xp.sin(high))
+        below = (
+            need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) +
+            cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*
+            (xp.sin(high)*xp.sin(high))
+        )
 
         def yes(high):
             root = high
@@ -17479,7 +18788,11 @@ def passive_angle(xp, l, epsilon):
         def no(above, below, epsilon, high, l, low):
 
             def over(b, fb, a, fa, c, fc, epsilon, l):
-                return ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) | (xp.abs(a - b) <= 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                return (
+                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
+                    (xp.abs(a - b) <= 4.440892098500626e-16*
+                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+                )
 
             def step(b, fb, a, fa, c, fc, epsilon, l):
                 span = c - b
@@ -17488,7 +18801,8 @@ def passive_angle(xp, l, epsilon):
                 place = (a - b)/whole
                 whole = xp.where(rise_ == 0.0, 1.0, rise_)
                 height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)), xp.full_like(height, 1.0), 0.0)
+                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
+                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
                 case1 = safe > 0.0
                 one = xp.where(case1, fb - fa, 1.0)
                 two = xp.where(case1, fb - fc, 1.0)
@@ -17500,7 +18814,10 @@ def passive_angle(xp, l, epsilon):
                 other = fa/three
                 last = fb/two
                 guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = 4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+                edge = (
+                    4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
+                    xp.abs(whole)
+                )
                 edge = xp.where(0.5 < edge, 0.5, edge)
                 share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
                 share = xp.where(edge > share, edge, share)
@@ -17509,7 +18826,11 @@ def passive_angle(xp, l, epsilon):
                 wall5 = xp.cos(turned3)/(l + 1.0)
                 wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
                 need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) + cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*(xp.sin(new)*xp.sin(new))
+                value = (
+                    need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) +
+                    cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*
+                    (xp.sin(new)*xp.sin(new))
+                )
                 case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
                 next_b = xp.where(case2, b, a)
                 next_fb = xp.where(case2, fb, fa)
@@ -17519,7 +18840,8 @@ def passive_angle(xp, l, epsilon):
                 next_fc = xp.where(case2, fa, fb)
                 return next_b, next_fb, next_a, next_fa, next_c, next_fc
 
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step, (low, above, high, below, high, below), (epsilon, l))
+            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
+                (low, above, high, below, high, below), (epsilon, l))
             root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
             return root
 
@@ -17539,32 +18861,43 @@ def discretize(gamma, delta):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     Domain: gamma >= 0, delta >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70.
     """
     xp, gamma, delta = arrays(gamma, delta)
+    most = limits(xp, gamma)
 
     def work(gamma, delta):
         fall_of, rise_of, swing_of = fall_rise_swing(xp, gamma, delta)
         return rise_of, fall_of, swing_of, xp.exp(-delta)
 
-    return elementwise(xp, work, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    return guarded(xp, work, inside, 4, math.nan, gamma, delta)
 
 
 @by_value
 def discretize_late(gamma, delta, epsilon):
-    """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m.
+    """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2
 
+    - a z + e)) in units of T^2/m.
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     epsilon: rest of a delay, a fraction of a period [1]
     Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
+    NaN outside, and where an argument is NaN or larger than 1e70.
     """
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
+    most = limits(xp, gamma)
 
     def plant(gamma, delta):
         swing_of, together_of = swing_together(xp, gamma, delta)
         return swing_of, together_of
 
-    swing_of, together_of = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    swing_of, together_of = guarded(xp, plant, inside, 2, math.nan, gamma, delta)
 
     def work(gamma, delta, epsilon, swing_of, together_of):
         t0 = 1.0 - epsilon
@@ -17577,54 +18910,166 @@ def discretize_late(gamma, delta, epsilon):
         t4 = fall_of*t4*xp.exp(-t0)
         return t1, together_of - t1 - t4, t4, swing_of, xp.exp(-delta)
 
-    return elementwise(xp, work, gamma, delta, epsilon, swing_of, together_of)
+    def inside(gamma, delta, epsilon, swing_of, together_of):
+        return (
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((epsilon < 1.0) & (epsilon >= 0.0)) & ~xp.isnan(swing_of)
+        )
+
+    return guarded(xp, work, inside, 5, math.nan, gamma, delta, epsilon, swing_of, together_of)
 
 
 @by_value
 def is_stable(alpha, beta, gamma, delta, d):
-    """roots outside the unit circle, and 1 where the loop is stable, else 0.
+    """whether all characteristic roots lie inside the unit circle.
 
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded.
+    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
+    multiple of pi, rounded.
+    False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
+    most = limits(xp, alpha)
 
     def plant(gamma, delta):
-        apart_of, fall_of, nyquist_of, rise_of, together_of = apart_fall_nyquist_rise_together(xp, gamma, delta)
+        apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
+            apart_fall_nyquist_rise_together(xp, gamma, delta)
+        )
         t1 = gamma*together_of
         t3 = delta*decay(xp, delta)
-        return apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3
+        return apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3
 
-    apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3 = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
 
-    def work(alpha, beta, gamma, delta, d, apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3):
+    apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3 = (
+        guarded(xp, plant, inside, 7, math.nan, gamma, delta)
+    )
 
-        def yes(alpha, apart_of, beta, d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t3, together_of):
-            t4 = unstable_roots(xp, alpha, beta, d, rise_of, fall_of, t1, nyquist_of, t3, together_of, apart_of*delta)
-            return t4, stable(xp, t4, alpha, beta, gamma, delta)
+    def work(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+
+        def yes(alpha, apart_of, beta, d, delta, fall_of2, gamma, nyquist_of, rise_of3, t1, t3,
+            together_of):
+            return stable(xp, whole_roots(xp, alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of,
+                t3, together_of, apart_of*delta), alpha, beta, gamma, delta) != 0.0
 
         def no(alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of):
-            t5 = some_part(xp, d)
-            t6 = 1.0 - t5
-            t7 = (t6*t6)
-            t8 = gamma*t7
-            t9 = delta*t6
-            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of2 = apart_fall_kick_kick_low_rise(xp, t8, t9)
-            t11 = (t5*t5)
-            t12 = gamma*t11
-            t13 = delta*t5
-            apart_of2, fall_of2, kick_of, kick_low_of, rise_of3 = apart_fall_kick_kick_low_rise(xp, t12, t13)
-            t14 = fall_of2*t11
-            t14 = late_roots(xp, alpha, beta, whole_part(xp, d), rise_of2*t7, t14*xp.exp(-t9), t1, nyquist_of, t3, together_of, late_apart(xp, t5, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*delta*(t6*t6*t6), apart_of2*delta*(t5*t5*t5), fall_of3*t7*(kick_of*t13 + rise_of3*t12) + rise_of2*rise_of3*t11*t8 - t14*t9*decay(xp, t9)))
-            return t14, stable(xp, t14, alpha, beta, gamma, delta)
+            t4 = some_part(xp, d)
+            t5 = 1.0 - t4
+            t6 = (t5*t5)
+            t7 = gamma*t6
+            t8 = delta*t5
+            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of = (
+                apart_fall_kick_kick_low_rise(xp, t7, t8)
+            )
+            t10 = (t4*t4)
+            t11 = gamma*t10
+            t12 = delta*t4
+            apart_of2, fall_of, kick_of, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t11, t12)
+            )
+            t13 = fall_of*t10
+            return stable(xp, late_roots(xp, alpha, beta, whole_part(xp, d), rise_of*t6, t13*
+                xp.exp(-t8), t1, nyquist_of, t3, together_of,
+                late_apart(xp, t4, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*delta*
+                (t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*(kick_of*t12 + rise_of2*t11) +
+                rise_of*rise_of2*t10*t7 - t13*t8*decay(xp, t8))), alpha, beta, gamma, delta) != 0.0
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (alpha, apart_of, beta, d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t3, together_of), no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (alpha, apart_of, beta, d, delta, fall_of2, gamma, nyquist_of, rise_of3, t1, t3,
+            together_of), no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
 
-    return elementwise(xp, work, alpha, beta, gamma, delta, d, apart_of, fall_of, nyquist_of, rise_of, together_of, t1, t3)
+    def inside(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+        return (
+            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(apart_of)
+        )
+
+    return guarded(xp, work, inside, 1, False, alpha, beta, gamma, delta, d, apart_of, fall_of2,
+        nyquist_of, rise_of3, together_of, t1, t3)
+
+
+@by_value
+def unstable_roots(alpha, beta, gamma, delta, d):
+    """number of characteristic roots outside the unit circle.
+
+    alpha: virtual stiffness, K T^2/m [1]
+    beta: virtual damping, B T/m [1]
+    gamma: physical stiffness, k T^2/m [1]
+    delta: physical damping, b T/m [1]
+    d: delay in sampling periods, t_d/T [1]
+    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
+    multiple of pi, rounded.
+    -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    """
+    xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
+    most = limits(xp, alpha)
+
+    def plant(gamma, delta):
+        apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
+            apart_fall_nyquist_rise_together(xp, gamma, delta)
+        )
+        t1 = gamma*together_of
+        t3 = delta*decay(xp, delta)
+        return apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3
+
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3 = (
+        guarded(xp, plant, inside, 7, math.nan, gamma, delta)
+    )
+
+    def work(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+
+        def yes(alpha, apart_of, beta, d, delta, fall_of2, nyquist_of, rise_of3, t1, t3,
+            together_of):
+            return whole_roots(xp, alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of, t3,
+                together_of, apart_of*delta)
+
+        def no(alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of):
+            t4 = some_part(xp, d)
+            t5 = 1.0 - t4
+            t6 = (t5*t5)
+            t7 = gamma*t6
+            t8 = delta*t5
+            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of = (
+                apart_fall_kick_kick_low_rise(xp, t7, t8)
+            )
+            t10 = (t4*t4)
+            t11 = gamma*t10
+            t12 = delta*t4
+            apart_of2, fall_of, kick_of, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t11, t12)
+            )
+            t13 = fall_of*t10
+            return late_roots(xp, alpha, beta, whole_part(xp, d), rise_of*t6, t13*xp.exp(-t8), t1,
+                nyquist_of, t3, together_of, late_apart(xp, t4, kick_of2, kick_low_of2, kick_of,
+                kick_low_of, apart_of3*delta*(t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*
+                (kick_of*t12 + rise_of2*t11) + rise_of*rise_of2*t10*t7 - t13*t8*decay(xp, t8)))
+
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (alpha, apart_of, beta, d, delta, fall_of2, nyquist_of, rise_of3, t1, t3, together_of),
+            no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
+
+    def inside(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
+        t1, t3):
+        return (
+            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(apart_of)
+        )
+
+    return guarded(xp, work, inside, 1, -1, alpha, beta, gamma, delta, d, apart_of, fall_of2,
+        nyquist_of, rise_of3, together_of, t1, t3)
 
 
 @by_value
@@ -17636,8 +19081,10 @@ def stability_boundary(theta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
+    most = limits(xp, theta)
 
     def plant(gamma, delta):
         apart_of, nyquist_of, together_of = apart_nyquist_together(xp, gamma, delta)
@@ -17647,7 +19094,10 @@ def stability_boundary(theta, gamma, delta, d):
         t7 = t6 + together_of
         return nyquist_of, together_of, t3, t5, t6, t7
 
-    nyquist_of, together_of, t3, t5, t6, t7 = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    nyquist_of, together_of, t3, t5, t6, t7 = guarded(xp, plant, inside, 6, math.nan, gamma, delta)
 
     def work(theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7):
 
@@ -17671,36 +19121,60 @@ def stability_boundary(theta, gamma, delta, d):
             t18 = (t17*t17)
             t19 = gamma*t18
             t20 = delta*t17
-            apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2 = apart_fall_kick_kick_low_rise(xp, t19, t20)
+            apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t19, t20)
+            )
             t21 = (t16*t16)
             t22 = gamma*t21
             t23 = delta*t16
-            apart_of3, fall_of, kick_of, kick_low_of2, rise_of = apart_fall_kick_kick_low_rise(xp, t22, t23)
+            apart_of3, fall_of, kick_of, kick_low_of2, rise_of = (
+                apart_fall_kick_kick_low_rise(xp, t22, t23)
+            )
             t25 = fall_of*t21
-            t23 = late_apart(xp, t16, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*(t17*t17*t17), apart_of3*delta*(t16*t16*t16), fall_of2*t18*(kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(xp, t20))
+            t23 = late_apart(xp, t16, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
+                (t17*t17*t17), apart_of3*delta*(t16*t16*t16), fall_of2*t18*
+                (kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(xp, t20))
             t25 = 2.0*rise_of2*t18 - 2.0*t25*xp.exp(-t20)
-            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t23, t25)
+            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t23,
+                t25)
             t20 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2
             return ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t20, -t20/t13
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, nyquist_of, t3, t5, t6, t7, theta, together_of), no, (d, delta, gamma, nyquist_of, t3, t5, theta, together_of))
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (d, nyquist_of, t3, t5, t6, t7, theta, together_of), no,
+            (d, delta, gamma, nyquist_of, t3, t5, theta, together_of))
 
-    return elementwise(xp, work, theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7)
+    def inside(theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7):
+        return (
+            ((theta <= most.angle) & (theta > 0.0)) & ((gamma <= most.size) & (gamma >= 0.0)) &
+            ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0)) &
+            ~xp.isnan(nyquist_of)
+        )
+
+    return guarded(xp, work, inside, 2, math.nan, theta, gamma, delta, d, nyquist_of, together_of,
+        t3, t5, t6, t7)
 
 
 @by_value
 def max_stable_stiffness(gamma, delta, d):
-    """the wall of largest stable stiffness, a limit that is not stable itself, and the angle theta = omega T of its roots on the unit circle.
+    """the wall of largest stable stiffness, a limit that is not stable itself, and the angle
 
+    theta = omega T of its roots on the unit circle.
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.
+    Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1,
+    no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is
+    stable.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
+    most = limits(xp, gamma)
 
     def plant(gamma, delta):
-        apart_of, fall_of, nyquist_of, rise_of, together_of = apart_fall_nyquist_rise_together(xp, gamma, delta)
+        apart_of, fall_of, nyquist_of, rise_of, together_of = (
+            apart_fall_nyquist_rise_together(xp, gamma, delta)
+        )
         t1 = gamma*together_of
         t3 = delta*decay(xp, delta)
         t4 = apart_of*delta
@@ -17708,12 +19182,18 @@ def max_stable_stiffness(gamma, delta, d):
         t16 = 2.0*t3
         return fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16
 
-    fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16 = elementwise(xp, plant, gamma, delta)
+    def inside(gamma, delta):
+        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+
+    fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16 = (
+        guarded(xp, plant, inside, 9, math.nan, gamma, delta)
+    )
 
     def work(gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16):
 
         def yes(d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of):
-            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_of, fall_of, t1, nyquist_of, t3, together_of, t4)
+            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_of, fall_of, t1,
+                nyquist_of, t3, together_of, t4)
             cos_next_of, sin_next_of = cos_next_sin_next(xp, d, t5)
             t7 = 0.5*t5
             t8 = xp.sin(t7)
@@ -17737,16 +19217,23 @@ def max_stable_stiffness(gamma, delta, d):
             t25 = (t24*t24)
             t26 = gamma*t25
             t27 = delta*t24
-            apart_of2, fall_of3, kick_of2, kick_low_of, rise_of2 = apart_fall_kick_kick_low_rise(xp, t26, t27)
+            apart_of2, fall_of3, kick_of2, kick_low_of, rise_of2 = (
+                apart_fall_kick_kick_low_rise(xp, t26, t27)
+            )
             t29 = rise_of2*t25
             t30 = (t23*t23)
             t31 = gamma*t30
             t32 = delta*t23
-            apart_of3, fall_of2, kick_of, kick_low_of2, rise_of3 = apart_fall_kick_kick_low_rise(xp, t31, t32)
+            apart_of3, fall_of2, kick_of, kick_low_of2, rise_of3 = (
+                apart_fall_kick_kick_low_rise(xp, t31, t32)
+            )
             t33 = fall_of2*t30
             t34 = t33*xp.exp(-t27)
-            t33 = late_apart(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*(t24*t24*t24), apart_of3*delta*(t23*t23*t23), fall_of3*t25*(kick_of*t32 + rise_of3*t31) + rise_of2*rise_of3*t26*t30 - t27*t33*decay(xp, t27))
-            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3, together_of, t33)
+            t33 = late_apart(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
+                (t24*t24*t24), apart_of3*delta*(t23*t23*t23), fall_of3*t25*
+                (kick_of*t32 + rise_of3*t31) + rise_of2*rise_of3*t26*t30 - t27*t33*decay(xp, t27))
+            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3,
+                together_of, t33)
             cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t22, t23)
             t32 = 0.5*t23
             t31 = xp.sin(t32)
@@ -17764,23 +19251,35 @@ def max_stable_stiffness(gamma, delta, d):
             t27 = -sin_next_of2*t26*t29/xp.sin(t23) - 0.5*t25*t33
             return sin_next_of2*t31*t32*t26*t25 - 2.0*t30*t27 - t29*t33, t27, t23
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of), no, (d, delta, gamma, nyquist_of, t1, t16, t3, together_of))
+        return select(xp, late_part(xp, d) == 0.0, yes,
+            (d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of), no,
+            (d, delta, gamma, nyquist_of, t1, t16, t3, together_of))
 
-    return elementwise(xp, work, gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16)
+    def inside(gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16):
+        return (
+            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(fall_of)
+        )
+
+    return guarded(xp, work, inside, 3, math.nan, gamma, delta, d, fall_of, nyquist_of, rise_of,
+        together_of, t1, t3, t4, t10, t16)
 
 
 @by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is passive where it is positive at every angle.
+    """physical damping minus the damping that the wall needs at the angle theta = omega T; the
 
+    wall is passive where it is positive at every angle.
     theta: angle on the unit circle, omega T [1]
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, alpha, beta, delta, d = arrays(theta, alpha, beta, delta, d)
+    most = limits(xp, theta)
 
     def work(theta, alpha, beta, delta, d):
         t0 = 0.5*theta
@@ -17788,25 +19287,41 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
         sin_next_of = sin_next(xp, 2.0*d, t0)
         return beta*cos_next_of - 0.5*alpha*sin_next_of/xp.sin(t0) + delta
 
-    return elementwise(xp, work, theta, alpha, beta, delta, d)
+    def inside(theta, alpha, beta, delta, d):
+        return (
+            ((theta <= most.angle) & (theta > 0.0)) & (xp.abs(alpha) <= most.size) &
+            (xp.abs(beta) <= most.size) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 1, math.nan, theta, alpha, beta, delta, d)
 
 
 @by_value
 def passivity_margin(alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at its worst angle; the wall is passive where it is not negative.
+    """physical damping minus the damping that the wall needs at its worst angle; the wall is
 
+    passive where it is not negative.
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0, -inf for alpha < 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, delta, d = arrays(alpha, beta, delta, d)
+    most = limits(xp, alpha)
 
     def work(alpha, beta, delta, d):
         return delta - largest_need(xp, alpha, beta, d)
 
-    return elementwise(xp, work, alpha, beta, delta, d)
+    def inside(alpha, beta, delta, d):
+        return (
+            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
+            ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 1, math.nan, alpha, beta, delta, d)
 
 
 @by_value
@@ -17816,9 +19331,12 @@ def passivity_boundary(theta, delta, d):
     theta: angle on the unit circle, omega T [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d + 1) for whole delays, for d <= 2/9 the curve goes on to pi.
+    Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d +
+    1) for whole delays, for d <= 2/9 the curve goes on to pi.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, delta, d = arrays(theta, delta, d)
+    most = limits(xp, theta)
 
     def work(theta, delta, d):
 
@@ -17845,12 +19363,19 @@ def passivity_boundary(theta, delta, d):
             t4 = between(xp, t5, straight(xp, t10, t12, t4, t2), straight(xp, t10, t12, t7, t2))
             t16 = xp.sin(t2)
             t2 = xp.cos(t2)
-            t2 = delta/(0.5*t4 + 0.5*square_root(xp, (t4*t4) + t5*(1.0 - t5)*(4.0*(t8*t8)*(t16*t16) + (t2*t2)*(t9*t9)/(t7*t7))))
+            t2 = delta/(0.5*t4 + 0.5*square_root(xp, (t4*t4) + t5*(1.0 - t5)*
+                (4.0*(t8*t8)*(t16*t16) + (t2*t2)*(t9*t9)/(t7*t7))))
             return rated(xp, t6, t10*t2), rated(xp, t6, t12*t2)
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
 
-    return elementwise(xp, work, theta, delta, d)
+    def inside(theta, delta, d):
+        return (
+            ((theta <= most.angle) & (theta > 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 2, math.nan, theta, delta, d)
 
 
 @by_value
@@ -17860,8 +19385,10 @@ def max_passive_stiffness(delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, delta, d = arrays(delta, d)
+    most = limits(xp, delta)
 
     def work(delta, d):
 
@@ -17885,12 +19412,16 @@ def max_passive_stiffness(delta, d):
             t3 = between(xp, t5, straight(xp, t9, t11, t3, t12), straight(xp, t9, t11, t4, t12))
             t15 = xp.sin(t12)
             t12 = xp.cos(t12)
-            t12 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*(4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4))))
+            t12 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*
+                (4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4))))
             return t12*t9, t11*t12, t6
 
         return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 
-    return elementwise(xp, work, delta, d)
+    def inside(delta, d):
+        return ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0))
+
+    return guarded(xp, work, inside, 3, math.nan, delta, d)
 
 
 @by_value
@@ -17901,10 +19432,18 @@ def linear_limit(beta, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0.
+    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, beta, delta, d = arrays(beta, delta, d)
+    most = limits(xp, beta)
 
     def work(beta, delta, d):
         return (beta + delta)/(d + 0.5)
 
-    return elementwise(xp, work, beta, delta, d)
+    def inside(beta, delta, d):
+        return (
+            (xp.abs(beta) <= most.size) & ((delta <= most.size) & (delta >= 0.0)) &
+            ((d <= most.periods) & (d >= 0.0))
+        )
+
+    return guarded(xp, work, inside, 1, math.nan, beta, delta, d)

@@ -7,11 +7,14 @@ import sympy as sp
 from mpmath import mpf
 from sympy import Function
 
+NEAR = sp.Symbol("NEAR")
+"""How close to the circle a root is on neither side, where exact counts are asked for."""
+
 _NEAR = mpf(10) ** -9
-"""Roots closer to the circle are on neither side."""
+"""The same where nothing else is said."""
 
 
-class UnstableRoots(Function):  # type: ignore[misc]
+class WholeRoots(Function):  # type: ignore[misc]
     """Roots outside the unit circle, of arguments that :data:`ARGUMENTS` names."""
 
     nargs = 10
@@ -39,30 +42,36 @@ class Stable(Function):  # type: ignore[misc]
 
 
 ARGUMENTS = sp.symbols("alpha beta d n1 n0 at_one at_minus_one loss together apart")
-"""Of UnstableRoots: the wall, the whole delay, and the device with its values at 1 and -1."""
+"""Of WholeRoots: the wall, the whole delay, and the device with its values at 1 and -1."""
 
 
 LATE_ARGUMENTS = sp.symbols("alpha beta d m2 m0 at_one at_minus_one loss together apart")
 """Of LateRoots: the wall, the whole periods, and the device behind the fraction."""
 
 
-def outside(*numbers: mpf) -> mpf:
+def outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
     """The count by the roots of the polynomial, in many digits.
 
     Raises :class:`ArithmeticError` for long delays and for roots on the circle.
     """
     alpha, beta, delay, n1, n0, at_one, _, loss, *_ = numbers
-    return _outside((n1, n0), alpha, beta, delay + 1, at_one, loss)
+    return _outside((n1, n0), alpha, beta, delay + 1, at_one, loss, near)
 
 
-def late_outside(*numbers: mpf) -> mpf:
+def late_outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
     """The same behind a fractional delay."""
     alpha, beta, delay, m2, m0, at_one, _, loss, together, _ = numbers
-    return _outside((m2, together - m2 - m0, m0), alpha, beta, delay + 2, at_one, loss)
+    return _outside((m2, together - m2 - m0, m0), alpha, beta, delay + 2, at_one, loss, near)
 
 
 def _outside(
-    top: tuple[mpf, ...], alpha: mpf, beta: mpf, power: mpf, at_one: mpf, loss: mpf
+    top: tuple[mpf, ...],
+    alpha: mpf,
+    beta: mpf,
+    power: mpf,
+    at_one: mpf,
+    loss: mpf,
+    near: mpf,
 ) -> mpf:
     """Of z^power A(z) + M(z) ((alpha + beta) z - beta), with the coefficients of M on top."""
     if power > 14 or power != int(power):
@@ -80,6 +89,6 @@ def _outside(
     except mpmath.libmp.NoConvergence:
         raise ArithmeticError("no roots found") from None
     sizes = [abs(root) for root in roots]
-    if any(abs(size - 1) < _NEAR for size in sizes):
+    if any(abs(size - 1) < near for size in sizes):
         raise ArithmeticError("a root on the circle")
     return mpf(sum(size > 1 for size in sizes))

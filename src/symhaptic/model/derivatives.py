@@ -18,7 +18,7 @@ from sympy import Expr, Symbol, sin
 
 from symhaptic.model import worst
 from symhaptic.model.angle_slopes import Ripple
-from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
+from symhaptic.model.counted import LateRoots, Stable, WholeRoots
 from symhaptic.model.entire import (
     Chord,
     CosNext,
@@ -166,7 +166,7 @@ def derivative(expr: Expr, by: Symbol) -> Expr:
 
 def counts(form: Form) -> bool:
     """Whether a form counts roots: whole numbers have no slope."""
-    return any(e.has(UnstableRoots, LateRoots, Stable) for e in form.expressions)
+    return any(e.has(WholeRoots, LateRoots, Stable) for e in form.expressions)
 
 
 def _held(expr: Expr, by: _By) -> Expr:

@@ -8,10 +8,12 @@ from functools import cached_property
 
 import sympy as sp
 from sympy import Expr, Rational, Symbol
+from sympy.logic.boolalg import Boolean
 
+from symhaptic.model.domain import domain, within
 from symhaptic.model.response import closed
 from symhaptic.model.searched import LatePart, SomePart, WholePart
-from symhaptic.notation import beta, d, delta, epsilon, gamma, l, theta
+from symhaptic.notation import beta, d, delta, epsilon, gamma, l
 from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
@@ -44,6 +46,18 @@ class Form:
     """The results in terms whose derivatives keep their digits; empty where ``results`` are."""
     plain: Form | None = None
     """The form without the derivatives that are among the results."""
+    outside: sp.Basic = sp.nan
+    """What every result is outside the domain: NaN, of a count -1, of a truth value false."""
+
+    @property
+    def truth(self) -> bool:
+        """Whether it says yes or no: its expression is 1 or 0 then."""
+        return self.outside is sp.false
+
+    @property
+    def within(self) -> tuple[Boolean, ...]:
+        """For each argument, what is true inside its range alone."""
+        return tuple(map(within, self.arguments))
 
     @cached_property
     def equal(self) -> Pairs:
@@ -72,20 +86,6 @@ def present(parts: Parts, *symbols: Symbol) -> tuple[Symbol, ...]:
     return tuple(s for s in symbols if not missing.get(s, False))
 
 
-_RANGES = {
-    gamma: "gamma >= 0",
-    delta: "delta >= 0",
-    d: "d >= 0",
-    epsilon: "0 <= epsilon < 1",
-    theta: "0 < theta < pi",
-}
-
-
-def domain(symbols: tuple[Symbol, ...], *more: str) -> tuple[str, ...]:
-    """Where these symbols may be, and more conditions."""
-    return (*(_RANGES[s] for s in symbols if s in _RANGES), *more)
-
-
 def either(whole: Expr, late: Expr) -> Expr:
     """One form for whole delays, another one for those with a fraction."""
     found = late.xreplace({epsilon: SomePart(d), l: WholePart(d)})
@@ -106,3 +106,8 @@ def steps_of(parts: Parts, delay: int | None, name: str) -> int:
     if delay is None:
         raise NoForm(f"{name}: is made for one whole delay, which has to be given")
     return delay
+
+
+__all__ = [
+    "HALF", "Form", "NoForm", "Pairs", "domain", "either", "present", "steps_of", "undelayed",
+]  # fmt: skip

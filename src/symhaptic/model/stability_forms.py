@@ -9,7 +9,7 @@ import sympy as sp
 from sympy import Expr, cos, sin
 
 from symhaptic.model import boundary, delayed, jury, loop, plant, stiffest
-from symhaptic.model.counted import LateRoots, Stable, UnstableRoots
+from symhaptic.model.counted import LateRoots, Stable, WholeRoots
 from symhaptic.model.device_forms import ANY, Device, device_of, late_of, made_of, same_device
 from symhaptic.model.entire import (
     CosNext,
@@ -180,31 +180,50 @@ def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
     )
 
 
-def is_stable(parts: Parts = FULL) -> Form:
-    """Roots outside the unit circle, and whether the loop is stable, for every real delay."""
+def _counted(parts: Parts) -> list[tuple[Expr, Expr]]:
+    """Roots outside the unit circle and, made of these, 1 where the loop is stable, else 0.
+
+    For whole delays and, where the scene has a delay, for those with a fraction.
+    """
     wall = alpha, beta if parts.virtual_damping else sp.S.Zero
-    symbols = present(parts, alpha, beta, gamma, delta, d)
     given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
     x = device_of(parts)
     numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
-    count = UnstableRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)
-    results = count, Stable(count, *wall, *given)
+    counts: list[Expr] = [WholeRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)]
     if parts.delay:
         x = late_of(parts)
         numbers = *delayed.ends(parts), *numbers[2:-1], x.apart
-        count = LateRoots(*wall, l, *numbers)
-        late = count, Stable(count, *wall, *given)
-        results = tuple(either(*both) for both in zip(results, late, strict=True))
+        counts.append(LateRoots(*wall, l, *numbers))
+    return [(count, Stable(count, *wall, *given)) for count in counts]
+
+
+def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic) -> Form:
+    symbols = present(parts, alpha, beta, gamma, delta, d)
+    found = [pair[which] for pair in _counted(parts)]
+    result = either(*found) if parts.delay else found[0]
 
     def equal() -> Pairs:
         return (*same_device(parts), *(delayed.derived(parts) if parts.delay else ()))
 
     hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
     return Form(
-        "is_stable",
-        "roots outside the unit circle, and 1 where the loop is stable, else 0",
+        name,
+        title,
         symbols,
-        tuple(zip(("outside", "stable"), results, strict=True)),
+        (("roots" if which == 0 else "stable", result),),
         equal,
         domain(symbols, *hidden * (parts.stiffness and parts.damping)),
+        outside=outside,
     )
+
+
+def is_stable(parts: Parts = FULL) -> Form:
+    """Whether the loop is stable, for every real delay."""
+    title = "whether all characteristic roots lie inside the unit circle"
+    return _counting(parts, "is_stable", title, 1, sp.false)
+
+
+def unstable_roots(parts: Parts = FULL) -> Form:
+    """Roots outside the unit circle, for every real delay."""
+    title = "number of characteristic roots outside the unit circle"
+    return _counting(parts, "unstable_roots", title, 0, sp.Integer(-1))

@@ -25,6 +25,7 @@ from symhaptic.model.stability_forms import (
     max_stable_stiffness,
     stability_boundary,
     stability_conditions,
+    unstable_roots,
 )
 from symhaptic.scene import FULL, Parts
 
@@ -35,6 +36,7 @@ FORMS: dict[str, Callable[..., Form]] = {
         discretize_late,
         characteristic_polynomial,
         is_stable,
+        unstable_roots,
         stability_conditions,
         stability_boundary,
         max_stable_stiffness,

@@ -107,7 +107,7 @@ def _found(exact: Callable[..., mpf]) -> Callable[..., mpf]:
 
 
 _COUNTS: dict[str, Callable[..., mpf]] = {
-    "UnstableRoots": outside,
+    "WholeRoots": outside,
     "LateRoots": late_outside,
     "Stable": lambda roots, *_: mpf(roots == 0),
 }

@@ -229,21 +229,32 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "passive_wall": (
         *(0, 5),
-        r"\operatorname{{passive}}({0},{1},{2},{3},{4})",
+        r"\mathrm{{passive}}({0},{1},{2},{3},{4})",
         "no motion of a device with damping b gains energy from the wall K + B (z-1)/(Tz), sampled "
         "every T, its force held for T and d periods late",
     ),
     "stable_loop": (
         *(0, 5),
-        r"\operatorname{{stable}}({0},{1},{2},{3},{4})",
+        r"\mathrm{{stable}}({0},{1},{2},{3},{4})",
         "the loop of wall (alpha, beta), spring gamma, damper delta and a delay of d periods, all "
         "in units of mass and period, comes to rest from every state",
     ),
     "stable_substituted": (
         *(0, 5),
-        r"\operatorname{{stable}}_{{(18)}}({0},{1},{2},{3},{4})",
+        r"\mathrm{{stable}}_{{(18)}}({0},{1},{2},{3},{4})",
         "as the paper has it: every zero of the characteristic polynomial lies inside the unit "
         "circle, for a delay of d = p/q periods that of the polynomial in w that z = w^q makes",
+    ),
+    "pole": (
+        *(0, 6),
+        r"{5}\ \text{{is a pole of}}_{{(18)}}({0},{1},{2},{3},{4})",
+        "as the paper has it: a zero of the characteristic polynomial, for a delay of d = p/q "
+        "periods w^q for a zero w of the polynomial in w that z = w^q makes",
+    ),
+    "swings": (
+        *(0, 4),
+        r"{0}\ddot x+{1}\dot x+{2}x=0\ \text{{swings with}}\ {3}",
+        "m x'' + b x' + k x = 0 has a motion x = exp(sigma t) sin(omega t) with a real sigma",
     ),
     "degree": (
         *(1, 2),
@@ -361,6 +372,23 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
     if not isinstance(of, And):
         return (of,)
     return tuple(c for part in of.parts for c in conjuncts(part))
+
+
+def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
+    """A claim that is made of what is printed: each printed relation stands in it.
+
+    Raises :class:`ValueError` where one does not.
+    """
+    inside: set[Proposition] = set()
+    stack = [claim]
+    while stack:
+        part = stack.pop()
+        inside.add(part)
+        stack += part.parts
+    for relation in printed:
+        if proposition(relation) not in inside:
+            raise ValueError(f"the print {relation} is not in the claim")
+    return claim
 
 
 def both(parts: Iterable[Any]) -> Proposition:

@@ -37,8 +37,8 @@ def written(claim: Proposition) -> str:
     if isinstance(claim, Relation):
         left, right = latex(claim.left, inline=True), latex(claim.right, inline=True)
         if not claim.left.free_symbols and claim.right.free_symbols:
-            return _beside(right, _TURNED[claim.sign], left)
-        return _beside(left, _SIGNS[claim.sign], right)
+            return _related(right, _TURNED[claim.sign], left)
+        return _related(left, _SIGNS[claim.sign], right)
     if isinstance(claim, Predicate):
         terms = [latex(t, inline=True) for t in claim.of]
         over = latex(claim.over[0]) if claim.over else ""
@@ -59,9 +59,9 @@ def written(claim: Proposition) -> str:
     raise TypeError(f"{claim!r} is no proposition")
 
 
-def _beside(left: str, sign: str, right: str) -> str:
-    """Two sides and a sign, apart where a letter would go on the sign's name."""
-    return f"{left}{sign}{' ' if sign[-1].isalpha() and right[:1].isalpha() else ''}{right}"
+def _related(left: str, sign: str, right: str) -> str:
+    """A relation; a command keeps clear of a letter behind it."""
+    return f"{left}{sign}{' ' if sign[0] == chr(92) and right[:1].isalpha() else ''}{right}"
 
 
 def _denied(claim: Proposition) -> str:
@@ -96,8 +96,8 @@ def chains(claims: Sequence[Proposition]) -> list[str]:
             lower = latex(claim.left, inline=True)
             middle = latex(claim.right, inline=True)
             upper = latex(chain.right, inline=True)
-            first = _beside(lower, _SIGNS[claim.sign], middle)
-            out.append(_beside(first, _SIGNS[chain.sign], upper))
+            inner = _related(middle, _SIGNS[chain.sign], upper)
+            out.append(_related(lower, _SIGNS[claim.sign], inner))
         else:
             out.append(_bracketed(claim))
     return out

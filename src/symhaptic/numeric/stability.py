@@ -183,30 +183,42 @@ def unstable_roots(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
-    found, _ = _outside_and_stable(given, sheet)
+    found = _outside(given, sheet)
     xp = given.xp
     kind = xp.__array_namespace_info__().default_dtypes()["integral"]
     known = xp.astype(xp.where(xp.isnan(found), xp.full_like(found, -1.0), found), kind)
     return known  # type: ignore[no-any-return]
 
 
-def _outside_and_stable(given: Given, sheet: str) -> Any:
-    """The count of roots outside, and 1 where the loop is stable and 0 where not; or NaN."""
+def _outside(given: Given, sheet: str) -> Any:
+    """The count of roots outside; -1 or NaN where it is not known."""
     xp, delay = given.xp, given.values[4]
+    if sheet == "exact":
+        return given(haptic.unstable_roots)
+    if given.whole(delay):
+        return xp.where(delay == xp.floor(delay), given(haptic.unstable_roots), -1.0)
+
+    def work(al: Array, be: Array, g: Array, dl: Array, dy: Array) -> tuple[Array]:
+        unknown = np.isnan(al + be + g + dl + dy)
+        return (np.where(unknown, np.nan, np.where(unknown, 0.0, _count(al, be, g, dl, dy))),)
+
+    return given.by_numpy(work)[0]
+
+
+def _stable(given: Given, sheet: str) -> Any:
+    """Where the loop is stable; not where that is not known."""
+    xp, (al, be, g, dl, delay) = given.xp, given.values
     if sheet == "exact":
         return given(haptic.is_stable)
     if given.whole(delay):
-        whole = delay == xp.floor(delay)
-        return tuple(xp.where(whole, x, xp.nan) for x in given(haptic.is_stable))
+        return (delay == xp.floor(delay)) & given(haptic.is_stable)
+    swings = (al == 0) & (be == 0) & (dl == 0)
 
-    def work(al: Array, be: Array, g: Array, dl: Array, dy: Array) -> tuple[Array, Array]:
-        unknown = np.isnan(al + be + g + dl + dy)
-        outside = np.where(unknown, np.nan, np.where(unknown, 0.0, _count(al, be, g, dl, dy)))
-        swings = (al == 0) & (be == 0) & (dl == 0)
-        good = (outside == 0) & (al > -g) & ~swings & ~stuck(g, dl)
-        return outside, np.where(unknown, np.nan, good)
+    def left_swinging(al: Array, be: Array, g: Array, dl: Array, dy: Array) -> tuple[Array]:
+        return (stuck(*np.broadcast_arrays(g, dl, al + be + dy)[:2]).astype(float),)
 
-    return given.by_numpy(work, 2)
+    (hidden,) = given.by_numpy(left_swinging)
+    return (_outside(given, sheet) == 0) & (al > -g) & ~swings & (hidden == 0)
 
 
 @kept(is_stable=bool)
@@ -229,7 +241,7 @@ def is_stable(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
-    return _outside_and_stable(given, sheet)[1] == 1  # type: ignore[no-any-return]
+    return _stable(given, sheet)  # type: ignore[no-any-return]
 
 
 @numbers_only

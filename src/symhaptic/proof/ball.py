@@ -17,10 +17,13 @@ from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_poly
 from sympy import Expr
 
 from symhaptic.proof.normal import Field, is_zero
-from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.rewriting import Undefined, Unsupported, conjugated
 
 PRECISIONS = (64, 256, 1024)
 """Bits tried one after the other until a question is decided."""
+
+_POWER = 100_000
+"""Larger powers of numbers are not written out."""
 
 _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
     sp.exp: lambda x: x.exp(),
@@ -31,6 +34,8 @@ _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
     sp.sinh: lambda x: x.sinh(),
     sp.cosh: lambda x: x.cosh(),
     sp.tanh: lambda x: x.tanh(),
+    sp.log: lambda x: x.log(),
+    sp.atan: lambda x: x.atan(),
     sp.Abs: lambda x: acb(abs(x)),
     sp.re: lambda x: acb(x.real),
     sp.im: lambda x: acb(x.imag),
@@ -54,7 +59,7 @@ def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
     before = ctx.prec
     ctx.prec = bits
     try:
-        return _ball(sp.sympify(expr), dict(at or {}))
+        return _ball(sp.sympify(expr, strict=True), dict(at or {}))
     finally:
         ctx.prec = before
 
@@ -62,7 +67,11 @@ def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
 def _ball(expr: Expr, at: At) -> acb:
     if expr in at:
         value = at[expr]
-        return acb(value) if isinstance(value, (acb, arb)) else _ball(sp.sympify(value), {})
+        return (
+            acb(value)
+            if isinstance(value, (acb, arb))
+            else _ball(sp.sympify(value, strict=True), {})
+        )
     if expr.is_Rational:
         return acb(fmpq(int(expr.p), int(expr.q)))
     if expr is sp.I:
@@ -175,8 +184,11 @@ def is_real(expr: Expr) -> bool:
     for power in expr.atoms(sp.Pow):
         if not (power.exp.is_Integer or (power.base.is_Rational and power.base.is_positive)):
             return False
-    mirrored = expr.xreplace({sp.I: -sp.I})
-    return bool(mirrored == expr) or is_zero(expr - mirrored)
+    try:
+        mirrored = conjugated(expr, real=expr.free_symbols)
+        return bool(mirrored == expr) or is_zero(expr - mirrored)
+    except Unsupported:
+        return False
 
 
 def sign(expr: Expr) -> int | None:
@@ -187,7 +199,7 @@ def sign(expr: Expr) -> int | None:
     >>> sign(sp.cos(sp.pi/8)**2 - sp.Rational(1, 2) - sp.sqrt(2)/4), sign(sp.pi - 3)
     (0, 1)
     """
-    expr = sp.sympify(expr)
+    expr = sp.sympify(expr, strict=True)
     real = is_real(expr)
     for bits in PRECISIONS:
         value = ball(expr, None, bits)
@@ -239,10 +251,17 @@ def value_at(expr: Expr, at: Mapping[Expr, Expr]) -> Value:
 def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
     """Symbols replaced, every divisor tested, so that SymPy cannot cancel a zero with a pole."""
     if expr in at:
-        return sp.sympify(at[expr])
+        return sp.sympify(at[expr], strict=True)
     if not expr.args:
         return expr
     args = [_placed(a, at) for a in expr.args]
-    if expr.is_Pow and args[1].could_extract_minus_sign() and Field([args[0]]).is_zero(args[0]):
-        raise Undefined(f"division by {expr.args[0]}, which is zero")
-    return expr.func(*args)
+    if expr.is_Pow:
+        base, power = args
+        if power.could_extract_minus_sign() and Field([base]).is_zero(base):
+            raise Undefined(f"division by {expr.args[0]}, which is zero")
+        if power.is_Rational and abs(power) > _POWER and base not in (-1, 0, 1):
+            raise Unsupported(f"{base} to the power of {power}")
+    found = expr.func(*args)
+    if found.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
+        raise Undefined(f"{expr} is not defined")
+    return found

@@ -20,6 +20,8 @@ from sympy import Expr
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.points import Point
+from symhaptic.proof.recheck import recheck
+from symhaptic.proof.seal import KEY
 from symhaptic.proof.sign import Fact, NotShown, rule
 
 _BITS = 96
@@ -27,6 +29,9 @@ _BITS = 96
 
 _PIECES = 100_000
 """So many are tried before giving up."""
+
+_DEPTH = 160
+"""So often a piece is halved across each symbol; narrower ones tell nothing at this precision."""
 
 _SYMBOLS = 10
 """So many have a digit in a certificate."""
@@ -92,45 +97,63 @@ def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
         near = ", ".join(f"{s} = {float(v):.6g}" for s, v in found.point.items())
         raise NotShown(f"{expr} is not positive for {near}")
     domain = [(s - low, high - s) for s, (low, high) in box.items()]
-    rests = frozenset((sp.sympify(end), False) for pair in domain for end in pair)
+    rests = frozenset((sp.sympify(end, strict=True), False) for pair in domain for end in pair)
     plural = "piece" if found.pieces == 1 else "pieces"
     reason = f"ball arithmetic on {found.pieces} {plural}"
-    return Fact(found.expr, True, reason, rests, certificates=(found,))
+    return Fact(found.expr, True, reason, rests, certificates=(found,), key=KEY)
 
 
-def search(expr: Expr, box: Box, given: Given | None = None) -> Positive | Denied | None:
-    """A certificate that ``expr > 0`` on the box, a point that denies it, or neither."""
+def search(
+    expr: Expr,
+    box: Box,
+    given: Given | None = None,
+    defined: tuple[Expr, ...] = (),
+    steps: int = _WORK,
+) -> Positive | Denied | None:
+    """A certificate that ``expr > 0`` on the box, a point that denies it, or neither.
+
+    Wherever it is positive, the expression and all that is to be ``defined`` has real values.
+    """
     try:
-        return _search(sp.sympify(expr), box, given)
+        return _search(sp.sympify(expr, strict=True), box, given, defined, _Work(steps))
     except Exhausted:
         return None
 
 
-def _search(expr: Expr, box: Box, given: Given | None) -> Positive | Denied:
+def _search(
+    expr: Expr, box: Box, given: Given | None, defined: tuple[Expr, ...], work: _Work
+) -> Positive | Denied:
     with ctx.workprec(_BITS):
-        work = _Work(_WORK)
         value, slopes = _values(expr, box, given, work), _slopes(expr, box, given, work)
-        pieces, cuts, tried = [_whole(box)], "", 0
+        sides = [_values(side, box, given, work) for side in defined]
+        pieces, cuts, tried = [(_whole(box), 0)], "", 0
         while pieces:
-            piece = pieces.pop()
-            plain = value(_wide(piece))
-            if plain > 0:
+            piece, depth = pieces.pop()
+            wide = _wide(piece)
+            plain = value(wide)
+            certain = all(side(wide).is_finite() for side in sides)
+            if certain and plain > 0:
                 cuts += "."
                 continue
             middle = [_middle(interval) for interval in piece]
             there = value(middle)
-            if tried >= _PATIENCE and there + _away(piece, middle, slopes) > 0:
+            sloped = certain and tried >= _PATIENCE and plain.is_finite()
+            if sloped and there + _away(piece, middle, slopes) > 0:
                 cuts += ":"
                 continue
-            if there <= 0 and _inside(box, middle):
-                return Denied(_point(box, middle), touches=not there < 0)
+            if _inside(box, middle):
+                if sides and not all(side(middle).is_finite() for side in sides):
+                    raise Exhausted("a side is not defined or not real in the middle of a piece")
+                if there <= 0:
+                    return Denied(_point(box, middle), touches=not there < 0)
             tried += 1
-            if tried >= _PIECES:
-                raise Exhausted("too many pieces")
+            if tried >= _PIECES or depth >= _DEPTH * len(piece):
+                raise Exhausted("too many pieces, or too narrow ones")
             across = _best(piece, middle, value)
             cuts += str(across)
-            pieces += reversed(_halved(piece, across, middle[across]))
-    return Positive(expr, dict(box), cuts, _BITS, given)
+            halves = _halved(piece, across, middle[across])
+            pieces += [(half, depth + 1) for half in reversed(halves)]
+    return Positive(expr, dict(box), cuts, _BITS, given, defined)
 
 
 def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> Largest:
@@ -145,31 +168,35 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
     >>> found.lower <= sp.Rational(1, 4) <= found.upper, found.where
     (True, {x: 1/2})
     """
-    expr = sp.sympify(expr)
+    expr = sp.sympify(expr, strict=True)
     with ctx.workprec(_BITS):
         work = _Work(_WORK)
         value, slopes = _values(expr, box, given, work), _slopes(expr, box, given, work)
-        near = ball(sp.sympify(radius), None, _BITS).real / 2
+        near = ball(sp.sympify(radius, strict=True), None, _BITS).real / 2
         best, where = arb("-inf"), [_middle(interval) for interval in _whole(box)]
-        heap: list[tuple[float, int, Piece]] = []
-        pieces, count = [_whole(box)], 0
+        heap: list[tuple[float, int, int, Piece]] = []
+        pieces, count, depth = [_whole(box)], 0, 0
         while True:
             for piece in pieces:
                 middle = [_middle(interval) for interval in piece]
                 there = value(middle)
                 if there.lower() > best and _inside(box, middle):
                     best, where = there.lower(), middle
-                above = value(_wide(piece)).upper()
-                if count >= _PATIENCE and not above <= best + near:
+                plain = value(_wide(piece))
+                above = plain.upper()
+                sloped = count >= _PATIENCE and plain.is_finite()
+                if sloped and not above <= best + near:
                     above = above.min((there + _away(piece, middle, slopes)).upper())
                 if not above <= best + near:
                     count += 1
-                    heappush(heap, (-float(above), count, piece))
+                    first = -float(above) if above.is_finite() else -float("inf")
+                    heappush(heap, (first, count, depth, piece))
             if not heap:
                 break
-            if count >= _PIECES:
-                raise NotShown(f"{expr}: no maximum after {_PIECES} pieces")
-            _, _, piece = heappop(heap)
+            _, _, depth, piece = heappop(heap)
+            if count >= _PIECES or depth >= _DEPTH * len(piece):
+                raise NotShown(f"{expr}: no maximum after {count} pieces")
+            depth += 1
             middle = [_middle(interval) for interval in piece]
             across = _best(piece, middle, value)
             pieces = _halved(piece, across, middle[across])
@@ -177,14 +204,16 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
     below = search(upper - expr, box, given)
     if not isinstance(below, Positive):
         raise NotShown(f"{expr}: the bound {upper} is not shown")
-    return Largest(expr, below, _point(box, where), lower, upper)
+    found = Largest(expr, below, _point(box, where), lower, upper)
+    if not recheck(found):
+        raise NotShown(f"{expr}: the bounds {lower} and {upper} are not confirmed")
+    return found
 
 
 def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     unbound = expr.free_symbols - set(box)
     if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
-
     if len(box) > _SYMBOLS:
         raise NotShown(f"a box of {len(box)} symbols; at most {_SYMBOLS} are allowed")
     complex_parts = expr.has(sp.I)
@@ -196,7 +225,10 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     def value(at: Sequence[arb]) -> arb:
         work.spend(size)
         values = dict(zip(box, map(acb, at), strict=True))
-        found = ball(expr, {**values, **(given(values) if given else {})}, _BITS)
+        further = given(values) if given else {}
+        if not further.keys().isdisjoint(values):
+            raise NotShown("a symbol of the box is given a meaning as well")
+        found = ball(expr, {**values, **further}, _BITS)
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
         return found.real if real and found.is_finite() else arb("nan")
 
@@ -231,7 +263,7 @@ def _whole(box: Box) -> Piece:
 
 
 def _number(value: Expr) -> arb:
-    return ball(sp.sympify(value), None, _BITS).real
+    return ball(sp.sympify(value, strict=True), None, _BITS).real
 
 
 def _best(piece: Piece, middle: Sequence[arb], value: Value) -> int:
@@ -269,7 +301,7 @@ def _inside(box: Box, point: Sequence[arb]) -> bool:
 def _point(box: Box, numbers: Sequence[arb]) -> dict[sp.Symbol, Expr]:
     """A point of the box in rational numbers, and in its own where the box has but one."""
     return {
-        symbol: sp.sympify(low) if low == high else _exact(x)
+        symbol: sp.sympify(low, strict=True) if low == high else _exact(x)
         for (symbol, (low, high)), x in zip(box.items(), numbers, strict=True)
     }
 

@@ -72,6 +72,9 @@ class Positive:
     cuts: str
     bits: int
     given: Given | None = None
+    defined: tuple[Expr, ...] = ()
+    """What else must be defined and real on every piece: the sides of an inequality, which SymPy
+    may have cancelled in their difference."""
 
     @property
     def pieces(self) -> int:

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
 
 from symhaptic.latex import latex
-from symhaptic.proof.ball import Value, differs_from_zero, value_at
+from symhaptic.proof.ball import Value, value_at
+from symhaptic.proof.names import renamed, shared
 from symhaptic.proof.normal import Field
 from symhaptic.proof.points import Point, points
+from symhaptic.proof.refute import defines_one, told_apart
 from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.shape import Form, misfit, parts
 
-Form: TypeAlias = Expr | Sequence[Expr]
+__all__ = ["Comparison", "Form", "compare", "equal", "field_name", "named", "parts"]
 
 
 @dataclass(frozen=True)
@@ -28,19 +30,6 @@ class Comparison:
     method: str
     point: Point | None = None
     values: tuple[Value, Value] | None = None
-
-
-def parts(form: Form) -> tuple[Expr, ...]:
-    """A form as a tuple of expressions or relations: vectors and lists of equations unfold.
-
-    >>> parts(sp.Matrix([1, 2]))
-    (1, 2)
-    """
-    if isinstance(form, sp.MatrixBase):
-        return tuple(form)
-    if isinstance(form, (Sequence, sp.Tuple)):
-        return tuple(p for part in form for p in parts(part))
-    return (sp.sympify(form),)
 
 
 def compare(left: Form, right: Form) -> Comparison:
@@ -56,11 +45,12 @@ def compare(left: Form, right: Form) -> Comparison:
     >>> compare(x < 1, x <= 1).equal, compare(x < 1, 2*x < 2).equal
     (False, True)
     """
-    ours, theirs = parts(left), parts(right)
-    if not ours and not theirs:
+    unlike = misfit(left, right)
+    if unlike:
+        return Comparison(False, unlike, {})
+    ours, theirs = _unified(parts(left), parts(right))
+    if not ours:
         return Comparison(None, "nothing to compare")
-    if len(ours) != len(theirs):
-        return Comparison(False, f"{len(ours)} components against {len(theirs)}", {})
     method = ""
     for one, other in zip(ours, theirs, strict=True):
         result = _shown(one, other) or _told_apart(one, other)
@@ -77,11 +67,20 @@ def equal(left: Form, right: Form) -> bool:
     >>> equal(sp.tan(x), sp.sin(x)/sp.cos(x)), equal(x < 1, x <= 1)
     (True, False)
     """
-    ours, theirs = parts(left), parts(right)
-    if not ours or len(ours) != len(theirs):
+    if misfit(left, right):
+        return False
+    ours, theirs = _unified(parts(left), parts(right))
+    if not ours:
         return False
     found = (_shown(one, other) for one, other in zip(ours, theirs, strict=True))
     return all(result is not None and result.equal for result in found)
+
+
+def _unified(*forms: tuple[Expr, ...]) -> list[tuple[Expr, ...]]:
+    """The forms with one symbol for each name."""
+    symbols = {s for form in forms for part in form for s in part.free_symbols}
+    names = shared("compare", symbols)
+    return [tuple(renamed(part, names) for part in form) for form in forms]
 
 
 def _shown(left: Expr, right: Expr) -> Comparison | None:
@@ -104,21 +103,15 @@ def _shown(left: Expr, right: Expr) -> Comparison | None:
 def _relations(left: Relational, right: Relational) -> Comparison | None:
     if left.func != right.func:
         return None
-    if _of_one_thing(left, right):
+    if isinstance(left, (sp.Eq, sp.Ne)) and left.lhs == right.lhs:
         same = _shown(left.rhs, right.rhs)
-        if not (left.rhs.has(left.lhs) or right.rhs.has(left.lhs)) or (same and same.equal):
+        if defines_one(left, right) or (same and same.equal):
             return same
     ours, theirs = left.lhs - left.rhs, right.lhs - right.rhs
     field = Field([ours, theirs])
     if _proportional(field, ours, theirs, signed=isinstance(left, (sp.Eq, sp.Ne))):
         return Comparison(True, f"zero in {field_name(field)}")
     return None
-
-
-def _of_one_thing(left: Expr, right: Expr) -> bool:
-    """Two equations with the same left side."""
-    kinds = (sp.Eq, sp.Ne)
-    return isinstance(left, kinds) and isinstance(right, kinds) and left.lhs == right.lhs
 
 
 def _turned(relation: Expr) -> Expr:
@@ -151,48 +144,26 @@ def field_name(field: Field) -> str:
     return rf"$\mathbb{{Q}}({inner})$" if inner else r"$\mathbb{Q}$"
 
 
-# -- counterexamples -------------------------------------------------------------------
-
-
 def _told_apart(left: Expr, right: Expr) -> Comparison:
-    """A point where both are defined and certainly differ; an unknown H is tried as H_0 + H_1 x."""
-    if _of_one_thing(left, right):
-        found = _told_apart(left.rhs, right.rhs)
-        if found.equal is False:
-            return found
-    left, right = _with_lines(_turned(left)), _with_lines(_turned(right))
-    for point in points(left, right):
-        values = differ(left, right, point)
-        if values is not None and None not in values:
-            return Comparison(False, "the two sides differ", point, values)
-    return Comparison(None, "neither proved nor told apart")
-
-
-def _with_lines(expr: Expr) -> Expr:
-    if isinstance(expr, sp.core.function.AppliedUndef):
-        first, second = sp.symbols(f"{expr.func.__name__}_0 {expr.func.__name__}_1")
-        return first + second * sum(_with_lines(a) for a in expr.args)
-    if not expr.args:
-        return expr
-    parts_ = [_with_lines(a) for a in expr.args]
-    if isinstance(expr, (Relational, sp.re)):
-        return expr.func(*parts_, evaluate=False)
-    return expr.func(*parts_)
-
-
-def differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> tuple[Value, Value] | None:
-    """The two values at a point if they are certainly different, else None."""
-    try:
-        ours, theirs = value_at(left, at), value_at(right, at)
-        if ours is None or theirs is None or isinstance(ours, bool) or isinstance(theirs, bool):
-            return (ours, theirs) if ours is not theirs else None
-        return (ours, theirs) if differs_from_zero(ours - theirs) else None
-    except Unsupported:
-        return None
+    if isinstance(left, Expr) != isinstance(right, Expr):
+        return Comparison(False, "a relation against an expression", {})
+    found = told_apart(left, right)
+    if found is None:
+        return Comparison(None, "neither proved nor told apart")
+    point, values = found
+    return Comparison(False, "the two sides differ", point, values)
 
 
 def named(point: Mapping[Expr, Expr] | None) -> dict[str, str] | None:
-    """A point with plain names and exact numbers as text."""
+    """A point with plain names and exact numbers as text; of two dummies one is marked.
+
+    >>> named({sp.Dummy("x"): sp.S.Half, sp.Dummy("x"): sp.S.One})
+    {'x': '1/2', 'x_2': '1'}
+    """
     if point is None:
         return None
-    return {str(s).lstrip("_"): str(v) for s, v in point.items()}
+    found: dict[str, str] = {}
+    for symbol, number in point.items():
+        names = (f"{symbol.name}_{k}" if k > 1 else symbol.name for k in itertools.count(1))
+        found[next(name for name in names if name not in found)] = str(number)
+    return found

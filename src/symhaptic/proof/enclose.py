@@ -7,11 +7,14 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.proof import box as boxes
+from symhaptic.proof.asked import Ends, box_of, exact
 from symhaptic.proof.ball import ball, is_real
+from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Largest
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.prove import Ends, checked
-from symhaptic.proof.rewriting import Undefined
+from symhaptic.proof.program import Uncheckable, program
+from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.sign import NotShown
 
 _LIMIT = 100_000
 """Most digits that may be asked for."""
@@ -22,34 +25,52 @@ def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
 
     A python-flint ``arb``, or ``acb`` for a complex number; zero is recognised by the normal form.
     Raises :class:`ValueError` for what is no constant, and where no precision reaches the digits
-    (an expression that is undefined, or zero without the normal form knowing it).
+    (an expression that is undefined, or zero without the normal form knowing it), and
+    :class:`TypeError` for text, which is not read: SymPy would run it as a program.
 
     >>> print(enclose(sp.sqrt(2) - 1, 30).str(30))
     [0.414213562373095048801688724210 +/- 3.02e-31]
     >>> print(enclose(sp.sin(1)**2 + sp.cos(1)**2 - 1))
     0
     """
-    expr = sp.sympify(expr)
-    if not isinstance(expr, Expr) or expr.free_symbols:
+    expr = exact("enclose", "expr", expr)
+    if expr.free_symbols or not expr.is_commutative or expr.is_Matrix:
         raise ValueError(f"enclose: expr: {expr} is no constant; a number without symbols is")
-    if expr.has(sp.Float):
-        raise ValueError(f"enclose: expr: {expr} has a float; exact numbers are allowed")
-    if not isinstance(digits, int) or not 1 <= digits <= _LIMIT:
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _LIMIT:
         raise ValueError(f"enclose: digits: {digits!r} is not allowed; 1 to {_LIMIT} are")
+    try:
+        return _enclosed(expr, digits)
+    except (Exhausted, Unsupported, Uncheckable) as wrong:
+        raise ValueError(f"enclose: expr: {expr} is undecided: {wrong}") from wrong
+    except RecursionError as deep:
+        raise ValueError("enclose: expr is nested too deeply") from deep
+
+
+def _enclosed(expr: Expr, digits: int) -> arb | acb:
     need = int(digits * 3.33) + 8
     for bits in (need + 32, 2 * need + 64, 4 * need + 256, 16 * need + 4096):
         value = ball(expr, None, bits)
         with ctx.workprec(bits):
             if value.is_finite() and value.rad() < abs(value).lower() * arb(10) ** -digits:
+                _confirm(expr, value)
                 return value.real if value.imag.is_zero() or is_real(expr) else value
-        if value.contains(acb(0)) and bits == need + 32 and _is_zero(expr):
-            return arb(0)
+            if value.contains(acb(0)) and bits == need + 32 and _is_zero(expr):
+                _confirm(expr, acb(0))
+                return arb(0)
     raise ValueError(f"enclose: expr: {expr} is not known to {digits} digits at {bits} bits")
+
+
+def _confirm(expr: Expr, found: acb) -> None:
+    """Raises unless another routine finds a number that may be the same one."""
+    again = program(expr, [])()
+    if not (again.is_finite() and again.overlaps(found)):
+        raise ValueError(f"enclose: expr: {expr} is {found}, which is not confirmed by {again}")
 
 
 def _is_zero(expr: Expr) -> bool:
     try:
-        return is_zero(expr)
+        with budget(STEPS):
+            return is_zero(expr)
     except Undefined as wrong:
         raise ValueError(f"enclose: expr: {expr} is undefined: {wrong}") from wrong
 
@@ -65,13 +86,13 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6) -> Largest:
     >>> found.lower <= sp.Rational(1, 4) <= found.upper
     True
     """
-    expr = sp.sympify(expr)
-    if not isinstance(expr, Expr) or expr.has(sp.Float):
-        raise ValueError(f"enclose_maximum: expr: {expr} is no formula with exact numbers")
-    inside = checked("enclose_maximum", box)
-    missing = ", ".join(sorted(map(str, expr.free_symbols - set(inside))))
-    if missing:
-        raise ValueError(f"enclose_maximum: box: no interval for {missing}")
-    if not isinstance(digits, int) or not 0 <= digits <= 15:
+    expr = exact("enclose_maximum", "expr", expr)
+    inside, (expr,) = box_of("enclose_maximum", box, expr)
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 0 <= digits <= 15:
         raise ValueError(f"enclose_maximum: digits: {digits!r} is not allowed; 0 to 15 are")
-    return boxes.maximum(expr, inside, sp.Rational(1, 10**digits))
+    try:
+        return boxes.maximum(expr, inside, sp.Rational(1, 10**digits))
+    except (NotShown, Unsupported, Uncheckable) as wrong:
+        raise ValueError(f"enclose_maximum: expr: {wrong}") from wrong
+    except RecursionError as deep:
+        raise ValueError("enclose_maximum: expr is nested too deeply") from deep

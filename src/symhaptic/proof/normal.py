@@ -19,9 +19,11 @@ from fractions import Fraction
 from math import lcm
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq, fmpq_mpoly, fmpz_poly
 from sympy import Expr
+from sympy.core.function import Application
 
+from symhaptic.proof.budget import spend
 from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
 from symhaptic.proof.ring import Fractional, Ring
 
@@ -39,7 +41,7 @@ class Field:
 
     def __init__(self, exprs: Iterable[Expr], small: sp.Symbol | None = None) -> None:
         self._small = small
-        self._exprs = {e: as_exponentials(sp.sympify(e)) for e in exprs}
+        self._exprs = {e: as_exponentials(sp.sympify(e, strict=True)) for e in exprs}
         self._radicals: dict[tuple[Expr, int], Expr] = {}
         self._logs: dict[Expr, Expr] = {}
         self._opaque: dict[Expr, Expr] = {}
@@ -59,8 +61,11 @@ class Field:
 
     def _collect(self, expr: Expr, symbols: set[Expr], outside: set[Expr]) -> None:
         """Symbols everywhere and those outside exponents; exponents, roots, unknown functions."""
+        spend(1)
         if expr.is_Rational or expr in (sp.I, sp.pi):
             return
+        if not expr.is_commutative:
+            raise Unsupported(f"no normal form for {expr}, which does not commute")
         if expr.is_Symbol:
             symbols.add(expr)
             outside.add(expr)
@@ -82,7 +87,7 @@ class Field:
             self._collect(power, symbols, set())
             log = self._logs.setdefault(base, sp.Dummy("log"))
             self._exponents.append(power * log)
-        elif expr.is_Function or isinstance(expr, (sp.Abs, sp.conjugate)):
+        elif isinstance(expr, Application):
             self._opaque.setdefault(expr, sp.Dummy("f"))
         else:
             raise Unsupported(f"no normal form for {type(expr).__name__}: {expr}")
@@ -147,7 +152,8 @@ class Field:
         ]
         # the roots of unity: exp(j pi p/q) and j itself
         self._order = lcm(4, 2 * denominators[0])
-        self._zeta = sp.Symbol("_zeta")
+        spend(20 * self._order)
+        self._zeta = sp.Dummy("zeta")
         self._generator: dict[int, Expr] = {}
         self._denominators = denominators
         names: list[Expr] = [*self._symbols, sp.pi, *self._opaque.values()]
@@ -158,20 +164,22 @@ class Field:
                 continue
             if exponent in log_of and denominators[i] == 1:
                 continue
-            self._generator[i] = sp.Symbol(f"_g{i}")
+            self._generator[i] = sp.Dummy(f"g{i}")
             names.append(self._generator[i])
         names.append(self._zeta)
         self._ring = ring = Ring(names)
         ring.small = None if self._small is None else names.index(self._small)
-        cyclotomic = sp.Poly(sp.cyclotomic_poly(self._order, sp.Symbol("X")), sp.Symbol("X"))
+        cyclotomic = fmpz_poly.cyclotomic(self._order).coeffs()
         ring.relate(
-            self._zeta,
-            {m[0]: ring.ctx.constant(fmpq(int(c))) for m, c in cyclotomic.terms()},
+            self._zeta, {i: ring.ctx.constant(fmpq(c)) for i, c in enumerate(cyclotomic) if c}
         )
         self._bases: dict[int, Expr] = {}
         for i, (exponent, _) in enumerate(self._basis):
             if exponent in log_of:
                 self._bases[i] = log_of[exponent]
+        for base in self._logs:
+            if self._vanishes(self._image(base, ring, self._exponential)):
+                raise Unsupported(f"a power of {base}, which is zero")
         for (base, q), radical in self._radicals.items():
             self._relate_root(radical, self._image(base, ring, self._exponential), q)
         for i, base in self._bases.items():
@@ -179,7 +187,13 @@ class Field:
                 image = self._image(base, ring, self._exponential)
                 self._relate_root(self._generator[i], image, denominators[i])
 
+    def _vanishes(self, image: Fractional) -> bool:
+        return bool(self._ring.reduce(image.num).is_zero())
+
     def _relate_root(self, root: Expr, image: Fractional, degree: int) -> None:
+        if self._vanishes(image):
+            self._ring.relate(root, {1: self._ring.one})
+            return
         self._ring.relate(root, {0: -image.num, degree: image.den})
 
     def _exponential(self, exponent: Expr) -> Fractional:
@@ -251,13 +265,20 @@ class Field:
 
     def is_zero(self, expr: Expr) -> bool:
         """Whether the expression vanishes identically (where it is defined)."""
-        return bool(self.reduced(self.image(expr).num).is_zero())
+        return self._is_zero(self.image(expr))
 
     def are_equal(self, left: Expr, right: Expr) -> bool:
         """Whether two of the field's expressions are the same wherever both are defined."""
         ours, theirs = self.image(left), self.image(right)
-        difference = self._ring.sum(ours, Fractional(-theirs.num, theirs.den))
-        return bool(self.reduced(difference.num).is_zero())
+        return self._is_zero(self._ring.sum(ours, Fractional(-theirs.num, theirs.den)))
+
+    def _is_zero(self, image: Fractional) -> bool:
+        if not self._vanishes(image):
+            return False
+        # where roots are adjoined, a product may vanish of which no factor does
+        if len(self._ring.relations) > 1 and self.reduced(image.den).is_zero():
+            raise Undefined("division by an expression that is identically zero")
+        return True
 
     def lowest(
         self, expr: Expr, variable: sp.Symbol, upto: int, nonzero: Callable[[Expr], bool]
@@ -335,5 +356,5 @@ def is_zero(expr: Expr) -> bool:
     >>> is_zero(sin(x)**2 + cos(x)**2 - 1), is_zero(sin(2*x) - 2*sin(x))
     (True, False)
     """
-    expr = sp.sympify(expr)
+    expr = sp.sympify(expr, strict=True)
     return Field([expr]).is_zero(expr)

@@ -10,6 +10,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.notation import SYMBOLS
+from symhaptic.proof.names import admissible
 
 Point: TypeAlias = dict[Expr, Expr]
 
@@ -25,16 +26,37 @@ _CHOICES: dict[str, tuple[str, ...]] = {
 _LIMIT = 400
 
 
+_FURTHER = (
+    *(sp.Rational(v) for v in ("2", "1", "3", "1/2", "-1", "-2", "-1/2", "4", "0")),
+    sp.sqrt(2),
+    -sp.pi,
+    sp.I,
+    -2 * sp.I,
+)
+"""Where those of the domain are not what a symbol is assumed to be."""
+
+
 def choices(symbol: Expr) -> tuple[Expr, ...]:
-    """Simple values of a symbol's domain."""
+    """Simple values of a symbol's domain, of those that it is assumed to have.
+
+    >>> choices(sp.Symbol("n", integer=True, positive=True))
+    (1, 2, 3, 4)
+    """
     entry = SYMBOLS.get(symbol.name)
-    return tuple(sp.Rational(v) for v in _CHOICES[entry.domain if entry else "real"])
+    known = tuple(sp.Rational(v) for v in _CHOICES[entry.domain if entry else "real"])
+    if len(symbol.assumptions0) == 1:  # that it commutes
+        return known
+    fitting = [v for v in dict.fromkeys((*known, *_FURTHER)) if admissible(symbol, v)]
+    inside = [v for v in fitting if v in known]
+    return tuple(inside if entry and inside else fitting[:6])
 
 
 def points(*exprs: Expr) -> Iterator[Point]:
     """Rational points of the domain, simple ones first, always in the same order."""
     symbols = sorted({s for e in exprs for s in e.free_symbols}, key=str)
     lists = [choices(symbol) for symbol in symbols]
+    if not all(lists):
+        return
     # first a generic point with different values, then all combinations
     order = itertools.chain(
         (

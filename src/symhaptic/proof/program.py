@@ -70,6 +70,8 @@ _CALLS: dict[type, Callable[..., Ball]] = {
     sp.sinh: _sinh,
     sp.cosh: _cosh,
     sp.tanh: _tanh,
+    sp.log: lambda x: x.log(),
+    sp.atan: lambda x: x.atan(),
     sp.Abs: _plain(lambda x: acb(abs(x))),
     sp.re: _plain(lambda x: acb(x.real)),
     sp.im: _plain(lambda x: acb(x.imag)),
@@ -77,9 +79,14 @@ _CALLS: dict[type, Callable[..., Ball]] = {
 }
 
 
+def known(function: type) -> bool:
+    """Whether there are balls of a function's values."""
+    return function in _CALLS
+
+
 def value(number: Expr) -> acb:
     """A number in a ball of the precision in force."""
-    found: acb = program(sp.sympify(number), [])()
+    found: acb = program(sp.sympify(number, strict=True), [])()
     return found
 
 

@@ -2,37 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from collections.abc import Mapping
+from typing import Any
 
 import sympy as sp
-from sympy import Expr
+from flint import ctx
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.proof import box as boxes
+from symhaptic.proof.asked import Ends, allowed_steps, box_of, form_of
+from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Box, Positive
-from symhaptic.proof.decide import Form, compare, named
+from symhaptic.proof.decide import compare, named
+from symhaptic.proof.names import admissible, renamed, shared
+from symhaptic.proof.points import Point
+from symhaptic.proof.program import Uncheckable, program, value
+from symhaptic.proof.recheck import recheck
+from symhaptic.proof.refute import defined_somewhere
 from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind, Verdict
 
-Ends: TypeAlias = Mapping[sp.Symbol, tuple[object, object]]
-"""Closed interval of each symbol."""
 
-
-def prove(lhs: Form, rhs: Form | Ends) -> Verdict:
+def prove(lhs: Form, rhs: Form | Ends, *, steps: int = STEPS) -> Verdict:
     r"""Decide whether two formulas are the same, or whether an inequality holds on a box.
 
     ``prove(lhs, rhs)`` compares formulas, vectors or relations; equality holds wherever both sides
     are defined, for real values of the symbols and any real exponent.  ``prove(relation, box)``
-    takes an inequality and a closed interval for each of its symbols, ``{x: (0, 1)}``.
+    takes an inequality and a closed interval for each of its symbols, ``{x: (0, 1)}``; both of its
+    sides must be defined and real on the whole box.
+
+    Symbols of one name are one symbol, of which all is assumed that is of any of them.
 
     Returns a :class:`Verdict` that is true only for what is settled: *proved* with the field in
     which the difference is zero, *enclosed* with a ``certificate`` that
-    :func:`symhaptic.recheck` checks again.  What is false is *refuted*, with a point;
-    *undecided* is neither, and not true.  An inequality that is touched, such as
-    :math:`x^2\ge0` on [-1, 1], is undecided: balls cannot see an equality.  Raises
-    :class:`TypeError` and :class:`ValueError` for what is no formula, relation or box.
+    :func:`symhaptic.recheck` has checked again.  What is false is *refuted*, with a point that was
+    confirmed; *undecided* is neither, and not true.  An inequality that is touched, such as
+    :math:`x^2\ge0` on [-1, 1], is undecided: balls cannot see an equality.  So is what would need
+    more than so many ``steps`` of arithmetic.  Raises :class:`TypeError` and :class:`ValueError`
+    for what is no formula, relation or box; text is none, for SymPy would run it as a program.
 
     >>> from sympy.abc import x
     >>> bool(prove(sp.tan(x/2), sp.sin(x)/(1 + sp.cos(x))))
@@ -42,89 +53,100 @@ def prove(lhs: Form, rhs: Form | Ends) -> Verdict:
     >>> print(prove(sp.sin(x) < x - x**3/8, {x: (1, 2)}))
     enclosed: ball arithmetic on 20 pieces
     """
-    if isinstance(rhs, Mapping):
-        return _on_box(lhs, rhs)
-    for side in (lhs, rhs):
-        if isinstance(side, str) or not isinstance(
-            side, (sp.Basic, sp.MatrixBase, Sequence, int, float)
-        ):
-            raise TypeError(
-                f"prove: {side!r} is no formula; SymPy expressions, relations and "
-                "sequences of them are allowed"
-            )
-    result = compare(lhs, rhs)
-    if result.equal:
-        return Verdict(Kind.PROVED, result.method)
+    allowed_steps("prove", steps)
+    try:
+        with budget(steps):
+            return _on_box(lhs, rhs, steps) if isinstance(rhs, Mapping) else _same(lhs, rhs)
+    except Exhausted as spent:
+        return Verdict(Kind.UNDECIDED, str(spent))
+    except RecursionError:
+        return Verdict(Kind.UNDECIDED, "nested too deeply")
+
+
+def _same(lhs: Form, rhs: Form) -> Verdict:
+    left, right = form_of("prove", lhs), form_of("prove", rhs)
+    forms = (*parts(left), *parts(right))
+    names = shared("prove", {s for form in forms for s in form.free_symbols})
+    if any(_complex_part_of_unknown(form) for form in forms):
+        return Verdict(Kind.UNDECIDED, "an unknown function need not be real")
+    result = compare(left, right)
     if result.equal is None:
         return Verdict(Kind.UNDECIDED, result.method)
-    return Verdict(Kind.REFUTED, result.method, counterexample=named(result.point))
+    if not result.equal:
+        return Verdict(Kind.REFUTED, result.method, counterexample=named(result.point))
+    for pair in zip(parts(left), parts(right), strict=True):
+        try:
+            defined = defined_somewhere(renamed(form, names) for form in pair)
+        except Uncheckable as unknown:
+            return Verdict(Kind.UNDECIDED, str(unknown))
+        if not defined:
+            return Verdict(Kind.UNDECIDED, "no point is found at which both sides are defined")
+    return Verdict(Kind.PROVED, result.method)
 
 
-def _on_box(relation: Form, ends: Ends) -> Verdict:
-    if relation in (True, False):
+def _complex_part_of_unknown(form: Any) -> bool:
+    """Real coefficients are known of the paper's transfer functions, not of a user's H."""
+    return any(part.has(AppliedUndef) for part in form.atoms(sp.re, sp.im, sp.conjugate, sp.Abs))
+
+
+def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
+    if isinstance(relation, (bool, BooleanAtom)):
         raise TypeError(
             f"prove: the inequality is {relation} already: SymPy decided it when it was written; "
             "evaluate=False keeps it as it is"
         )
     if not isinstance(relation, Relational) or isinstance(relation, (sp.Eq, sp.Ne)):
         raise TypeError(f"prove: {relation!r} is no inequality; one of <, <=, >, >= is allowed")
+    form_of("prove", relation)
     floats = sorted(relation.atoms(sp.Float))
     if floats:
         raise ValueError(f"prove: {floats[0]} is no exact number; Rational(1, 10) is one, say")
+    box, (relation,) = box_of("prove", ends, relation)
     smaller, larger = relation.lhs, relation.rhs
     if isinstance(relation, (sp.StrictGreaterThan, sp.GreaterThan)):
         smaller, larger = larger, smaller
-    box = checked("prove", ends)
-    missing = relation.free_symbols - set(box)
-    if missing:
-        names = ", ".join(sorted(map(str, missing)))
-        raise ValueError(f"prove: box: no interval for {names}; one for each symbol is needed")
+    difference = larger - smaller
+    sides = (*_cancelled(larger, difference), *_cancelled(-smaller, difference))
     try:
-        found = boxes.search(larger - smaller, box)
+        found = boxes.search(difference, box, defined=sides, steps=steps)
     except (Unsupported, NotShown) as wrong:
         return Verdict(Kind.UNDECIDED, str(wrong))
     if found is None:
-        return Verdict(Kind.UNDECIDED, "the pieces of the box became too many")
+        return Verdict(
+            Kind.UNDECIDED,
+            "the pieces of the box became too many, or a side is not defined and real on it",
+        )
     if isinstance(found, Positive):
+        if not recheck(found):
+            return Verdict(Kind.UNDECIDED, "found by balls, and not confirmed when checked again")
         pieces = f"{found.pieces} piece" + ("s" if found.pieces > 1 else "")
         return Verdict(Kind.ENCLOSED, f"ball arithmetic on {pieces}", certificate=found)
-    point = named(found.point)
-    if found.touches and not isinstance(relation, (sp.StrictLessThan, sp.StrictGreaterThan)):
+    strict = isinstance(relation, (sp.StrictLessThan, sp.StrictGreaterThan))
+    if found.touches and not strict:
         return Verdict(Kind.UNDECIDED, "both sides are equal somewhere")
-    return Verdict(Kind.REFUTED, "ball arithmetic at a point", counterexample=point)
+    if not _denied(smaller, larger, box, found.point, strict):
+        return Verdict(Kind.UNDECIDED, "a point seems to deny it, and is not confirmed")
+    return Verdict(Kind.REFUTED, "ball arithmetic at a point", counterexample=named(found.point))
 
 
-def checked(caller: str, ends: Ends) -> Box:
-    """A box with exact ends; :class:`ValueError` names what is wrong with it."""
-    if not isinstance(ends, Mapping):
-        raise TypeError(f"{caller}: box: {ends!r} is no mapping of symbols to intervals")
-    box: dict[sp.Symbol, tuple[Expr, Expr]] = {}
-    for symbol, pair in ends.items():
-        if not isinstance(symbol, sp.Symbol):
-            raise TypeError(f"{caller}: box: {symbol!r} is no symbol")
-        if not isinstance(pair, (tuple, list)) or len(pair) != 2:
-            raise ValueError(f"{caller}: box: {pair!r} of {symbol} is no pair (lower, upper)")
-        low, high = (sp.sympify(end) for end in pair)
-        for end in (low, high):
-            if (
-                not isinstance(end, Expr)
-                or end.free_symbols
-                or end.has(sp.Float)
-                or not end.is_finite
-                or not end.is_real
-            ):
-                raise ValueError(
-                    f"{caller}: box: {end} of {symbol} is not allowed; an exact real number is, "
-                    "such as Rational(1, 10)"
-                )
-        if (high - low).is_negative:
-            raise ValueError(f"{caller}: box: ({low}, {high}) of {symbol} is empty")
-        beyond = (low.is_negative and symbol.is_extended_nonnegative) or (
-            high.is_positive and symbol.is_extended_nonpositive
-        )
-        if beyond or symbol.is_integer or symbol.is_real is False:
-            raise ValueError(
-                f"{caller}: box: ({low}, {high}) has numbers that {symbol} is assumed not to be"
-            )
-        box[symbol] = (low, high)
-    return box
+def _cancelled(side: sp.Expr, difference: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The side, unless all its terms stand in the difference, so that its balls show them."""
+    left = sp.Add.make_args(difference)
+    kept = all(term.is_Rational or term in left for term in sp.Add.make_args(side))
+    return () if kept else (side,)
+
+
+def _denied(smaller: sp.Expr, larger: sp.Expr, box: Box, point: Point, strict: bool) -> bool:
+    """Whether both sides are real at a point of the box, and the larger one not larger."""
+    if not all(admissible(symbol, at) for symbol, at in point.items()):
+        return False
+    symbols = list(box)
+    with ctx.workprec(256):
+        at = [value(point[s]) for s in symbols]
+        try:
+            low, high = (program(side, symbols)(*at) for side in (smaller, larger))
+        except Uncheckable:
+            return False
+        if not all(x.is_finite() and x.imag.contains(0) for x in (low, high)):
+            return False
+        return bool(high.real <= low.real) if strict else bool(high.real < low.real)

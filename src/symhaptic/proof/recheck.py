@@ -12,12 +12,17 @@ from typing import TypeAlias
 
 import sympy as sp
 from flint import acb, acb_series, arb, ctx
+from sympy import Expr
 
 from symhaptic.proof.ball import is_real
 from symhaptic.proof.certificate import Balls, Certificate, Given, Largest, Positive, Zero
-from symhaptic.proof.program import program, real, value
+from symhaptic.proof.program import Uncheckable, program, real, value
+from symhaptic.proof.rewriting import Unsupported
 
 Interval: TypeAlias = tuple[arb, arb]
+
+_BITS = 1 << 20
+"""Certificates of a higher precision are not looked at."""
 
 
 class Unconfirmed(ValueError):
@@ -40,32 +45,43 @@ def recheck(certificate: Certificate) -> bool:
     >>> recheck(certificate)
     True
     """
-    match certificate:
-        case Positive():
-            return _positive(certificate)
-        case Zero():
-            return _zero(certificate)
-        case Largest():
-            return _largest(certificate)
+    try:
+        match certificate:
+            case Positive():
+                return _positive(certificate)
+            case Zero():
+                return _zero(certificate)
+            case Largest():
+                return _largest(certificate)
+    except (Uncheckable, Unsupported, sp.SympifyError):
+        return False
     raise TypeError(f"recheck: {certificate!r} is no certificate")
 
 
 def _positive(claim: Positive) -> bool:
-    known = set(claim.box) | set(claim.given.meanings if claim.given else ())
-    if not claim.expr.free_symbols <= known or (claim.expr.has(sp.I) and not is_real(claim.expr)):
+    if not _sound(claim):
         return False
     with ctx.workprec(claim.bits):
         value = _on(claim)
-        pieces = [[(real(low), real(high)) for low, high in claim.box.values()]]
+        sides = [_on(replace(claim, expr=side)) for side in claim.defined]
+        whole = [_interval(ends) for ends in claim.box.values()]
+        if None in whole:
+            return False
+        pieces = [[interval for interval in whole if interval]]
         for cut in claim.cuts:
             if not pieces:
                 return False
             piece = pieces.pop()
+            wide = [low.union(high) for low, high in piece]
+            if cut in (".", ":") and not all(side(wide).is_finite() for side in sides):
+                return False
             if cut == ".":
-                if not value([low.union(high) for low, high in piece]) > 0:
+                if not value(wide) > 0:
                     return False
             elif cut == ":":
-                if claim.given is not None or not _by_slopes(claim, value, piece) > 0:
+                if claim.given is not None or not value(wide).is_finite():
+                    return False
+                if not _by_slopes(claim, value, piece) > 0:
                     return False
             elif cut.isdecimal() and int(cut) < len(piece):
                 i = int(cut)
@@ -76,6 +92,32 @@ def _positive(claim: Positive) -> bool:
             else:
                 return False
     return not pieces
+
+
+def _sound(claim: Positive) -> bool:
+    """Whether it speaks of real numbers, of which the box alone says where they lie."""
+    meanings = claim.given.meanings if claim.given else {}
+    known = set(claim.box) | set(meanings)
+    sensible = isinstance(claim.bits, int) and 2 <= claim.bits <= _BITS
+    return (
+        sensible
+        and not set(claim.box) & set(meanings)
+        and all(
+            isinstance(expr, Expr)
+            and expr.free_symbols <= known
+            and (not expr.has(sp.I) or is_real(expr))
+            for expr in (claim.expr, *claim.defined)
+        )
+    )
+
+
+def _interval(ends: tuple[Expr, Expr]) -> Interval | None:
+    """Its ends in balls; None where they are not real numbers, or in the wrong order."""
+    low, high = (value(end) for end in ends)
+    for end in (low, high):
+        if not (end.is_finite() and end.imag.is_zero()):
+            return None
+    return None if low.real > high.real else (low.real, high.real)
 
 
 def _by_slopes(claim: Positive, value: Callable[[list[arb]], arb], piece: list[Interval]) -> arb:
@@ -120,7 +162,10 @@ def _given(given: Given) -> Callable[[Balls], Balls]:
         ends = [end for s in given.of for end in (balls[s].real.lower(), balls[s].real.upper())]
         key = tuple(end.man_exp() for end in ends)
         if key not in known:
-            basis = {**balls, **given.numbers(balls)}
+            numbers = given.numbers(balls)
+            if set(numbers) & set(balls):
+                raise Uncheckable("a symbol of the box is given a number as well")
+            basis = {**balls, **numbers}
             known[key] = {s: run(*(basis[x] for x in needs[s])) for s, run in programs.items()}
         return known[key]
 
@@ -128,10 +173,15 @@ def _given(given: Given) -> Callable[[Balls], Balls]:
 
 
 def _zero(claim: Zero) -> bool:
+    if claim.variable in claim.at:
+        return False
     with ctx.workprec(claim.bits):
         run = program(claim.expr, [claim.variable, *claim.at])
         others = [acb(x) if isinstance(x, (acb, arb)) else value(x) for x in claim.at.values()]
-        low, high = (real(end) for end in claim.between)
+        between = _interval(claim.between)
+        if between is None:
+            return False
+        low, high = between
         found = claim.ball
         if not (found.lower() >= low.upper() and found.upper() <= high.lower()):
             return False
@@ -142,8 +192,8 @@ def _zero(claim: Zero) -> bool:
         if not ((ends[0] > 0 and ends[1] < 0) or (ends[0] < 0 and ends[1] > 0)):
             return False
         still = [acb_series([x], 2) for x in others]
-        slope = run(acb_series([low.union(high), 1], 2), *still)[1].real
-        return bool(slope > 0 or slope < 0)
+        slope = run(acb_series([low.union(high), 1], 2), *still)[1]
+        return bool(slope.imag.is_zero() and (slope.real > 0 or slope.real < 0))
 
 
 def _largest(claim: Largest) -> bool:
@@ -151,10 +201,16 @@ def _largest(claim: Largest) -> bool:
     below = claim.below
     if below.expr != claim.upper - claim.expr or set(claim.where) != set(below.box):
         return False
+    if not _positive(below):
+        return False
     with ctx.workprec(below.bits):
-        point = [real(claim.where[s]) for s in below.box]
+        numbers = [value(claim.where[s]) for s in below.box]
+        if not all(x.imag.is_zero() for x in numbers):
+            return False
+        point = [x.real for x in numbers]
         for x, (low, high) in zip(point, below.box.values(), strict=True):
             if not (x >= real(low) and x <= real(high)):
                 return False
         reached = _on(replace(below, expr=claim.expr))(point)
-        return bool(reached >= real(claim.lower)) and _positive(below)
+        lower = value(claim.lower)
+        return bool(lower.imag.is_zero() and reached >= lower.real)

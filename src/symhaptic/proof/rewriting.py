@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
+
 import sympy as sp
 from sympy import Expr
+from sympy.core.function import AppliedUndef
 
-from symhaptic.notation import SYMBOLS
+from symhaptic.notation import FUNCTIONS, SYMBOLS
 
 
 class Undefined(ArithmeticError):
@@ -16,43 +19,89 @@ class Unsupported(ValueError):
     """The expression holds something that the normal form does not know."""
 
 
-def conjugated(expr: Expr) -> Expr:
-    """The complex conjugate; symbols and coefficients of unknown functions are real.
+_MIRRORED = (
+    sp.Add,
+    sp.Mul,
+    sp.exp,
+    sp.sin,
+    sp.cos,
+    sp.tan,
+    sp.cot,
+    sp.sinh,
+    sp.cosh,
+    sp.tanh,
+    sp.Abs,
+    sp.re,
+    sp.conjugate,
+)
+"""What takes conjugate arguments to the conjugate value, wherever it is defined.
+
+Functions with a branch cut on the real axis do not: acos(2) is real neither at 2 nor beside it.
+"""
+
+
+def conjugated(expr: Expr, real: AbstractSet[Expr] = frozenset()) -> Expr:
+    """The complex conjugate; symbols and coefficients of the paper's unknown functions are real.
 
     Raises :class:`Unsupported` where the conjugate is not found by exchanging j and -j: for
-    complex symbols, and for roots and powers that need not be real.
+    symbols that may be complex and are not among those known to be ``real``, for functions but
+    those that are known to be mirrored, and for roots and powers that need not be real.
     """
-    for symbol in expr.free_symbols:
-        if symbol.name in SYMBOLS and SYMBOLS[symbol.name].domain == "complex":
-            raise Unsupported(f"the conjugate of an expression in {symbol}, which is complex")
-    for power in expr.atoms(sp.Pow):
-        if not (power.exp.is_Integer or (power.base.is_positive and power.exp.is_real)):
-            raise Unsupported(f"the conjugate of {power}, which need not be real")
+    _check_mirrored(expr, real)
     return expr.xreplace({sp.I: -sp.I})
+
+
+def _check_mirrored(expr: Expr, real: AbstractSet[Expr]) -> None:
+    if expr.is_Rational or expr in (sp.I, sp.pi, sp.E):
+        return
+    if expr.is_Symbol:
+        if expr not in real and is_complex(expr):
+            raise Unsupported(f"the conjugate of an expression in {expr}, which is complex")
+        return
+    if expr.is_Pow:
+        if not (expr.exp.is_Integer or expr.base.is_positive):
+            raise Unsupported(f"the conjugate of {expr}, which need not be real")
+    elif isinstance(expr, AppliedUndef):
+        if expr.func.__name__ not in FUNCTIONS:
+            raise Unsupported(f"the conjugate of {expr}, an unknown function")
+    elif expr.func not in _MIRRORED:
+        raise Unsupported(f"the conjugate of {expr}, which need not be real")
+    for arg in expr.args:
+        _check_mirrored(arg, real)
+
+
+def is_complex(symbol: Expr) -> bool:
+    """Whether a symbol need not be real, by what is assumed of it or by the paper's notation."""
+    entry = SYMBOLS.get(symbol.name)
+    if symbol.is_real is not None:
+        return not symbol.is_real
+    return symbol.is_complex is not None or (entry is not None and entry.domain == "complex")
 
 
 def as_exponentials(expr: Expr) -> Expr:
     """Sines, cosines, tangents and real parts rewritten with exponentials, nothing else touched."""
     j = sp.I
-    args = [as_exponentials(a) for a in expr.args]
 
     def pair(u: Expr) -> tuple[Expr, Expr]:
         return sp.exp(u, evaluate=False), sp.exp(-u, evaluate=False)
 
     if isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot)):
-        up, down = pair(j * args[0])
+        up, down = pair(j * as_exponentials(expr.args[0]))
         sine, cosine = (up - down) / (2 * j), (up + down) / 2
         return {sp.sin: sine, sp.cos: cosine, sp.tan: sine / cosine, sp.cot: cosine / sine}[
             expr.func
         ]
     if isinstance(expr, (sp.sinh, sp.cosh, sp.tanh)):
-        up, down = pair(args[0])
+        up, down = pair(as_exponentials(expr.args[0]))
         sine, cosine = (up - down) / 2, (up + down) / 2
         return {sp.sinh: sine, sp.cosh: cosine, sp.tanh: sine / cosine}[expr.func]
     if isinstance(expr, sp.re):
-        return (args[0] + as_exponentials(conjugated(expr.args[0]))) / 2
+        inside = expr.args[0]
+        return (as_exponentials(inside) + as_exponentials(conjugated(inside))) / 2
     if isinstance(expr, sp.exp):
-        return sp.exp(args[0], evaluate=False)
-    if not expr.args or isinstance(expr, (sp.core.function.AppliedUndef, sp.conjugate)):
-        return expr
-    return expr.func(*args, evaluate=False) if expr.is_Add or expr.is_Mul else expr.func(*args)
+        return sp.exp(as_exponentials(expr.args[0]), evaluate=False)
+    if expr.is_Add or expr.is_Mul:
+        return expr.func(*map(as_exponentials, expr.args), evaluate=False)
+    if expr.is_Pow:
+        return expr.func(*map(as_exponentials, expr.args))
+    return expr

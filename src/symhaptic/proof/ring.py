@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import comb
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Expr
+
+from symhaptic.proof.budget import spend
 
 
 @dataclass(frozen=True)
@@ -17,9 +20,16 @@ class Fractional:
     den: fmpq_mpoly
 
     def __mul__(self, other: Fractional) -> Fractional:
+        spend(len(self.num) * len(other.num) + len(self.den) * len(other.den))
         return Fractional(self.num * other.num, self.den * other.den)
 
     def __pow__(self, n: int) -> Fractional:
+        for poly in (self.num, self.den):
+            terms = max(len(poly), 1)
+            plain = terms == 1 and all(abs(c) == 1 for c in poly.coeffs())
+            if not plain:
+                spend(abs(n) * terms)
+                spend(comb(abs(n) + terms - 1, terms - 1))
         if n < 0:
             return Fractional(self.den ** (-n), self.num ** (-n))
         return Fractional(self.num**n, self.den**n)
@@ -36,16 +46,22 @@ class Ring:
         self.gen = dict(zip(names, self.ctx.gens(), strict=False))
         self.one = self.ctx.constant(1)
         self.relations: list[tuple[int, dict[int, fmpq_mpoly]]] = []
+        self.moduli: dict[int, fmpq_mpoly] = {}
+        """The relations that are monic and have numbers as coefficients, by their generator."""
         self.small: int | None = None
         """Index of the variable in which polynomials are cut off, in a series."""
 
     def sum(self, left: Fractional, right: Fractional) -> Fractional:
         """Over a common divisor; in a series nothing that vanishes with the variable is shared,
         since dividing by it would lose orders of the cut-off polynomials."""
+        if left.den == right.den:
+            return Fractional(left.num + right.num, left.den)
+        spend(len(left.den) * len(right.den))
         common = left.den.gcd(right.den)
         if self.small is not None and any(m[self.small] for m in common.to_dict()):
             common = self.one
         ours, theirs = right.den / common, left.den / common
+        spend(len(left.num) * len(ours) + len(right.num) * len(theirs) + len(left.den) * len(ours))
         return Fractional(left.num * ours + right.num * theirs, left.den * ours)
 
     def constant(self, value: sp.Rational) -> Fractional:
@@ -54,13 +70,22 @@ class Ring:
 
     def relate(self, name: Expr, coefficients: dict[int, fmpq_mpoly]) -> None:
         """Impose sum of coefficient times name**power = 0."""
-        self.relations.append((self.names.index(name), coefficients))
+        index = self.names.index(name)
+        self.relations.append((index, coefficients))
+        if all(c.is_constant() for c in coefficients.values()):
+            main, zero = self.gen[name], self.ctx.constant(0)
+            if coefficients[max(coefficients)] == self.one:
+                self.moduli[index] = sum((c * main**p for p, c in coefficients.items()), zero)
 
     def reduce(self, poly: fmpq_mpoly) -> fmpq_mpoly:
         """The polynomial modulo all relations, up to a factor that is not zero."""
         for index, relation in reversed(self.relations):
             degree = max(relation)
             main = self.gen[self.names[index]]
+            if index in self.moduli:
+                spend(len(poly) * len(relation))
+                poly = poly % self.moduli[index]
+                continue
             while True:
                 parts = self.by_power(poly, index)
                 top = max(parts, default=0)
@@ -70,6 +95,7 @@ class Ring:
                     (c * main ** (p + top - degree) for p, c in relation.items() if p < degree),
                     self.ctx.constant(0),
                 )
+                spend(50 + 10 * len(poly) * len(relation[degree]) + len(parts[top]) * len(rest))
                 lower = poly - parts[top] * main**top
                 poly = relation[degree] * lower - parts[top] * rest
         return poly

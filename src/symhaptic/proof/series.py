@@ -39,7 +39,7 @@ def _truncated(expr: Expr, eps: sp.Symbol, order: int) -> Expr:
         # a fixed base with a small exponent: base**(a + eps b)
         exponent = sp.expand(args[1])
         still = exponent.subs(eps, 0)
-        small = sp.expand(exponent - still) * sp.Symbol(f"log({expr.args[0]})")
+        small = sp.expand(exponent - still) * sp.log(expr.args[0])
         taylor = sp.Add(*(small**k / sp.factorial(k) for k in range(order)))
         return expr.args[0] ** still * taylor
     if not (expr.is_Add or expr.is_Mul or expr.is_Pow or expr.is_Symbol):
@@ -69,8 +69,8 @@ def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[
     >>> lowest_term((x - sp.sin(x))/x**2, x)
     (1, 1/6)
     """
-    eps = sp.Symbol("_eps")
-    moved = as_exponentials(sp.sympify(expr)).xreplace({variable: at + eps})
+    eps = sp.Dummy("eps")
+    moved = as_exponentials(sp.sympify(expr, strict=True)).xreplace({variable: at + eps})
     for order in ORDERS:
         polynomial = _truncated(moved, eps, order)
         field = Field([polynomial, eps], small=eps)

@@ -6,20 +6,31 @@ has to be believed beside logic and the deciders.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Implies, Predicate, Proposition, Relation, both, term
+from symhaptic.notation.proposition import (
+    Implies,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    term,
+)
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 SOURCES = {
     "increases": "mean value theorem; Rudin, Principles of Mathematical Analysis, 3rd ed., 5.10",
+    "grows": "mean value theorem; Rudin, 5.10 and 5.11",
     "above_its_start": "monotone functions have one-sided limits; Rudin, 4.29",
     "from_there_on": "definition of an increasing function; Rudin, 4.28",
+    "no_other_limit": "a limit is unique; Rudin, 4.2 and 3.2",
     "in_the_limit": "limits keep weak inequalities; Rudin, 3.19 and 4.2",
     "induction": "mathematical induction",
 }
@@ -38,6 +49,19 @@ def increases(
     variable is that it lies between the ends.
     """
     expr, lower, upper = term(expr), term(lower), term(upper)
+    hypotheses = _rising(expr, variable, lower, upper, slope, defined)
+    return hypotheses, Predicate("increasing", (variable,), (expr, lower, upper))
+
+
+def _rising(
+    expr: Expr,
+    variable: Symbol,
+    lower: Expr,
+    upper: Expr,
+    slope: Theorem,
+    defined: Sequence[Theorem],
+) -> set[Proposition]:
+    """What is left to show so that f is defined and rises on (lower, upper)."""
     claim = slope.conclusion
     if not (isinstance(claim, Relation) and claim.sign == "<" and claim.left == 0):
         raise NotShown(f"{claim} is not the sign of a slope")
@@ -52,7 +76,27 @@ def increases(
     for hypothesis in hypotheses:
         if variable in hypothesis.free:
             raise NotShown(f"{hypothesis} is not known on all of the interval")
-    return hypotheses, Predicate("increasing", (variable,), (expr, lower, upper))
+    return set(hypotheses)
+
+
+@rule
+def grows(
+    expr: Any, variable: Symbol, smaller: Any, larger: Any, slope: Theorem, *defined: Theorem
+) -> Judgement:
+    """f(x) < f(y) for x < y: the derivative is positive between, and f is defined at both ends.
+
+    ``slope`` concludes 0 < f' and ``defined`` that no divisor of f vanishes, for x < v < y.
+    """
+    expr, x, y = term(expr), term(smaller), term(larger)
+    if variable in x.free_symbols | y.free_symbols or not (real(x) and real(y)):
+        raise NotShown(f"{x} and {y} are no ends for {variable}")
+    inside = _rising(expr, variable, x, y, slope, defined)
+    ends = [expr.xreplace({variable: v}) for v in (x, y)]
+    hypotheses = inside | {Relation(x, "<", y)} | conditions(*ends, x, y)
+    for end in (x, y):
+        # SymPy may cancel a divisor that vanishes at an end
+        hypotheses |= {c.at({variable: end}) for c in conditions(expr)}
+    return hypotheses, Relation(ends[0], "<", ends[1])
 
 
 def _increasing(theorem: Theorem) -> tuple[Symbol, Expr, Expr, Expr]:
@@ -114,6 +158,21 @@ def in_the_limit(
     if any(variable in p.free for p in hypotheses):
         raise NotShown(f"a hypothesis is about {variable} on more than the interval")
     return hypotheses | {Relation(lower, "<", upper)}, Relation(_ZERO, "<=", limit.of[2])
+
+
+@rule
+def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
+    """Where f tends to p, it does not tend to q != p."""
+    claim, other = limit.conclusion, apart.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "limit"):
+        raise NotShown(f"{claim} is no limit")
+    expr, at, value = claim.of
+    if not (isinstance(other, Relation) and (other.left, other.sign) == (value, "!=")):
+        raise NotShown(f"{other} does not say that something is not {value}")
+    if set(claim.over) & other.right.free_symbols:
+        raise NotShown(f"{other.right} is no number")
+    denied = Not((Predicate("limit", claim.over, (expr, at, other.right)),))
+    return limit.hypotheses | apart.hypotheses, denied
 
 
 @rule

@@ -102,7 +102,10 @@ class Judged:
     corrected: tuple[str, ...] | None = None
     """LaTeX of the right form; the theorem is then that of the corrected claim."""
     instead: Proposition | None = None
-    """What holds instead of a false statement in words; the theorem is then of this."""
+    """What holds instead of a false statement in words; the theorem is then of this.
+
+    ``corrected`` is then what a reader sees of it, short.
+    """
     misprint: bool = True
     enclosed: bool = False
     shows: str | None = None
@@ -184,7 +187,10 @@ def _extra(claim: Proposition, shown: Proposition) -> tuple[Proposition, ...]:
     others, more, same = taken_apart(shown)
     if symbols != others or then != same or not set(given) <= set(more):
         raise Unfounded(f"the theorem says {written(shown)}, the statement {written(claim)}")
-    return tuple(p for p in more if p not in given)
+    extra = tuple(p for p in more if p not in given)
+    if set(conjuncts(then)) & set(extra):
+        raise Unfounded("the condition is what is claimed")
+    return extra
 
 
 def _violates(

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import wraps
+from importlib import import_module
 from typing import Any, ParamSpec, TypeAlias
 
 from sympy import Expr, Mul, S, Symbol
@@ -74,7 +75,7 @@ class Theorem:
         raise AttributeError("a theorem does not change")
 
     def __reduce__(self) -> Any:
-        return _derived, (self._rule, *self._given)
+        return _arrived, (self._rule, *self._given)
 
     @property
     def rule(self) -> str:
@@ -119,6 +120,13 @@ def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...
         if type(theorem) is not Theorem:
             raise NotShown("what looks like a theorem is none")
     return Theorem(_TOKEN, _RULES[name](*args, **dict(named)), name, (args, named))
+
+
+def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
+    """A theorem from another process, derived here anew."""
+    for module in _HOMES:
+        import_module(module)
+    return _derived(name, args, named)
 
 
 def _written(part: Any) -> Any:
@@ -337,6 +345,15 @@ def denied(theorem: Theorem, wanted: Any) -> Judgement:
     if not isinstance(wanted, Relation) or theorem.conclusion not in _against(wanted):
         raise NotShown(f"{theorem.conclusion} does not contradict {wanted}")
     return theorem.hypotheses, Not((wanted,))
+
+
+@rule
+def reductio(falsehood: Theorem, given: Any) -> Judgement:
+    """p |- false gives not p."""
+    if falsehood.conclusion != FALSE:
+        raise NotShown("the premise is not false")
+    claim = proposition(given)
+    return falsehood.hypotheses - {claim, *conjuncts(claim)}, Not((claim,))
 
 
 @rule

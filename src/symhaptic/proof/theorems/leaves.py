@@ -13,6 +13,8 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation.proposition import (
+    And,
+    Exists,
     Not,
     Predicate,
     Proposition,
@@ -335,6 +337,31 @@ def broken(value: Any) -> Judgement:
     if not value.is_Rational or (value.is_Integer and value >= 0):
         raise NotShown(f"{value} is not seen not to be whole")
     return (), Not((whole(value),))
+
+
+@rule
+def full_turns(angle: Any, turns: Theorem) -> Judgement:
+    """sin (x + 2 pi k) = sin x and cos (x + 2 pi k) = cos x for a whole k."""
+    x, claim = term(angle), turns.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "whole"):
+        raise NotShown(f"{claim} does not say that something is whole")
+    further = x + 2 * sp.pi * claim.of[0]
+    same = tuple(Relation(f(further), "=", f(x)) for f in (sp.sin, sp.cos))
+    return turns.hypotheses | conditions(x), And(same)
+
+
+@rule
+def with_rest(of: Any, divisor: Any, turns: Symbol) -> Judgement:
+    """For 0 <= a and 0 < p there is a whole k with k p <= a < (k + 1) p.
+
+    Archimedes; Rudin, Principles of Mathematical Analysis, 3rd ed., 1.20.
+    """
+    of, divisor = term(of), term(divisor)
+    if not (real(of) and real(divisor)) or turns in of.free_symbols | divisor.free_symbols:
+        raise NotShown(f"{of} or {divisor} is not real by its form, or {turns} is taken")
+    between = Relation(turns * divisor, "<=", of), Relation(of, "<", (turns + 1) * divisor)
+    given = Relation(_ZERO, "<=", of), Relation(_ZERO, "<", divisor)
+    return conditions(of, divisor).union(given), Exists((turns,), And((whole(turns), *between)))
 
 
 # -- boxes, series, roots --------------------------------------------------------------

@@ -11,6 +11,7 @@ from sympy import Symbol
 from symhaptic.notation.proposition import (
     ForAll,
     Not,
+    Or,
     Predicate,
     Proposition,
     Relation,
@@ -27,6 +28,7 @@ from symhaptic.proof.theorems.kernel import (
     absurd,
     applied,
     assume,
+    by_cases,
     conjoined,
     cut,
     denied,
@@ -35,6 +37,7 @@ from symhaptic.proof.theorems.kernel import (
     general,
     instance,
     part,
+    reductio,
 )
 from symhaptic.proof.theorems.leaves import (
     broken,
@@ -117,6 +120,7 @@ def fact(claim: Proposition) -> Theorem:
 
 def example(values: Terms, given: Sequence[Any], *theorems: Theorem) -> Case:
     """A point at which all of these hold; what is no relation of numbers is among the theorems."""
+    values = {s: sp.sympify(v) for s, v in values.items()}
     known = {t.conclusion: t for t in theorems}
     there = [proposition(g).at(values) for g in given]
     parts = [known[p] if p in known else fact(p) for p in there]
@@ -132,9 +136,19 @@ def counterexample(
     but: Any = None,
 ) -> Case:
     """A point at which a claim fails and so does one condition, while the others hold."""
-    _, given, _ = taken_apart(claim)
+    values = {s: sp.sympify(v) for s, v in values.items()}
+    _, given, then = taken_apart(claim)
     extra = [] if but is None else [_denial(proposition(but).at(values))]
+    there = then.at(values)
+    if isinstance(there, Relation) and not there.free:
+        extra.append(_denial(there))
     return example(values, [*given, *map(proposition, holds), *extra], *theorems)
+
+
+def none_of(claim: Or, *denials: Theorem) -> Theorem:
+    """not (p or q), from what contradicts each."""
+    cases = [absurd(assume(p), denial) for p, denial in zip(claim.of, denials, strict=True)]
+    return reductio(by_cases(assume(claim), *cases), claim)
 
 
 def _denial(claim: Proposition) -> Proposition:

@@ -1,0 +1,136 @@
+r"""For which walls is damping over delay the limit of the stiffness?
+
+Solved for the stiffness, the straight line of the lower part is the ratio of all damping to all
+delay, half a period of hold included. We ask for which damping this decides whether a wall is
+passive.
+"""
+
+from sympy import Ne, Rational, S
+
+from symhaptic.book.lemmas.linear_part import (
+    LOW,
+    decides,
+    on_line,
+)
+from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
+from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.notation import B, K, T, b, d, y
+from symhaptic.notation.proposition import negated, proposition
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.definitions import gains
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    part,
+    placed,
+    weakened,
+    whole,
+)
+from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.theorems.tactics import (
+    closed,
+    counterexample,
+    either_way,
+    example,
+    fact,
+    for_all,
+)
+
+
+def derive(page):
+    line = b + B - K * T * (d + Rational(1, 2))
+    limit_of_k = page.step(
+        "Damping over delay",
+        (b + B) / (T * (d + Rational(1, 2))),
+        2 * (b + B) / (T * (2 * d + 1)),
+        name=r"\frac{b+B}{(d+\frac12)T}",
+        paper="9",
+    )
+    page.step("On the line", line.subs(K, limit_of_k), S.Zero, name=r"F\big|_{K=(b+B)/((d+1/2)T)}")
+    page.say(
+        "For damping in the stated range the low frequencies are the strictest, and the condition "
+        "is exact but for its border. For negative $K$ it says nothing: higher frequencies can "
+        "fail."
+    )
+    _condition(page, limit_of_k > K)
+
+
+def _condition(page, nine):
+    """(9) decides in its range, (10) with the range of (9)."""
+    claim, ten = (CLAIMED[id](STATEMENTS[id].printed) for id in ("eq9", "eq10"))
+    printed = claim.body.of[1].of[0]
+    enough, needed = decides()
+    page.lemma("It is enough for small damping", enough)
+    page.lemma("It is needed, whatever the damping", needed)
+    same = either_way(enough, needed, printed, PASSIVE)
+    border = Ne(K, LOW)
+    late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: S.Half}
+    pulled = {K: -S(3), B: S.Zero, b: S.One, T: S.One, d: S.One}
+    edge = {K: S(2), B: S.Zero, b: S.One, T: S.One, d: S.Zero}
+    steep = {K: S(2), B: S.Half, b: S.One, T: S.One, d: S.Zero}
+    easy = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
+    small = d * b / (2 * d + 3) >= B
+    cases = [
+        (late, HALF_LATE, whole(d)),
+        (pulled, STEPS, K >= 0),
+        (edge, None, border),
+        (steep, TO_AND_FRO, small),
+    ]
+    for id, of, extra in (
+        ("eq9", claim, [whole(d), K >= 0, border]),
+        ("eq10", ten, [whole(d), K >= 0, border, small]),
+    ):
+        symbols, given, then = taken_apart(of)
+        more = [*given, *(e for e in extra if proposition(e) not in given)]
+        page.settle(
+            id,
+            for_all(symbols, more, weakened(same, *more)),
+            nine,
+            example=example(easy, more),
+            unless=[
+                counterexample(
+                    of,
+                    point,
+                    not_alike(then, point, motion),
+                    holds=[e for e in extra if proposition(e) != proposition(but)],
+                    but=but,
+                )
+                for point, motion, but in cases
+                if proposition(but) in map(proposition, extra)
+            ],
+            **WORDS[id],
+        )
+
+
+WORDS = {
+    "eq9": {
+        "shows": "half a period late, $K=b/(1.01\\,T)$ meets (9) and gives energy away",
+        "note": "equality satisfies (5) too, but for $d=0$, $B=0$: $\\omega=0$ is left out",
+    },
+    "eq10": {
+        "shows": r"$d=0$, $B=\tfrac12b$: (10) allows $K=2$, (5) fails at $\omega T=\tfrac56\pi$",
+        "note": "with $\\le$ it is necessary for every $B$; sufficient in the range of (9) only",
+    },
+}
+
+
+def not_alike(same, point, motion):
+    """(9) and passivity differ at a point: a motion gains, or (9) is not met on the border."""
+    there = same.at(point)
+    nine, passive = there.of
+    if motion is None:
+        held = applied(assume(there), at_corner(point))
+        return absurd(held, number(negated(nine)), there)
+    met = number(nine)
+    return absurd(applied(assume(there), met), gains(list(passive.of), motion), there)
+
+
+def at_corner(point):
+    """The wall of a point is passive, since it is the corner."""
+    claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
+    found = part(on_line(*map(assume, taken_apart(claim)[1][-2:])), PASSIVE)
+    there = placed(found, point | {y: S.One})
+    return closed(there, *map(fact, there.hypotheses))

@@ -1,0 +1,105 @@
+"""Corner, tip and every other wall of the envelope leave all angles a margin, for N >= 2.
+
+Without delay, N = 2, the envelope is a single wall, which leaves no margin at any angle.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import Eq, Expr, I, Ne, Rational, S, exp, pi, sin
+
+from symhaptic.book.lemmas.chords import HALF, PI, not_zero, sine, size
+from symhaptic.book.lemmas.envelope import damping, divisor, line, stiffness
+from symhaptic.book.lemmas.extent import sine as sine_below
+from symhaptic.book.lemmas.tip import ITS_DAMPING, STIFFEST, tip
+from symhaptic.book.lemmas.touching import GOAL, touches
+from symhaptic.notation import N, phi, psi, x
+from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    decided,
+    substituted,
+)
+from symhaptic.proof.theorems.leaves import combined, factor, identity, sign_of, strictly, tends
+from symhaptic.proof.theorems.tactics import closed, over, positive
+
+CORNER = 3 * N / (2 * (N**2 - 1)), (N**2 + 2) / (2 * (N**2 - 1))
+"""Where the envelope begins, at phi -> 0."""
+
+AT_CORNER = line(*CORNER) >= 0
+AT_TIP = line(STIFFEST, ITS_DAMPING) >= 0
+
+
+@cache
+def corner_delayed() -> Theorem:
+    """0 <= F of the corner, for N > 2."""
+    below = closed(positive(N * phi < pi, [size(), phi < pi / N]), not_zero(size()))
+    inside = closed(touches(), below)
+    near = tends(line(stiffness(phi), damping(phi)), phi, S.Zero, line(*CORNER))
+    found = positive(AT_CORNER, [in_the_limit(inside, phi, S.Zero, pi / N, near)])
+    more = positive(N**2 - 1 > 0, [N > 2, N > 2], [4, N > 2], [3])
+    cubic = positive(4 * N**3 / 3 - 4 * N / 3 > 0, [Rational(4, 3), size(), more])
+    double = positive(2 * N**2 - 2 > 0, [2, more])
+    wave = positive((N**2 - 1) * sin(psi) > 0, [more, sine()])
+    turned = [
+        factor(claim.left, wave, -I * exp(-I * (N + 1) * psi) / 8)
+        for claim in found.hypotheses
+        if isinstance(claim, Relation) and claim.left.has(I)
+    ]
+    divisors = map(not_zero, (sine(), cubic, double, size()))
+    return closed(found, *divisors, *turned, over(pi / N > 0, PI, size()))
+
+
+def undelayed(goal: Any, *divisors: Theorem) -> Theorem:
+    """F = 0 at N = 2, and so for every N that is 2."""
+    claim = proposition(goal).at({N: x})
+    two = {x: S(2)}
+    there = claim.at(two)
+    zero = closed(identity(there.right, S.Zero), *divisors)  # type: ignore[attr-defined]
+    weak = combined(there, [zero, S.NegativeOne])
+    equation = combined(Eq(S(2), N), [assume(Eq(N, 2)), S.NegativeOne])
+    return substituted(claim, x, weak, equation)
+
+
+def either_delay(delayed: Theorem, undelayed: Theorem) -> Theorem:
+    """What holds for N > 2 and for N = 2 holds for N >= 2."""
+    more = strictly(assume(N >= 2), combined(Ne(S(2), N), [assume(Ne(N, 2))]))
+    return by_cases(decided(N, 2), undelayed, closed(delayed, more))
+
+
+@cache
+def divisors(angle: Expr = psi) -> tuple[Theorem, ...]:
+    """sin psi and N sin 2 psi - sin 2 N psi are not zero, the latter for N = 2."""
+    up, low = assume(N * angle < pi), assume(angle > 0)
+    quarter = positive(angle < pi / 2, [HALF, up], [HALF, N >= 2, low])
+    wave = closed(sine_below(angle), quarter)
+    twice = closed(
+        sign_of(sin, 2 * angle),
+        positive(2 * angle > 0, [2, low]),
+        positive(2 * angle < pi, [2, quarter]),
+    )
+    product = positive(divisor(angle).subs(N, 2) > 0, [4, twice, wave, wave])
+    return not_zero(wave), not_zero(product), wave
+
+
+@cache
+def corner() -> Theorem:
+    """0 <= F of the corner, for N >= 2."""
+    return either_delay(corner_delayed(), closed(undelayed(AT_CORNER), *divisors()))
+
+
+@cache
+def stiffest() -> Theorem:
+    """0 <= F of the tip, for N >= 2."""
+    return either_delay(tip(), closed(undelayed(AT_TIP), *divisors()))
+
+
+@cache
+def on_envelope() -> Theorem:
+    """0 <= F of the wall (U, W)(phi), for N >= 2."""
+    return either_delay(touches(), closed(undelayed(GOAL), *divisors(), *divisors(phi)))

@@ -1,0 +1,37 @@
+"""Motions, (time in periods, way) piece by piece, that gain energy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+from sympy import Rational, S
+
+from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.notation.proposition import Proposition, Terms
+from symhaptic.proof.theorems.definitions import gains
+from symhaptic.proof.theorems.kernel import Theorem, absurd, assume, part
+
+Motion: TypeAlias = Sequence[tuple[Any, Any]]
+
+STEPS = 4 * [(1, 1)]
+"""Four equal steps, against which a spring that pulls gives way."""
+
+TO_AND_FRO = 4 * [(1, 1), (1, -1)]
+"""A step forwards and one back, four times: Nyquist's frequency."""
+
+
+def half_late(first: Rational, periods: int = 30) -> Motion:
+    """Half a period with a longer way than the other, then all of it back."""
+    pieces = periods * [(S.Half, first), (S.Half, S.One)]
+    return pieces + [(time, -way) for time, way in pieces]
+
+
+HALF_LATE = half_late(Rational(3, 2))
+
+
+def not_passive(then: Proposition, point: Terms, motion: Motion = HALF_LATE) -> Theorem:
+    """That what a claim concludes is false of a wall, since a motion gains from it."""
+    there, passive = then.at(point), PASSIVE.at(point)
+    found = gains(list(passive.of), motion)  # type: ignore[attr-defined]
+    return absurd(part(assume(there), passive), found, there)

@@ -1,0 +1,112 @@
+"""Which walls behind a whole delay are passive: sufficient on the first half turn, and needed.
+
+A wall is measured by u = KT/2 and w = B + KT/2, its delay by N = 2(d+1).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import cos, pi, sin
+
+from symhaptic.book.lemmas.chords import HALF, not_zero
+from symhaptic.book.lemmas.extent import ends, extent, first_half_turn, sine
+from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, N, T, b, d, phi, psi, theta, u, w, x
+from symhaptic.notation.proposition import Proposition
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    placed,
+    weakened,
+)
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import at, closed, follows, for_all, positive, sine_of_half
+
+WHOLE_WALL = {u: K * T / 2, w: B + K * T / 2, N: 2 * (d + 1)}
+
+
+def first_half(wall: Any = WHOLE_WALL) -> Proposition:
+    """The margin of a wall for 0 < phi < pi/(2 (d+1)), phi = omega T/2."""
+    return first_half_turn().at(wall)
+
+
+@cache
+def at_every_angle() -> Theorem:
+    """The margin at every angle, from that on the first half turn; for every real d >= 0."""
+    found = placed(extent(), {**WHOLE_WALL, psi: theta / 2})
+    half = sine_of_half(theta)
+    margin = positive(passivity.margin() >= 0, [found])
+    inside = [
+        positive(theta / 2 > 0, [HALF, theta > 0]),
+        positive(theta / 2 < pi / 2, [HALF, theta < pi]),
+        positive(2 * (d + 1) >= 2, [2, d >= 0]),
+        positive(K * T / 2 >= 0, [HALF, K >= 0, T > 0]),
+        not_zero(half),
+    ]
+    return for_all([theta], INSIDE, closed(margin, *inside))
+
+
+@cache
+def sufficient() -> Theorem:
+    """A wall is passive, that does not pull and has a margin on the first half turn; d whole."""
+    return follows(passive_by_angle(), assume(K >= 0), at_every_angle())
+
+
+@cache
+def needed() -> Theorem:
+    """A passive wall has a margin on the first half turn; d whole."""
+    inside = positive(2 * phi < pi, phi * (2 * d + 2) < pi, [2, d >= 0, phi > 0])
+    low = positive(2 * phi > 0, [2, phi > 0])
+    always = part(applied(passive_by_angle(), assume(PASSIVE)), every_margin())
+    there = positive(first_half().body.of[1], [at(always, {theta: 2 * phi}, low, inside)])  # type: ignore[attr-defined]
+    below = positive(phi < pi / 2, [HALF, inside])
+    found = closed(there, not_zero(sine(phi)), below)
+    return for_all([phi], first_half().body.of[0].of, found)  # type: ignore[attr-defined]
+
+
+@cache
+def pushes() -> Theorem:
+    """A passive wall does not pull."""
+    return part(applied(passive_by_angle(), assume(PASSIVE)), K >= 0)
+
+
+@cache
+def limits() -> tuple[Theorem, Theorem]:
+    """B <= b - KT/2 and KT (d + 1/2) <= b + B for a passive wall; d whole."""
+    claims = b - K * T / 2 >= B, K * T * (d + HALF) <= b + B
+    found = [
+        closed(positive(claim, [placed(end, WHOLE_WALL)]), positive(2 * d + 2 >= 2, [2, d >= 0]))
+        for claim, end in zip(claims, ends(), strict=True)
+    ]
+    return closed(found[0], needed()), closed(found[1], needed())
+
+
+def bordering(passive: Theorem, least: Theorem) -> Theorem:
+    """A wall is passive, and with less damping it is not.
+
+    ``least`` concludes that a passive wall needs the damping b, of one with the damping x.
+    """
+    lesser = absurd(least, assume(x < b), PASSIVE.at({b: x}))
+    return conjoined(passive, for_all([x], [x >= 0, x < b], weakened(lesser, x >= 0, x < b)))
+
+
+def on_first_half(margin: Theorem) -> Theorem:
+    """The margin for all angles of the first half turn, from that at one."""
+    below = positive(phi < pi / 2, [HALF, assume(phi * (2 * d + 2) < pi)], [d >= 0, phi > 0])
+    found = closed(margin, not_zero(sine(phi)), below)
+    return for_all([phi], first_half().body.of[0].of, found)  # type: ignore[attr-defined]
+
+
+def measured(stiffness: Theorem, damping: Theorem, *products: Any) -> Theorem:
+    """The margin on the first half turn of a wall whose stiffness and damping are given."""
+    goal = first_half().body.of[1]  # type: ignore[attr-defined]
+    of_damping = cos(phi * (2 * d + 2))
+    of_stiffness = T / 2 * (of_damping - cos(phi) * sin(phi * (2 * d + 2)) / sin(phi))
+    return combined(goal, *products, [stiffness, -of_stiffness], [damping, -of_damping])

@@ -1,0 +1,158 @@
+"""The passivity condition without delay and its summary (6), which wants b > KT/2 + |B|."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy import Abs, Eq, Expr, Ne, S, cos, pi
+
+from symhaptic.book.lemmas.passivity import INSIDE, passive_by_angle
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, T, b, d, omega, theta
+from symhaptic.notation.proposition import Or, Relation, proposition
+from symhaptic.paper.propositions.passivity import SIX
+from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    cut,
+    ordered,
+    widened,
+)
+from symhaptic.proof.theorems.leaves import (
+    bounded,
+    combined,
+    identity,
+    magnitude,
+    number,
+    sign_of,
+    square,
+    strictly,
+    tends,
+)
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    either_way,
+    follows,
+    for_all,
+    over,
+    positive,
+)
+
+HALF = S.Half
+BORDER = K * T / 2 + Abs(B)
+OFF_BORDER = Or((proposition(Eq(B, 0)), proposition(Ne(b, BORDER))))
+PI = number(Relation(S.Zero, "<", pi))
+
+
+def cosine_bounds(angle: Expr) -> list[Theorem]:
+    """0 <= 1 + cos and 0 <= 1 - cos."""
+    size = bounded(cos, angle)
+    return [
+        combined(1 + way * cos(angle) >= 0, [HALF, square(1 + way * cos(angle))], [HALF, size])
+        for way in (1, -1)
+    ]
+
+
+def by_sign_of_damping(up: Theorem, down: Theorem) -> Theorem:
+    """One conclusion for B >= 0 and for B < 0."""
+    return by_cases(ordered(B, S.Zero), down, up)
+
+
+def enough(frequencies: Any) -> Theorem:
+    """(6) gives the condition at every frequency: -B cos <= |B|."""
+    angle = omega * T
+    claim = frequencies.body.of[1]
+    up, down = cosine_bounds(angle)
+    above = combined(claim, [assume(SIX)], [magnitude(B), -1], [assume(B >= 0), up])
+    below = combined(
+        claim, [assume(SIX)], [magnitude(B, negative=True), -1], [positive(-B >= 0, B < 0), down]
+    )
+    below = closed(below, positive(B <= 0, B < 0))
+    return for_all([omega], frequencies.body.of[0].of, by_sign_of_damping(above, below))
+
+
+def at_an_angle(frequencies: Any) -> Theorem:
+    """The condition at an angle between 0 and pi."""
+    angle = theta / T
+    inside = over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0)
+    return closed(at(assume(frequencies), {omega: angle}, *inside), positive(Ne(T, 0), T > 0))
+
+
+def weakly_needed(frequencies: Any) -> Theorem:
+    """The condition at every frequency gives b >= KT/2 + |B|, at one end of the interval."""
+    inside = at_an_angle(frequencies)
+    rest = b - (K * T / 2 - B * cos(theta))
+    ends = [
+        cut(in_the_limit(inside, theta, S.Zero, pi, tends(rest, theta, end, value)), PI)
+        for end, value in ((pi, b - K * T / 2 - B), (S.Zero, b - K * T / 2 + B))
+    ]
+    above = combined(b >= BORDER, [ends[0]], [magnitude(B), 1])
+    below = combined(b >= BORDER, [ends[1]], [magnitude(B, negative=True), 1])
+    return by_sign_of_damping(above, closed(below, positive(B <= 0, B < 0)))
+
+
+def off_the_border(frequencies: Any, sufficient: Theorem, needed: Theorem) -> Theorem:
+    """(6) and the condition at every frequency, away from the border or without damping."""
+    middle = at(assume(frequencies), {omega: pi / (2 * T)}, *middle_inside())
+    none = assume(Eq(B, 0))
+    calm = combined(SIX, [middle], [none, 1], [magnitude(B), 1])
+    calm = closed(
+        calm,
+        combined(B >= 0, [none, -1]),
+        positive(Ne(T, 0), T > 0),
+        positive(Ne(2 * T, 0), [2, T > 0]),
+    )
+    apart = strictly(needed, assume(Ne(b, BORDER)))
+    there = by_cases(assume(OFF_BORDER), calm, apart)
+    return either_way(there, sufficient, frequencies, SIX)
+
+
+def middle_inside() -> tuple[Theorem, Theorem]:
+    """pi/(2T) lies between 0 and pi/T."""
+    half = number(Relation(S.Zero, "<", pi / 2))
+    return (
+        over(pi / (2 * T) > 0, half, T > 0),
+        over(pi / (2 * T) < pi / T, half, T > 0),
+    )
+
+
+def passive() -> Theorem:
+    """(6) and K >= 0 make the wall passive without delay."""
+    found = passive_by_angle(S.Zero)
+    margin = passivity.margin().subs(d, 0)
+    up, down = cosine_bounds(theta)
+    above = combined(margin >= 0, [assume(SIX)], [magnitude(B), -1], [assume(B >= 0), up])
+    below = combined(
+        margin >= 0,
+        [assume(SIX)],
+        [magnitude(B, negative=True), -1],
+        [positive(-B >= 0, B < 0), down],
+    )
+    below = closed(below, positive(B <= 0, B < 0))
+    always = for_all([theta], INSIDE, by_sign_of_damping(above, below))
+    return follows(found, assume(K >= 0), always)
+
+
+def on_the_border(frequencies: Any) -> Theorem:
+    """1/2 - cos(omega) < 3/2 at every frequency."""
+    half = closed(
+        sign_of(cos, omega / 2),
+        positive(omega / 2 > -pi / 2, [HALF, omega > 0], [HALF, PI]),
+        positive(omega / 2 < pi / 2, [HALF, omega < pi]),
+    )
+    found = combined(frequencies.body.of[1], [2, half, half])
+    return for_all([omega], frequencies.body.of[0].of, found)
+
+
+def not_six(point: dict[Expr, Expr]) -> Theorem:
+    """The border itself is no wall of (6)."""
+    edge = (K * T / 2 + Abs(B)).subs(point)
+    return identity(edge, point[b])
+
+
+def either(claim: Any, theorem: Theorem) -> Theorem:
+    """One of two cases, from one of them."""
+    return widened(theorem, claim)

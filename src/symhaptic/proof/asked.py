@@ -1,0 +1,150 @@
+"""What a user may ask about: formulas, boxes and exact numbers; all else is refused in a line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from numbers import Number
+from typing import Any, TypeAlias
+
+import sympy as sp
+from sympy import Expr
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanAtom
+
+from symhaptic.proof.ball import ball
+from symhaptic.proof.certificate import Box
+from symhaptic.proof.names import renamed, shared
+from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.shape import Form
+
+Ends: TypeAlias = Mapping[sp.Symbol, tuple[object, object]]
+"""Closed interval of each symbol."""
+
+_DEEP = 100
+"""Lists within lists."""
+
+
+def form_of(caller: str, form: Any, depth: int = 0) -> Form:
+    """A formula, relation, matrix or list of them with exact or floating numbers as SymPy's.
+
+    Raises :class:`TypeError` for anything else; text is not read, since SymPy would run it.
+    """
+    if depth > _DEEP:
+        raise ValueError(f"{caller}: lists are nested more than {_DEEP} deep")
+    if isinstance(form, sp.MatrixBase):
+        for entry in form:
+            form_of(caller, entry, depth + 1)
+        return form
+    if isinstance(form, (Sequence, sp.Tuple)) and not isinstance(form, (str, bytes, bytearray)):
+        return [form_of(caller, part, depth + 1) for part in form]
+    if isinstance(form, Number) and not isinstance(form, sp.Basic):
+        return sp.sympify(form, strict=True)
+    if isinstance(form, Relational):
+        if all(isinstance(side, Expr) and not side.is_Matrix for side in form.args):
+            return form
+    elif isinstance(form, (Expr, BooleanAtom)) and not isinstance(form, sp.Lambda):
+        return form
+    raise TypeError(
+        f"{caller}: {form!r} is no formula; SymPy expressions, relations and "
+        "sequences of them are allowed"
+    )
+
+
+def exact(caller: str, name: str, number: Any) -> Expr:
+    """An expression with exact numbers; :class:`TypeError` for text and what is no number."""
+    if not isinstance(number, (Expr, int, Fraction)) and not (
+        isinstance(number, Number) and not isinstance(number, complex)
+    ):
+        kind = ValueError if number is None or isinstance(number, (list, tuple)) else TypeError
+        raise kind(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
+    found = sp.sympify(number, strict=True)
+    if not isinstance(found, Expr) or isinstance(found, sp.Lambda):
+        raise TypeError(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
+    if found.has(sp.Float):
+        raise ValueError(
+            f"{caller}: {name}: {number} has a float; exact numbers are allowed, such as "
+            "Rational(1, 10)"
+        )
+    return found
+
+
+def allowed_steps(caller: str, steps: Any) -> None:
+    """Raises unless it is a positive whole number."""
+    if not isinstance(steps, int) or isinstance(steps, bool):
+        raise TypeError(f"{caller}: steps: {steps!r} is not allowed; a whole number is")
+    if steps < 1:
+        raise ValueError(f"{caller}: steps: {steps} is not allowed; 1 or more are")
+
+
+def box_of(caller: str, ends: Any, *forms: Expr) -> tuple[Box, list[Expr]]:
+    """A box with exact ends and forms of its symbols; an error names what is wrong with it."""
+    if not isinstance(ends, Mapping):
+        raise TypeError(f"{caller}: box: {ends!r} is no mapping of symbols to intervals")
+    for symbol in ends:
+        if not isinstance(symbol, sp.Symbol):
+            raise TypeError(f"{caller}: box: {symbol!r} is no symbol")
+    names = shared(caller, {s for form in forms for s in form.free_symbols} | set(ends))
+    box: dict[sp.Symbol, tuple[Expr, Expr]] = {}
+    for written, pair in ends.items():
+        symbol = names.get(written, written)
+        if symbol in box:
+            raise ValueError(f"{caller}: box: two intervals for {symbol}; one is allowed")
+        box[symbol] = _interval(caller, symbol, pair)
+    told = [renamed(form, names) for form in forms]
+    missing = set().union(*(form.free_symbols for form in told)) - set(box)
+    if missing:
+        listed = ", ".join(sorted(map(str, missing)))
+        raise ValueError(f"{caller}: box: no interval for {listed}; one for each symbol is needed")
+    return box, told
+
+
+def _interval(caller: str, symbol: sp.Symbol, pair: Any) -> tuple[Expr, Expr]:
+    if isinstance(pair, str):
+        raise TypeError(f"{caller}: box: {pair!r} of {symbol} is no pair (lower, upper)")
+    if not isinstance(pair, (tuple, list, sp.Tuple)) or len(pair) != 2:
+        raise ValueError(f"{caller}: box: {pair!r} of {symbol} is no pair (lower, upper)")
+    for end in pair:
+        if isinstance(end, (str, bytes)):
+            raise TypeError(
+                f"{caller}: box: {end!r} of {symbol} is text; an exact real number is allowed, "
+                "such as Rational(1, 10)"
+            )
+    low, high = (_end(caller, symbol, end) for end in pair)
+    if (high - low).is_negative:
+        raise ValueError(f"{caller}: box: ({low}, {high}) of {symbol} is empty")
+    beyond = (low.is_negative and symbol.is_extended_nonnegative) or (
+        high.is_positive and symbol.is_extended_nonpositive
+    )
+    if beyond or symbol.is_integer or symbol.is_real is False:
+        raise ValueError(
+            f"{caller}: box: ({low}, {high}) has numbers that {symbol} is assumed not to be"
+        )
+    return low, high
+
+
+def _end(caller: str, symbol: sp.Symbol, end: Any) -> Expr:
+    known = end
+    if isinstance(end, Number) and not isinstance(end, (sp.Basic, complex)):
+        known = sp.sympify(end, strict=True)
+    if not (
+        isinstance(known, Expr)
+        and not known.free_symbols
+        and not known.has(sp.Float)
+        and known.is_finite
+        and known.is_real
+        and _has_ball(known)
+    ):
+        raise ValueError(
+            f"{caller}: box: {end} of {symbol} is not allowed; an exact real number is, "
+            "such as Rational(1, 10)"
+        )
+    return known
+
+
+def _has_ball(number: Expr) -> bool:
+    try:
+        found = ball(number)
+    except Unsupported:
+        return False
+    return bool(found.is_finite() and found.imag.contains(0))

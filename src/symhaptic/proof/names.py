@@ -1,0 +1,69 @@
+"""Symbols of one name are one symbol, whatever is assumed of them in one place or another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import sympy as sp
+from sympy import Expr
+from sympy.core.relational import Relational
+
+Names = Mapping[sp.Symbol, sp.Symbol]
+"""The symbols that another one stands for."""
+
+
+def shared(caller: str, symbols: Iterable[sp.Symbol]) -> Names:
+    """Of several symbols with one name the one of which all is assumed that is of any.
+
+    Raises :class:`ValueError` where the assumptions contradict each other.
+
+    >>> x, p = sp.Symbol("x"), sp.Symbol("x", positive=True)
+    >>> shared("prove", [x, p]) == {x: p}, shared("prove", [x, sp.Symbol("y")])
+    (True, {})
+    """
+    by_name: dict[str, set[sp.Symbol]] = {}
+    for symbol in symbols:
+        if type(symbol) is sp.Symbol:
+            by_name.setdefault(symbol.name, set()).add(symbol)
+    names: dict[sp.Symbol, sp.Symbol] = {}
+    for name, same in by_name.items():
+        if len(same) > 1:
+            one = _joined(caller, name, same)
+            names |= {symbol: one for symbol in same if symbol != one}
+    return names
+
+
+def _joined(caller: str, name: str, same: set[sp.Symbol]) -> sp.Symbol:
+    known: dict[str, bool] = {}
+    for symbol in sorted(same, key=lambda s: len(s.assumptions0)):
+        for what, holds in symbol.assumptions0.items():
+            if known.setdefault(what, holds) != holds:
+                raise ValueError(
+                    f"{caller}: {name} is assumed to be {what} in one place and not to be in "
+                    "another; one symbol of a name is needed"
+                )
+    try:
+        return sp.Symbol(name, **known)
+    except ValueError as wrong:  # no pair contradicts itself, but all of them together do
+        raise ValueError(f"{caller}: {name}: the assumptions contradict each other") from wrong
+
+
+def renamed(form: Expr, names: Names) -> Expr:
+    """An expression or relation with its symbols replaced; a relation stays as it is written."""
+    if not names:
+        return form
+    if isinstance(form, Relational):
+        return form.func(*(side.xreplace(names) for side in form.args), evaluate=False)
+    return form.xreplace(names)
+
+
+def admissible(symbol: Expr, value: Expr) -> bool:
+    """Whether a number is known to be all that a symbol is assumed to be.
+
+    >>> n = sp.Symbol("n", integer=True)
+    >>> admissible(n, sp.S(2)), admissible(n, sp.S.Half), admissible(sp.Symbol("x"), sp.S.Half)
+    (True, False, True)
+    """
+    return all(
+        getattr(value, f"is_{what}", None) is holds for what, holds in symbol.assumptions0.items()
+    )

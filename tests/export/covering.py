@@ -1,0 +1,31 @@
+"""Few combinations of factors in which every pair of values occurs that can occur."""
+
+import random
+from itertools import combinations, product
+
+
+def pairs(row):
+    """All pairs of values of different factors."""
+    return set(combinations(sorted(row.items()), 2))
+
+
+def covering(factors, allowed, tries=60, seed=1):
+    """Rows, each a value for every factor, that have all pairs of the allowed rows among them.
+
+    Greedy: of some random rows around a pair that is missing, the one with most missing pairs.
+    """
+    rng = random.Random(seed)
+    names = list(factors)
+    every = [dict(zip(names, values, strict=True)) for values in product(*factors.values())]
+    every = [row for row in every if allowed(row)]
+    holding = {}
+    for row in every:
+        for pair in pairs(row):
+            holding.setdefault(pair, []).append(row)
+    left, found = set(holding), []
+    while left:
+        rows = holding[min(left, key=repr)]
+        best = max((rng.choice(rows) for _ in range(tries)), key=lambda r: len(pairs(r) & left))
+        found.append(best)
+        left -= pairs(best)
+    return found

@@ -1,0 +1,137 @@
+"""Every pair of language, scene, derivative, delay, precision and function is exported and run.
+
+The functions of rows that are alike otherwise share an export.  SYMHAPTIC_ALL_EXPORTS=1 takes each
+function alone, in every scene, with every derivative, in every language.
+"""
+
+import os
+from functools import cache
+from itertools import product
+
+import pytest
+from export.covering import covering, pairs
+from export.test_targets import run_all
+
+from symhaptic.export import request, vectors
+from symhaptic.export.targets import TARGETS
+from symhaptic.model import stable
+from symhaptic.model.derivatives import differentiable, with_derivatives
+from symhaptic.model.stable import NoForm
+
+ALL = bool(os.environ.get("SYMHAPTIC_ALL_EXPORTS"))
+PARTS = "stiffness", "damping", "virtual-damping", "delay"
+FEW = ["", "no-stiffness", "no-damping", "no-virtual-damping", "no-delay",
+       "no-stiffness,no-damping", "no-stiffness,no-damping,no-delay"]  # fmt: skip
+EVERY = [",".join(f"no-{p}" for p, out in zip(PARTS, some, strict=True) if out)
+         for some in product([False, True], repeat=4)]  # fmt: skip
+SOURCE = ".c", ".h", ".cpp", ".hpp", ".f90", ".rs", ".mjs", ".js", ".m", ".py"
+FACTORS = {
+    "language": list(TARGETS),
+    "scene": EVERY if ALL else FEW,
+    "by": ["", "delta", "d", "gamma", "alpha", "beta", "theta", "epsilon"] if ALL else ["", "all"],
+    "delay": [None, 0, 1, 2, 3, 4, 5, 6] if ALL else [None, 0, 6],
+    "precision": ["double", "single"],
+    "function": list(stable.FORMS),
+}
+
+
+@cache
+def form(name, scene, delay):
+    """The form, if the scene has it."""
+    parts = request.scene(scene)
+    try:
+        return stable.form(name, parts, delay)
+    except NoForm:
+        return None
+
+
+def periods(row):
+    return 0 if "no-delay" in row["scene"] and row["delay"] is None else row["delay"]
+
+
+def allowed(row):
+    """What is not refused; a derivative only of what has one, a delay only where it counts."""
+    for_one = row["function"] in stable.FOR_ONE_DELAY
+    if row["precision"] == "single" and TARGETS[row["language"]].single is None:
+        return False
+    if for_one != (row["delay"] is not None or "no-delay" in row["scene"]):
+        return False
+    if "no-delay" in row["scene"] and row["delay"] is not None:
+        return False
+    own = form(row["function"], row["scene"], periods(row) if for_one else None)
+    if own is None:
+        return False
+    return row["by"] in ("", "all") or row["by"] in {s.name for s in own.arguments}
+
+
+@cache
+def slopes(own):
+    return differentiable(own)
+
+
+def asked(row):
+    """The form of a row, with the derivatives that it has of those asked for."""
+    for_one = row["function"] in stable.FOR_ONE_DELAY
+    own = form(row["function"], row["scene"], periods(row) if for_one else None)
+    by = () if not row["by"] else slopes(own) if row["by"] == "all" else (row["by"],)
+    return with_derivatives(own, by) if by and set(by) <= set(slopes(own)) else own
+
+
+def rows():
+    if ALL:
+        names, values = zip(*FACTORS.items(), strict=True)
+        found = (dict(zip(names, row, strict=True)) for row in product(*values))
+        return [row for row in found if allowed(row)]
+    return covering(FACTORS, allowed)
+
+
+def grouped():
+    """Exports: their language, scene and precision, and the rows of functions that they have.
+
+    Of forms for one delay only one is in an export, which has one function of each name.
+    """
+    exports = {}
+    for row in rows():
+        key = row["language"], row["scene"], row["precision"]
+        if ALL:
+            key = *key, row["function"], row["by"], row["delay"]
+        exports.setdefault(key, []).append(row)
+    found = []
+    for key, members in exports.items():
+        apart = {}
+        for row in members:
+            level = sum(other["function"] == row["function"] for other in apart.get("seen", []))
+            apart.setdefault("seen", []).append(row)
+            apart.setdefault(level, []).append(row)
+        found += [(*key[:3], chosen) for level, chosen in apart.items() if level != "seen"]
+    return found
+
+
+EXPORTS = grouped()
+
+
+@pytest.mark.parametrize(
+    ("language", "scene", "precision", "members"),
+    EXPORTS,
+    ids=[f"{i}-{e[0]}-{e[1] or 'everything'}-{e[2]}" for i, e in enumerate(EXPORTS)],
+)
+def test_the_self_test_passes(language, scene, precision, members, tmp_path, monkeypatch):
+    monkeypatch.setattr(vectors, "_MOST", 12)
+    few = lambda form, p: (*vectors._rows(form, p), *vectors._outside(form, p))  # noqa: E731
+    monkeypatch.setattr(vectors, "vectors", few)
+    target = request.target(language, precision)
+    _, files = request.built(target, [asked(row) for row in members])
+    source = (text for name, text in files.items() if name.endswith(SOURCE))
+    assert max(len(line) for text in source for line in text.splitlines()) <= 100
+    request.write(files, tmp_path / "out")
+    said = run_all(target, "haptic", tmp_path / "out")
+    assert int(said.split()[0]) > 0
+
+
+def test_every_pair_occurs():
+    """Two of three factors with three values each take nine rows; one pair is forbidden."""
+    factors = {"a": "xyz", "b": "123", "c": "+-"}
+    rows = covering(factors, lambda row: (row["a"], row["b"]) != ("x", "1"))
+    seen = set().union(*map(pairs, rows))
+    assert len(seen) == 9 + 6 + 6 - 1
+    assert 8 <= len(rows) <= 12

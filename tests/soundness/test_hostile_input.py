@@ -1,0 +1,185 @@
+"""Text is never run, nonsense is refused in a line, and no question takes for ever."""
+
+import numpy
+import pytest
+import sympy as sp
+from sympy import And, I, Lambda, Piecewise, Rational, cos, exp, pi, sin, sqrt
+
+import symhaptic
+from symhaptic import enclose, enclose_maximum, prove
+from symhaptic.proof.verdict import Kind
+
+x, y = sp.symbols("x y")
+PROGRAM = "[print('EVALUATED'), pi][1]"
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda text: enclose(text),
+        lambda text: enclose([text]),
+        lambda text: enclose_maximum(text, {x: (0, 1)}),
+        lambda text: enclose_maximum(x, {x: (0, text)}),
+        lambda text: enclose_maximum(x, {x: text}),
+        lambda text: prove(text, x),
+        lambda text: prove(x, text),
+        lambda text: prove([x, text], [x, x]),
+        lambda text: prove((x, [[text]]), (x, x)),
+        lambda text: prove(text, {x: (0, 1)}),
+        lambda text: prove(x > 0, {x: (text, 1)}),
+        lambda text: prove(x > 0, {x: (0, text)}),
+        lambda text: prove(x > 0, {text: (0, 1)}),
+        lambda text: prove(x > 0, text),
+        lambda text: prove(x, x, steps=text),
+    ],
+)
+@pytest.mark.parametrize("text", [PROGRAM, "x", "1", b"1"])
+def test_text_is_never_run(ask, text, capsys):
+    with pytest.raises((TypeError, ValueError)) as caught:
+        ask(text)
+    assert capsys.readouterr().out == ""
+    assert "\n" not in str(caught.value)
+    if isinstance(text, str) and "enclose" not in str(caught.value):
+        assert caught.type is TypeError
+
+
+CYCLE: list = []
+CYCLE.append(CYCLE)
+SELF = {1: 2}
+
+
+@pytest.mark.parametrize(
+    "nonsense",
+    [
+        None,
+        object(),
+        {x},
+        Lambda(x, x),
+        And(x > 0, y > 0),
+        sp.Interval(0, 1),
+        sp.FiniteSet(1),
+        CYCLE,
+        [None],
+        sp.Matrix,
+        sin,
+        range,
+        lambda: x,
+        sp.Eq(sp.Matrix([1]), sp.Matrix([[1, 2]]), evaluate=False),
+        sp.Dict({x: 1}),
+        numpy.array([1, 2]),
+    ],
+    ids=lambda nonsense: type(nonsense).__name__,
+)
+def test_what_is_no_formula_is_refused_in_a_line(nonsense):
+    for ask in (
+        lambda: prove(nonsense, x),
+        lambda: prove(x, nonsense),
+        lambda: prove(nonsense, nonsense),
+        lambda: prove([x, nonsense], [x, x]),
+        lambda: prove(nonsense, {x: (0, 1)}),
+        lambda: enclose(nonsense),
+        lambda: enclose_maximum(nonsense, {x: (0, 1)}),
+    ):
+        with pytest.raises((TypeError, ValueError)) as caught:
+            ask()
+        assert "\n" not in str(caught.value)
+        assert str(caught.value).startswith(("prove: ", "enclose: ", "enclose_maximum: "))
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (0**x, x),
+        (0**x, 0**x + 1),
+        (sp.zoo, x),
+        (sp.nan, sp.nan),
+        (sp.oo, sp.oo),
+        (x + sp.oo, x),
+        (Piecewise((x, x > 0), (0, True)), x),
+        (sp.Integral(x, (x, 0, y)), y**2 / 2),
+        (sp.Derivative(sp.Function("f")(x), x), 1),
+        (sp.Sum(x, (x, 0, y)), y),
+        (sp.Subs(x, x, y), y),
+        (Lambda(x, x)(y) + sp.Order(x), y),
+        (sp.Max(x, y), x),
+        (sp.floor(x), x),
+        (sp.Heaviside(x), 1),
+        (sp.factorial(x), sp.gamma(x + 1)),
+        (cos(pi / 1009) + cos(pi / 1013), cos(pi / 1013) * 2),
+        (exp(I * pi / 10**9), x),
+        ((x + y + 1) ** 5000, (x + y) ** 5000),
+        (x ** (10**12), y),
+        (x ** Rational(10**9 + 1, 2), y),
+        (x ** Rational(1, 10**9), y),
+        (x**x**x**x, y),
+        (sum(sqrt(x + k) for k in range(25)) ** 9, y),
+        (sp.prod(x - cos(2 * pi * k / 97) for k in range(97)), x + 1),
+        ([], []),
+        ([[]], [[]]),
+        (sp.zeros(0, 3), sp.zeros(3, 0)),
+        ([], x),
+        (True, x > 0),
+        (x, x > 0),
+        (1.5, x),
+        (sp.Symbol("i", infinite=True) + 1, sp.Symbol("i", infinite=True)),
+        (x / sp.Symbol("o", zero=True), 2 * x / sp.Symbol("o", zero=True)),
+        (1j, I),
+    ],
+    ids=lambda form: type(form).__name__,
+)
+def test_every_question_has_an_answer(left, right):
+    assert prove(left, right, steps=300_000).kind in (Kind.REFUTED, Kind.UNDECIDED)
+
+
+def test_what_is_nested_too_deeply_is_undecided():
+    deep = x
+    for _ in range(3000):
+        deep = sp.sin(deep, evaluate=False)
+    assert prove(deep, x).kind == Kind.UNDECIDED
+    assert prove(sp.Lt(deep, 2, evaluate=False), {x: (0, 1)}).kind == Kind.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    "expr", [sp.oo, sp.zoo, sp.nan, sp.acos(2), sp.EulerGamma, 1 / sp.Function("f")(1), sp.log(0)]
+)
+def test_what_has_no_ball_is_named(expr):
+    with pytest.raises(ValueError, match=r"^enclose: expr: "):
+        enclose(expr)
+    with pytest.raises(ValueError, match=r"^enclose_maximum: expr: "):
+        enclose_maximum(expr + x, {x: (0, 1)}, digits=2)
+
+
+@pytest.mark.parametrize(("expr", "ends"), [(1 / x, (0, 1)), (sp.tan(x), (0, 2))])
+def test_what_has_no_largest_value_is_named(expr, ends):
+    with pytest.raises(ValueError, match=r"^enclose_maximum: expr: "):
+        enclose_maximum(expr, {x: ends}, digits=2)
+
+
+def test_a_prime_number_of_parts_of_a_turn_is_no_work():
+    # a regular polygon with 1009 corners; sin 2a = 2 sin a cos a, and Pythagoras
+    assert prove(cos(pi / 1009) ** 2 + sin(pi / 1009) ** 2, 1, steps=100_000)
+    assert prove(2 * cos(pi / 1009) * sin(pi / 1009), sin(2 * pi / 1009), steps=100_000)
+    assert prove(cos(pi / 1009), 1).kind == Kind.REFUTED
+    assert enclose(cos(pi / 1009) ** 2 + sin(pi / 1009) ** 2 - 1) == 0
+
+
+def test_steps_are_a_budget():
+    few = prove(sin(2 * x), 2 * sin(x) * cos(x), steps=1)
+    assert few.kind == Kind.UNDECIDED
+    assert "more than 1 steps" in few.method
+    assert prove(sin(2 * x), 2 * sin(x) * cos(x), steps=1000)
+    wide = prove(sin(x) < x - x**3 / 8, {x: (1, 2)}, steps=20)
+    assert wide.kind == Kind.UNDECIDED
+    for wrong, error in ((0, ValueError), (-1, ValueError), (1.5, TypeError), (True, TypeError)):
+        with pytest.raises(error, match="prove: steps:"):
+            prove(x, x, steps=wrong)
+
+
+def test_a_constant_that_the_other_routine_sees_elsewhere_is_not_enclosed(monkeypatch):
+    from flint import acb
+
+    monkeypatch.setattr(symhaptic.proof.enclose, "program", lambda expr, at: lambda: acb(4))
+    with pytest.raises(ValueError, match="not confirmed"):
+        enclose(pi)
+    with pytest.raises(ValueError, match="not confirmed"):
+        enclose(sin(1) ** 2 + cos(1) ** 2 - 1)

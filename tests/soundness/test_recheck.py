@@ -1,0 +1,113 @@
+"""The second check says no to what is not a proof, whatever a certificate is made of."""
+
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+from flint import arb
+from sympy import I, Rational, S, cos, oo, pi, sqrt
+
+from symhaptic import recheck
+from symhaptic.proof import box as boxes
+from symhaptic.proof.certificate import Known, Largest, Positive, Zero
+from symhaptic.proof.roots import zero
+from symhaptic.proof.sign import NotShown
+
+x, y, h = sp.symbols("x y h")
+ENDS = [
+    (0, oo),
+    (-oo, oo),
+    (0, sp.nan),
+    (sp.zoo, 1),
+    (0, 1 + I),
+    (I, 2 * I),
+    (1, 0),
+    (sp.sqrt(2), sp.sqrt(2) - 1),
+    (0, y),
+    ("0", "1"),
+    ("[print('EVALUATED'), 0][1]", 1),
+    (0, None),
+    (0, sp.acos(2)),
+    (0, sp.Function("f")(1)),
+]
+
+
+@pytest.mark.parametrize("ends", ENDS, ids=str)
+def test_ends_must_be_real_numbers_in_their_order(ends, capsys):
+    assert not recheck(Positive(x**2 + 1, {x: ends}, ".", 96))
+    assert not recheck(Positive(sp.Integer(1), {x: ends}, ".", 96))
+    root = zero(cos(x), x, S.One, S(2))
+    assert not recheck(replace(root, between=ends))
+    assert capsys.readouterr().out == ""
+
+
+def test_what_is_given_overrides_no_symbol_of_the_box():
+    # x > 4 is false on [0, 1], whatever somebody knows of x
+    known = Known({x: arb(5)})
+    assert not recheck(Positive(x - 4, {x: (0, 1)}, ".", 96, known))
+    with pytest.raises(NotShown, match="given a meaning as well"):
+        boxes.positive(x - 4, {x: (0, 1)}, known)
+    assert recheck(Positive(h - 4, {x: (0, 1)}, ".", 96, Known({h: arb(5)})))
+
+
+class Numbers:
+    """Numbers that stand for a symbol of the box behind its back."""
+
+    of = (x,)
+    meanings = {h: x + y}  # noqa: RUF012
+
+    def numbers(self, at):
+        return {x: at[x] + 5, y: at[x]}
+
+    def __call__(self, at):
+        return {h: at[x] + 5}
+
+
+def test_numbers_override_no_symbol_of_the_box():
+    assert not recheck(Positive(h - 4, {x: (0, 1)}, ".", 96, Numbers()))
+
+
+@pytest.mark.parametrize("bits", [0, -1, 1, 10**12, 1.5, None])
+def test_the_precision_must_be_one(bits):
+    assert not recheck(Positive(x + 1, {x: (0, 1)}, ".", bits))
+
+
+@pytest.mark.parametrize("expr", [1, "x + 1", None, [x], x > 0, sp.Function("f")(x), y + 1])
+def test_what_is_no_formula_of_the_box_is_not_positive(expr):
+    assert not recheck(Positive(expr, {x: (1, 2)}, ".", 96))
+
+
+def test_a_zero_is_of_the_variable_that_is_free():
+    root = zero(cos(x), x, S.One, S(2))
+    assert recheck(root)
+    assert not recheck(replace(root, at={x: S.One}))
+    assert not recheck(Zero(x - 1 + y, y, (S.Zero, S(2)), root.ball, 256, {x: S.One, y: S.Zero}))
+
+
+def test_a_zero_of_the_real_part_is_none():
+    # sqrt(x - 1) + x - 2 is complex below 1
+    expr = sqrt(x - 1) * (x - 2)
+    assert not recheck(Zero(expr, x, (S.Zero, S(3)), arb("2 +/- 0.1"), 96))
+
+
+def test_the_bounds_of_a_maximum_are_real_numbers():
+    found = boxes.maximum(x * (1 - x), {x: (0, 1)}, Rational(1, 100))
+    assert recheck(found)
+    for wrong in (
+        replace(found, lower=-oo),
+        replace(found, lower=sp.nan),
+        replace(found, lower=found.lower - I),
+        replace(found, where={x: HALF + I}),
+        replace(found, where={x: pi}),
+        replace(found, upper=oo, below=replace(found.below, expr=oo - x)),
+    ):
+        assert not recheck(wrong)
+
+
+HALF = Rational(1, 2)
+
+
+def test_what_is_no_certificate_is_named():
+    for nothing in (None, "Positive", {}, Largest):
+        with pytest.raises(TypeError, match="is no certificate"):
+            recheck(nothing)
