@@ -54,9 +54,13 @@ def changes_of_judgement(settled: Settled) -> Iterator[Change]:
         if kind is Kind.QUALIFIED or not others:
             dropped = replace(judged, unless=others)
             yield put("counterexample", f"without that at {at}", dropped)
-    # what is false stays false with fewer hypotheses
-    for what, other in _others(claim) if judged.instead is None else ():
+    for what, other in _others(claim):
+        if judged.instead is not None and what != _CONTRARY:
+            continue  # what says more than something false is false
         yield put("claim", what, said=other)
+
+
+_CONTRARY = "the contrary"
 
 
 def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
@@ -72,4 +76,4 @@ def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
         if isinstance(hypothesis, Relation) and hypothesis.sign == "<":
             weak = Relation(hypothesis.left, "<=", hypothesis.right)
             yield f"{written(weak)} for <", of((*given[:i], weak, *given[i + 1 :]), then)
-    yield "the contrary", of(given, Not((then,)))
+    yield _CONTRARY, of(given, Not((then,)))
