@@ -5,10 +5,15 @@ damper $b_H$ and a spring $k_H$ to the resting posture.  Which single mass, damp
 stand for both, and what is left when nothing is assumed of the arm?
 """
 
-from sympy import Eq, Poly
+from sympy import Eq, Poly, S
 
 from symhaptic.model.plant import Plant
 from symhaptic.notation import F_E, b, b_D, b_H, k, k_H, m, m_D, m_H, s, x
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, weakened
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import either_way, example, for_all
 
 
 def derive(page):
@@ -38,11 +43,28 @@ def derive(page):
         "eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False), definition=True
     )
     page.say("Nothing is lost by this, as long as that force is free to be anything:")
-    outside = page.step(
+    page.step(
         "The arm as an external force",
         both * x - F_E,
         device * x - (F_E - arm * x),
         name=r"(ms^2+bs+k)\,x-F_E",
         because="zero for the motion of both; the last bracket is the force on the device alone",
     )
-    page.settle("s2d-arm-in-force", page.same("the same motion", outside, both * x - F_E))
+    _settle(page)
+
+
+def _settle(page):
+    """Under (2) and F_E the device moves as under (3) and F_E less what the arm needs."""
+    claim = CLAIMED["s2d-arm-in-force"](())
+    symbols, given, then = taken_apart(claim)
+    together, alone = then.of
+    there, back = (
+        combined(wanted, [assume(known), S.One])
+        for known, wanted in ((together, alone), (alone, together))
+    )
+    same = either_way(there, back, together, alone)
+    page.settle(
+        "s2d-arm-in-force",
+        for_all(symbols, given, weakened(same, *given)),
+        example=example(dict.fromkeys(symbols, S.One), given),
+    )

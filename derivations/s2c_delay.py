@@ -5,10 +5,18 @@ We ask whether only their sum matters, and whether a delay that is no multiple o
 period can be treated like one that is.
 """
 
-from sympy import Eq, Rational, S
+from sympy import S
 
+from symhaptic.book.lemmas.sampled import late_answer
+from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
 from symhaptic.model.plant import normalised, sampled
 from symhaptic.notation import d, d_1, d_2, function, z
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.device import q
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened, whole
+from symhaptic.proof.theorems.leaves import identity
+from symhaptic.proof.theorems.tactics import example, for_all
 from symhaptic.scene import Parts
 
 
@@ -31,12 +39,11 @@ def derive(page):
         "sum only. A delay "
         "on the way of the external force would enter the numerator alone."
     )
-    page.settle(
-        "s2c-delays-lump",
-        page.same(
-            "denominators", 1 + P * z ** (-d_2) * H * z ** (-d_1), 1 + P * H * z ** (-(d_1 + d_2))
-        ),
-    )
+    claim = CLAIMED["s2c-delays-lump"](())
+    symbols, given, then = taken_apart(claim)
+    lumped = weakened(identity(then.left, then.right), *given)
+    point = dict.fromkeys(symbols, S.One)
+    page.settle("s2c-delays-lump", for_all(symbols, given, lumped), example=example(point, given))
     page.say(
         "Now the free mass, $\\gamma=\\delta=0$, in units of $m$ and $T$. A unit force is held for "
         "one period but arrives $d<1$ periods late; where is the mass when it is sampled next?"
@@ -64,14 +71,21 @@ def derive(page):
         "therefore exact for whole delays. For the others $P(\\zeta^q)$ is not even the device "
         "sampled $q$ times as often: it is $q$ copies of the slow device, coupled by the delay."
     )
-    general = normalised(Parts())
+    page.lemma(
+        "Behind whole delays $z^{-d}$ is exact, for every device",
+        late_answer(),
+        because="a force that comes whole periods late is $z^{-d}$ times the force",
+    )
+    claim = CLAIMED["s2c-rational-delay"](())
+    symbols, given, _ = taken_apart(claim)
+    point = FREE | {d: S.Half, q: 2, z: 4}
     page.settle(
         "s2c-rational-delay",
-        page.same("whole delays are exact", sampled(general).n1, general.held(S.One)[0]),
-        provided=r"d\in\mathbb{N}_0",
-        unless={d: Rational(1, 2)},
-        truth=Eq(late, 0),
-        shows=r"$x_1=\tfrac18$ with the delayed force, 0 by the substitution",
+        for_all(symbols, [*given, whole(d)], weakened(late_answer(), *given)),
+        example=shown_at(claim, point | {d: 1}, whole(d)),
+        unless=[fails(claim, point, but=whole(d))],
+        shows=r"half a period late, a free mass answers $z=4$ by $\tfrac{41}{288}$, not by "
+        r"$\tfrac12\cdot\tfrac5{18}$",
         note="the paper calls the substitution an approximation; the exact form for fractional "
         "delays is the modified z-transform",
     )

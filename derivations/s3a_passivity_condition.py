@@ -53,7 +53,6 @@ def derive(page):
         "Sums to products, the damping",
         cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta),
         -(2 - 2 * cos(theta)) * cos((d + 1) * theta),
-        because="both brackets contain the denominator once written through half angles",
     )
     page.result(
         r"As an identity, for every real $d$ and every $0<\theta<\pi$",
@@ -72,20 +71,16 @@ def derive(page):
     )
     _mass(page)
     page.say(
-        "A delay that is no whole number of periods does not act as $z^{-d}$ on the samples. With "
-        "half a period of delay, let the device move by $\\tfrac32$ in the first half of each "
-        "period, where the force is still the one before, and by 1 in the second; after 30 periods "
-        "it goes back in the same way. For $K=T=1$, $B=0$ and $b=\\tfrac{101}{100}$ the hand gains "
-        "$\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac{\\theta}{2}$ there and holds. And a "
-        "spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2."
+        "A spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2. Half "
+        "a period late, where $z^{-d}$ is not what happens, let the device move by $\\tfrac32$ in "
+        "the first half of each period, by 1 in the second, and back after 30 periods."
     )
-    late = passivity.half_late_energy(Rational(3, 2), S.One, 30)
     page.step(
         "Energy left to damper and wall",
-        late,
+        passivity.half_late_energy(Rational(3, 2), S.One, 30),
         390 * b / T + 345 * B / T - 1605 * K / 4,
         name="E",
-        because="half a period late; with the wall above it is $-\\tfrac{147}{20}$",
+        because="for that wall $-\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac\\theta2$",
     )
     _settle(page, b > brackets.subs(theta, omega * T))
 
@@ -108,7 +103,7 @@ def _settle(page, printed):
     given = [*loop, frequencies, whole(d), K >= 0]
     theorem = for_all(symbols, given, weakened(passive, *loop))
 
-    half, quarter = S.Half, Rational(1, 4)
+    half, quarter = S.Half, S.Half / 2
     late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: half}
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
     soft = {K: S.Zero, B: half, b: S.One, T: S.One, d: S.Zero}

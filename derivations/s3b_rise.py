@@ -8,10 +8,10 @@ signs on $0<N\psi<\pi$ for $N>2$; each is certified.
 
 from sympy import Eq, Rational, S, cos, cot, diff, pi, sin
 
-from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.chords import bend, chord_after, chord_before, flatter, width
 from symhaptic.book.lemmas.envelope import LOWER, UPPER, rises
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_passive
+from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.tip import tip
 from symhaptic.book.lemmas.touching import touches
 from symhaptic.latex import latex

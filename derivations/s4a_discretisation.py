@@ -5,18 +5,29 @@ over one period exactly; sampled once per period it is a transfer function in $z
 with the continuous motion at every sample.
 """
 
-from sympy import Eq, I, Matrix, S, diff, exp, eye, sqrt, zeros
+from sympy import Eq, I, Matrix, Ne, Rational, S, diff, exp, eye, sqrt, zeros
 
+from symhaptic.book.lemmas.sampled import device_claim, late_answer
+from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
 from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened, whole
+from symhaptic.proof.theorems.tactics import for_all
 
 CORRECTED = (
     r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
     r"+ b\changed{\tfrac{m}{T}}c_1(c_3 - c_2)(z - 1)}"
     r"{2k(z^2 - (c_2 + c_3)z + e^{-bT/m})(4km - b^2)}"
 )
+
+WHOLE = r"\frac{1}{ms^2 + bs + k} \hat{=} \br " + CORRECTED
+DELAYS = r"e^{-dT_s} \hat{=} z^{-d}", r"e^{-d\changed{Ts}} \hat{=} z^{-d}"
+"""The equivalent of the delay as printed, and as it is meant."""
 
 
 def derive(page):
@@ -81,29 +92,48 @@ def derive(page):
         "it a damping is added to a squared damping, and the result depends on the units. The "
         "form is $0/0$ for $k=0$ and at critical damping, where the motion is not special at all."
     )
+    swing = FREE | {m: S(2), b: S(4), k: Rational(3, 2)}
+    claim = CLAIMED["eq12"](STATEMENTS["eq12"].printed)
+    corrected = CLAIMED["eq12"](read(WHOLE))
+    apart = [Ne(c_1, 0), Ne(k, 0)]
     page.settle(
         "eq12",
+        device_claim(corrected, apart),
         Eq(1 / (m * s**2 + b * s + k), exact),
-        given=given,
-        corrected=(r"\frac{1}{ms^2 + bs + k} \hat{=} \br " + CORRECTED,),
-        unless={T: S.One, m: S(2), b: S(4), c_1: S.One, z: S(2)},
+        corrected=(WHOLE,),
+        example=shown_at(corrected, SWINGING, *apart),
+        unless=[fails(claim, swing)],
         shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$",
         note="$0/0$ for $k=0$ and for $b^2=4km$",
     )
+    _delay(page)
+
+
+def _delay(page):
     page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
+    page.define("The shift by one period", z, exp(T * s))
     page.step(
         "The delay on the unit circle",
         on_circle(z ** (-d), omega * T),
         exp(-I * d * omega * T),
         name=r"z^{-d}",
     )
+    page.lemma(
+        "A force that comes whole periods late is $z^{-d}$ times the force",
+        late_answer(),
+        because="for every device, whatever its spring and damper",
+    )
+    claim, corrected = (CLAIMED["s4a-delay-equivalent"](read(p)) for p in DELAYS)
+    symbols, given, _ = taken_apart(corrected)
+    free = FREE | {d: S.One, T_s: S(2)}
     page.settle(
         "s4a-delay-equivalent",
+        for_all(symbols, [*given, whole(d)], weakened(late_answer(), *given)),
         Eq(exp(-d * T * s), exp(T * s) ** (-d), evaluate=False),
-        given={z: exp(T * s)},
-        corrected=(r"e^{-d\changed{Ts}} \hat{=} z^{-d}",),
-        provided=r"d\in\mathbb{N}_0",
-        unless={d: S.One, T: S.One, T_s: S(2), s: S(3)},
+        corrected=(DELAYS[1],),
+        example=shown_at(corrected, free, whole(d)),
+        unless=[fails(claim, free)],
+        shows=r"at $d=T=1$, $T_s=2$ a free mass would answer $e^{-2}$ times, not half as much",
         note="the print has the Laplace variable as a subscript; exact at the samples for whole "
         "delays",
     )

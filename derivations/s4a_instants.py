@@ -4,10 +4,19 @@ The paper replaces the device by its samples and the delay by $z^{-d}$, and says
 at the sampling instants stays exactly the same. For which forces and which delays?
 """
 
-from sympy import Eq, Rational, S, integrate
+from sympy import Ne, Rational, S, integrate
 
+from symhaptic.book.lemmas.sampled import PROMPT, late_answer
+from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
 from symhaptic.model.plant import normalised
-from symhaptic.notation import c, d, delta, gamma, t
+from symhaptic.notation import T, X, X_d, c, d, delta, gamma, t, z
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.device import WALL
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.samples import turns
+from symhaptic.proof.theorems.tactics import closed, for_all, positive
 from symhaptic.scene import FULL, Parts
 
 
@@ -31,7 +40,7 @@ def derive(page):
         "period, and let one of the two be different."
     )
     free = normalised(Parts(stiffness=False, damping=False))
-    ramp = page.step(
+    page.step(
         "A force that grows in time, $F_E=t$",
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
@@ -40,7 +49,7 @@ def derive(page):
     )
     sampled = page.same("samples", free.held(S.One)[0] * t.subs(t, 0), S.Zero)
     page.show("By the samples", "n_1F_0", S.Zero, sampled)
-    late = page.step(
+    page.step(
         "A held force that comes $d$ periods late",
         free.held(1 - d)[0],
         (1 - d) ** 2 / 2,
@@ -48,14 +57,22 @@ def derive(page):
         because="a period after the sample, for $d\\le1$; $z^{-d}P(z)$ begins with $z^{-d-1}$ and "
         "says 0 for every $d>0$",
     )
+    _settle(page)
+
+
+def _settle(page):
+    """The loop with a whole delay is that with z^-d: both answers are the same."""
+    claim = CLAIMED["s4a-exact-instants"](())
+    symbols, given, then = taken_apart(claim)
+    gains = (1 + X_d * WALL) * (1 + z**-d * X * WALL)
+    equal = combined(then, [late_answer(), -X * WALL / gains])
+    found = closed(equal, turns(assume(PROMPT)), positive(Ne(T, 0), T > 0))
+    point = FREE | {d: S.One}
     page.settle(
         "s4a-exact-instants",
-        motion,
-        push,
-        page.same("the ramp", ramp, Rational(1, 6)),
-        provided=r"d\in\mathbb{N}_0",
-        unless={d: S.Half},
-        truth=Eq(late, 0),
-        shows=r"half a period late $x_1=\tfrac18$, not 0",
+        for_all(symbols, [*given, whole(d)], weakened(found, *given)),
+        example=shown_at(claim, point, whole(d)),
+        unless=[fails(claim, FREE | {d: S.Half, z: 4}, but=whole(d))],
+        shows="half a period late, a free mass answers $z=4$ in another way than $z^{-1/2}$ says",
         note="and for an external force that is held, as the paper says",
     )

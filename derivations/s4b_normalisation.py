@@ -4,8 +4,11 @@ Seven physical parameters describe the loop. Measured in units of the moving mas
 sampling period, two of them disappear.
 """
 
-from sympy import Eq, Poly, S, exp
+from sympy import Eq, Ne, Poly, S, exp
 
+from symhaptic.book.lemmas.renaming import definitions, renamed
+from symhaptic.book.lemmas.sampled import device_claim
+from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import plant, wall
 from symhaptic.model.plant import Plant, sampled
 from symhaptic.notation import (
@@ -27,6 +30,11 @@ from symhaptic.notation import (
     t_d,
     z,
 )
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.tactics import closed, for_all, positive
 from symhaptic.scene import FULL, Parts
 
 
@@ -62,30 +70,19 @@ def derive(page):
     page.say("In these numbers the plant is $1/(s^2+\\delta s+\\gamma)$, with a period of 1.")
     unit = plant.normalised(FULL)
     one, two = unit.poles(c_1)
-    page.settle("eq15", Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)))
+    _abbreviations(page, Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)))
     images = {c_2: exp(two), c_3: exp(one)}
     given = images | {gamma: (delta**2 - c_1**2) / 4}
     device = sampled(unit, split=c_1)
     first = ((2 - c_2 - c_3) * c_1 + (c_2 - c_3) * delta) / (2 * c_1 * gamma)
     second = ((2 * exp(-delta) - c_2 - c_3) * c_1 + (c_3 - c_2) * delta) / (2 * c_1 * gamma)
-    page.show(
-        "First sample of the step response",
-        "n_1",
-        first,
-        page.same("n1", device.n1.xreplace(given), first.xreplace(given)),
-    )
-    page.show(
-        "Second coefficient",
-        "n_0",
-        second,
-        page.same("n0", device.n0.xreplace(given), second.xreplace(given)),
-    )
-    page.show(
-        "Sum of the images",
-        "a",
-        c_2 + c_3,
-        page.same("a", device.a.xreplace(given), (c_2 + c_3).xreplace(images)),
-    )
+    for title, name, theirs, form in (
+        ("First sample of the step response", "n_1", device.n1, first),
+        ("Second coefficient", "n_0", device.n0, second),
+        ("Sum of the images", "a", device.a, c_2 + c_3),
+    ):
+        proof = page.same(name, theirs.xreplace(given), form.xreplace(given))
+        page.show(title, name, form, proof)
     page.step("Their product", exp(one) * exp(two), exp(-delta), name="e")
     page.say(
         "so that the device is $P(z)=\\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The forms of $n_1$ and "
@@ -110,25 +107,36 @@ def derive(page):
             because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring",
         )
         page.same("without a spring", small, free / delta**2)
-    at = {
-        gamma: S.Zero,
-        delta: S.One,
-        c_1: S.One,
-        c_2: exp(-S.One),
-        c_3: S.One,
-        z: S(2),
-        T: S.One,
-        m: S.One,
-        b: S.One,
-        k: S.Zero,
-        s: S.One,
-    }
+    form = Eq(1 / (m * s**2 + b * s + k), T**2 / m * device.transfer)
+    _equivalent(page, form)
+
+
+def _equivalent(page, form):
+    """(14) is right for every device that it does not turn to 0/0."""
+    claim = CLAIMED["eq14"](STATEMENTS["eq14"].printed)
+    apart = [Ne(c_1, 0), Ne(gamma, 0)]
     page.settle(
         "eq14",
-        Eq(1 / (m * s**2 + b * s + k), T**2 / m * device.transfer),
-        given=given,
-        provided=r"c_1\gamma\ne0",
-        unless=at,
-        truth=(T**2 / m * alone.transfer),
+        device_claim(claim, apart),
+        form,
+        example=shown_at(claim, SWINGING, *apart),
+        unless=[
+            fails(claim, UNHELD, holds=apart[:1], but=apart[1]),
+            fails(claim, CRITICAL, holds=apart[1:], but=apart[0]),
+        ],
         shows=r"$0/0$ for an ungrabbed device, which (22) and (23) admit",
     )
+
+
+def _abbreviations(page, *forms):
+    """(15) is (13) in the numbers of Table I."""
+    claim = CLAIMED["eq15"](STATEMENTS["eq15"].printed)
+    symbols, given, then = taken_apart(claim)
+    names = definitions(given)
+    spring, damper = names[:2]
+    parts = [
+        renamed(known, part, spring, damper) for part, known in zip(then.of, names[2:], strict=True)
+    ]
+    found = closed(conjoined(*parts), positive(Ne(m, 0), m > 0))
+    theorem = for_all(symbols, given, weakened(found, *given))
+    page.settle("eq15", theorem, *forms, example=shown_at(claim, SWINGING))

@@ -6,8 +6,13 @@ choice of units, and how many numbers must remain.
 
 from sympy import Integer, Matrix, Symbol, zeros
 
+from symhaptic.book.lemmas.units import SEVEN, in_own_units, scaled_wall
 from symhaptic.notation import SYMBOLS, TABLE_I
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):
@@ -45,11 +50,25 @@ def derive(page):
         head,
         [[rule.lhs, *chosen.row(i)] for i, rule in enumerate(rules)],
     )
-    pure = page.same("pure numbers", chosen * powers, zeros(len(rules), len(units)))
-    apart = page.same("independent", Integer(chosen.rank()), left)
+    page.same("pure numbers", chosen * powers, zeros(len(rules), len(units)))
+    page.same("independent", Integer(chosen.rank()), left)
     page.say(
         "The product of both tables is zero, so that all five are pure numbers, and the rank of "
         "the second is five: none of them follows from the others. So the loop depends on "
         "these five, and on mass and period as units only."
     )
-    page.settle("s4b-seven-to-five", pure, apart, note="no choice of units leaves fewer than five")
+    _settle(page)
+
+
+def _settle(page):
+    """A loop of seven parameters answers as that of five, in units of its mass and period."""
+    claim = CLAIMED["s4b-seven-to-five"](())
+    symbols, given, then = taken_apart(claim)
+    device = page.lemma("The device in its own units", in_own_units())
+    wall = page.lemma("And the wall", scaled_wall(then.of[1]))
+    page.settle(
+        "s4b-seven-to-five",
+        for_all(symbols, given, weakened(conjoined(device, wall), *given)),
+        example=example(SEVEN, given),
+        note="no choice of units leaves fewer than five",
+    )

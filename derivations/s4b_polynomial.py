@@ -4,25 +4,27 @@ The sampled device and the delayed wall are closed to a loop. Its poles are the 
 polynomial, and its form should not break down for the devices that one meets.
 """
 
-from sympy import Eq, S, exp, symbols
+from functools import cache
 
+from sympy import Eq, Ne, S, symbols
+
+from symhaptic.book.lemmas.sampled import loop_claim
+from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import loop, plant, wall
 from symhaptic.notation import (
-    T,
     alpha,
     beta,
     c_1,
-    c_2,
-    c_3,
     d,
-    delta,
     function,
     gamma,
-    m,
     z,
 )
 from symhaptic.paper import STATEMENTS
-from symhaptic.scene import FULL, Parts
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.device import WALL
+from symhaptic.proof.theorems.kernel import whole
+from symhaptic.scene import FULL
 
 
 def derive(page):
@@ -64,53 +66,45 @@ def derive(page):
         "for a device that nobody holds and at critical damping, and with it all of $n(z)$ and "
         "$p(z)$."
     )
-    n, p = function("n")(z), function("p")(z)
-    one, two = plant.normalised(FULL).poles(c_1)
-    given = {c_2: exp(two), c_3: exp(one), gamma: (delta**2 - c_1**2) / 4}
+    n, p, closed = function("n")(z), function("p")(z), function("G_x")(z)
     scale = -2 * c_1 * gamma
     top, bottom = scale * device.numerator, scale * loop.characteristic(split=c_1)
-    free = {
-        gamma: S.Zero,
-        delta: S.One,
-        c_1: S.One,
-        c_2: exp(-S.One),
-        c_3: S.One,
-        d: S.Zero,
-        alpha: S.One,
-        beta: S.One,
-        z: S(2),
-        T: S.One,
-        m: S.One,
-    }
-    alone = Parts(stiffness=False)
-    condition = r"c_1\gamma\ne0"
-    whole = r",\ d\in\mathbb{N}_0"
-    page.settle(
-        "eq17",
-        Eq(n, top),
-        given=given,
-        provided=condition,
-        unless=free,
-        truth=plant.sampled(plant.normalised(alone)).numerator,
-        shows=r"$n(z)\equiv0$ for an ungrabbed device",
-    )
-    page.settle(
+    _settle(page, "eq17", Eq(n, top), r"$n(z)\equiv0$ for an ungrabbed device", late=False)
+    _settle(
+        page,
         "eq18",
         Eq(p, bottom),
-        given=given,
-        provided=condition + whole,
-        unless=free,
-        truth=loop.characteristic(alone),
-        shows=r"$p(z)\equiv0$ for an ungrabbed device: every $z$ would be a pole",
+        r"$p(z)\equiv0$ for an ungrabbed device: every $z$ would be a pole",
     )
-    numerator, denominator = (STATEMENTS[i].printed[0].rhs for i in ("eq17", "eq18"))
+    _settle(page, "eq16", Eq(closed, loop.closed(split=c_1)), r"$0/0$ for an ungrabbed device")
+
+
+def _settle(page, id, form, shows, late=True):
+    """Right for every loop whose device the print does not turn to 0/0, behind whole delays."""
+    claim = CLAIMED[id](STATEMENTS[id].printed)
+    bottom = STATEMENTS["eq18"].printed[0].rhs
+    split, spring, steps = Ne(c_1, 0), Ne(gamma, 0), whole(d)
+    conditions = (split, spring, *([steps] if late else []))
+    example, *cases = _points(claim, conditions)
     page.settle(
-        "eq16",
-        Eq(function("G_x")(z), loop.closed(split=c_1)),
-        given=given | {n: top.xreplace(given), p: bottom.xreplace(given)},
-        provided=condition + whole,
-        unless=free,
-        truth=loop.closed(alone),
-        specialise=lambda form: form.xreplace({n: numerator, p: denominator}),
-        shows=r"$0/0$ for an ungrabbed device",
+        id,
+        loop_claim(claim, conditions, bottom if late else bottom.subs(d, 0), WALL, late),
+        form,
+        example=example,
+        unless=cases,
+        shows=shows,
     )
+
+
+@cache
+def _points(claim, conditions):
+    """A point at which all conditions hold, and for each one at which it alone does not."""
+    split, spring, *steps = conditions
+    cases = [(UNHELD, spring), (CRITICAL, split), *((SWINGING | {d: S.Half}, s) for s in steps)]
+    return [
+        shown_at(claim, SWINGING, *conditions),
+        *(
+            fails(claim, point, holds=[c for c in conditions if c is not but], but=but)
+            for point, but in cases
+        ),
+    ]

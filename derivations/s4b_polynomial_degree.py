@@ -4,11 +4,39 @@ The polynomial of the loop was derived in units of the mass and the period. We d
 in physical units, and count its powers of $z$.
 """
 
-from sympy import Ne, S, exp, symbols
+from sympy import Ne, S, exp, pi, symbols
 
+from symhaptic.book.lemmas.sampled_points import answered, completed
+from symhaptic.book.lemmas.units import same_loop
 from symhaptic.model import loop, plant, wall
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import B, K, T, alpha, b, beta, c_1, c_2, c_3, d, delta, gamma, k, m, z
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    X,
+    X_d,
+    alpha,
+    b,
+    beta,
+    c_1,
+    c_2,
+    c_3,
+    d,
+    delta,
+    gamma,
+    k,
+    m,
+    t_d,
+    z,
+)
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.device import SECOND
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.leaves import is_whole
+from symhaptic.proof.theorems.roots import degree, not_of_degree
+from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all, positive
 from symhaptic.scene import FULL
 
 
@@ -33,16 +61,12 @@ def derive(page):
         page.same("both derivations", physical, dimensionless.xreplace(given)),
         because="$a$, $e$, $n_1$ and $n_0$ depend on $\\gamma$ and $\\delta$ only",
     )
-    page.settle(
-        "s4b-five-parameters",
-        page.free_of("the polynomial", physical, m, T),
-        page.same("both derivations", physical, dimensionless.xreplace(given)),
-    )
+    _five(page)
     unit = plant.sampled(plant.normalised(FULL), split=c_1)
     one, two = plant.normalised(FULL).poles(c_1)
     given |= {c_2: exp(two), c_3: exp(one)}
     scale = -2 * c_1 * gamma
-    rest = page.same(
+    page.same(
         "what is left is quadratic",
         (scale * (dimensionless - unit.denominator * z ** (d + 1))).xreplace(given),
         (scale * unit.numerator * ((alpha + beta) * z - beta)).xreplace(given),
@@ -52,11 +76,59 @@ def derive(page):
         "degree 2. In the paper's scaling the leading coefficient is $-2c_1\\gamma$: the degree is "
         "$d+3$ if that is not zero and $d$ is a whole number. The monic form always has it."
     )
+    _degree(page)
+
+
+def _five(page):
+    """Two loops with the same numbers answer alike, in their own units."""
+    claim = CLAIMED["s4b-five-parameters"](())
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "Two loops with the same five numbers have the same product of device, delay and wall",
+        same_loop(SECOND),
+        because="each answers as that of mass and period 1, and only one answer there is",
+    )
+    numbers = {alpha: 1, beta: 0, gamma: pi**2, delta: 0, d: 0, z: 4}
+    light = {m: 1, b: 0, k: pi**2, T: 1, K: 1, B: 0, t_d: 0}
+    heavy = light | {m: 2, k: 2 * pi**2, K: 2}
+    (one, first), (two, second) = (answered({**v, z: 4}) for v in (light, heavy))
+    other = {SECOND[v]: value for v, value in heavy.items()}
+    values = {v: S(value) for v, value in (light | other | numbers).items()} | {X: one, X_d: two}
+    page.settle(
+        "s4b-five-parameters",
+        for_all(symbols, given, weakened(found, *given)),
+        example=example(values, given, first, second),
+    )
+
+
+def _degree(page):
+    claim = CLAIMED["s4d-degree"](())
+    symbols, given, found = taken_apart(claim)
+    split, spring, steps = Ne(c_1, 0), Ne(gamma, 0), whole(d)
+    lead = positive(Ne(-2 * c_1 * gamma, 0), [2, split, spring])
+    highest = degree(found.of[0], z, d + 3)
+    more = [is_whole(d + n, assume(steps)) for n in (1, 2, 3)]
+    theorem = closed(highest, lead, *more)
+    conditions = [split, spring, steps]
+
+    def fails_at(point, but):
+        values, _ = completed(claim, {alpha: 1, beta: 0, d: 0} | point)
+        there = found.at(values)
+        holds = [c for c in conditions if c is not but]
+        return counterexample(
+            claim, values, not_of_degree(there.of[0], z, there.of[1]), holds=holds, but=but
+        )
+
+    swing = {gamma: pi**2, delta: 0}
+    values, _ = completed(claim, {alpha: 1, beta: 0, d: 0} | swing)
     page.settle(
         "s4d-degree",
-        rest,
-        provided=r"c_1\gamma\ne0\ \text{and}\ d\in\mathbb{N}_0",
-        unless={gamma: S.Zero, delta: S.One, c_1: S.One},
-        truth=Ne(scale, 0, evaluate=False),
+        for_all(symbols, [*given, *conditions], weakened(theorem, *given)),
+        example=example(values, [*given, *conditions]),
+        unless=[
+            fails_at({gamma: 0, delta: 1}, spring),
+            fails_at({gamma: 1, delta: 2}, split),
+            fails_at(swing | {d: S.Half}, steps),
+        ],
         shows="the leading coefficient vanishes for an ungrabbed device",
     )

@@ -5,11 +5,27 @@ damping counts alone. We look for bounds of $\gamma$ and $\delta$ that ask for t
 device separately.
 """
 
-from sympy import Eq, Poly, S, symbols
+from sympy import Eq, Poly, S
 
+from symhaptic.book.lemmas.arm import PLAIN, bounds, limits, total
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, s
-from symhaptic.proof.sign import assume, combined, quotient
+from symhaptic.notation.proposition import Relation, negated, proposition
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import (
+    closed,
+    counterexample,
+    every,
+    example,
+    fact,
+    for_all,
+    not_all,
+)
 
 
 def derive(page):
@@ -26,50 +42,22 @@ def derive(page):
     damper = page.step(
         "The damper", damping * T / mass, T * (b_D + b_H) / (m_D + m_H), name=delta, paper="19"
     )
-    held = {gamma: spring, delta: damper}
-    page.settle("eq19", Eq(gamma, spring), Eq(delta, damper))
-
+    _numbers(page, Eq(gamma, spring), Eq(delta, damper))
     page.say("Leaving the other's mass out enlarges each part. By how much?")
-    masses = [assume(m_D), assume(m_H)]
-    dampers = [assume(b_D), assume(b_H)]
-    period, pull = assume(T), assume(k_H)
-    total = combined(m_D + m_H, *([part] for part in masses))
-    softer = page.positive(
+    page.step(
         "The spring alone",
-        quotient(
-            T**2 * k_H / m_H - spring,
-            combined(T**2 * k_H * m_D, [period, period, pull, masses[0]]),
-            combined(m_H * (m_D + m_H), [masses[1], total]),
-        ),
-        on=r"m_D,m_H,k_H,T>0",
+        T**2 * k_H / m_H - spring,
+        T**2 * k_H * m_D / (m_H * (m_D + m_H)),
         name=r"T^2\frac{k_H}{m_H}-\gamma",
-        because="it is $T^2k_Hm_D/(m_H(m_D+m_H))$, and zero for $k_H=0$",
     )
-    apart = T * (b_D / m_D + b_H / m_H) - damper
-    more = combined(
-        T * (b_D * m_H**2 + b_H * m_D**2),
-        [period, dampers[0], masses[1], masses[1]],
-        [period, dampers[1], masses[0], masses[0]],
-    )
-    braked = page.positive(
+    page.step(
         "Both dampers",
-        quotient(apart, more, combined(m_D * m_H * (m_D + m_H), [*masses, total])),
-        on=r"m_D,m_H,b_D,b_H,T>0",
+        T * (b_D / m_D + b_H / m_H) - damper,
+        T * (b_D * m_H**2 + b_H * m_D**2) / (m_D * m_H * (m_D + m_H)),
         name=r"T\Bigl(\frac{b_D}{m_D}+\frac{b_H}{m_H}\Bigr)-\delta",
-        because="it is $T(b_Dm_H^2+b_Hm_D^2)/(m_Dm_H(m_D+m_H))$",
+        because="zero without any damper, as the spring's is without a spring",
     )
-    limp = {T: S.One, m_D: S.One, m_H: S.One, b_D: S.One, b_H: S.One, k_H: S.Zero}
-    page.settle(
-        "eq20",
-        softer.relation,
-        braked.relation,
-        given=held,
-        provided="k_H>0",
-        unless=limp | {gamma: S.Zero, delta: S.One},
-        truth=(Eq(gamma, spring), Eq(delta, damper)),
-        shows=r"an arm that does not pull, $k_H=0$: (20) says $0<0$",
-        note=r"with $\le$ it holds for every arm; (22) admits $k_H=0$",
-    )
+    _bounds(page)
     page.say(
         "The sum of both ratios is more than needed. With the masses as weights, the damping of "
         "the whole is a mean of the two:"
@@ -81,36 +69,79 @@ def derive(page):
         r"\frac{m_D}{m_D+m_H}\cdot\frac{b_D}{m_D}+\frac{m_H}{m_D+m_H}\cdot\frac{b_H}{m_H}",
         page.same("the mean", damper / T, mean),
     )
+    _mean(page, mean)
+    _limits(page)
+
+
+def _numbers(page, *forms):
+    """Table I makes (19) of (2)."""
+    claim = CLAIMED["eq19"](STATEMENTS["eq19"].printed)
+    symbols, given, then = taken_apart(claim)
+    found = [
+        combined(wanted, [assume(rule), S.One])
+        for wanted, rule in zip(then.of, given[-2:], strict=True)
+    ]
+    theorem = for_all(symbols, given, weakened(closed(conjoined(*found), *total()), *given))
+    page.settle("eq19", theorem, *forms, example=example(PLAIN, given))
+
+
+def _bounds(page):
+    """(20) leaves something out unless nothing is there."""
+    claim = CLAIMED["eq20"](STATEMENTS["eq20"].printed)
+    symbols, given, then = taken_apart(claim)
+    pulls, brakes = k_H > 0, b_D + b_H > 0
+    theorem = for_all(symbols, [*given, pulls, brakes], weakened(conjoined(*bounds(claim)), *given))
+
+    def still(point, rest, other):
+        there = then.at(point)
+        fails = [p for p in there.of if p.left == p.right]
+        denial = not_all(there, fact(negated(fails[0])))
+        return counterexample(claim, point, denial, holds=[other], but=rest)
+
+    page.settle(
+        "eq20",
+        theorem,
+        *STATEMENTS["eq20"].printed,
+        example=example(PLAIN, [*given, pulls, brakes]),
+        unless=[
+            still(PLAIN | {k_H: S.Zero, gamma: S.Zero}, pulls, brakes),
+            still(PLAIN | {b_D: S.Zero, b_H: S.Zero, delta: S.Zero}, brakes, pulls),
+        ],
+        shows=r"an arm that does not pull, $k_H=0$: (20) says $0<0$",
+        note=r"with $\le$ it holds for every arm; (22) admits $k_H=0$ and $\delta=0$",
+    )
+
+
+def _mean(page, mean):
+    given = [*GIVEN, *map(proposition, STATEMENTS["eq19"].printed)]
+    wanted = Relation(delta, "=", T * mean)
     page.state(
         "arm-mean-ratio",
         r"$\delta/T$ is the mean of $b_D/m_D$ and $b_H/m_H$, weighted by the masses",
         r"\delta = T \cdot \left( \frac{m_D}{m_D + m_H} \cdot \frac{b_D}{m_D} "
         r"+ \frac{m_H}{m_D + m_H} \cdot \frac{b_H}{m_H} \right)",
+        claim=every((*ARM, gamma, delta), given, wanted),
     )
-    page.settle("arm-mean-ratio", Eq(delta, T * mean), note="so it is at most the larger of them")
-    q, x = symbols("q x")
-    below = [assume(q * part - value, False) for part, value in ((m_D, b_D), (m_H, b_H))]
-    calm = page.positive(
-        "At most the larger one",
-        quotient(
-            q - damper / T,
-            combined(q * (m_D + m_H) - b_D - b_H, *([part] for part in below)),
-            total,
-        ),
-        on=r"b_D\le qm_D,\ b_H\le qm_H",
-        name=r"q-\frac{\delta}{T}",
+    found = closed(combined(wanted, [assume(given[-1]), S.One]), *total())
+    page.settle(
+        "arm-mean-ratio",
+        for_all((*ARM, gamma, delta), given, weakened(found, *given)),
+        Eq(delta, T * mean),
+        example=example(PLAIN, given),
+        note="so it is at most the larger of them",
     )
-    limit = assume(x * m_H - k_H, False)
-    firm = page.positive(
-        "And the spring",
-        quotient(
-            x - spring / T**2,
-            combined(x * (m_D + m_H) - k_H, [limit], [assume(x), masses[0]]),
-            total,
-        ),
-        on=r"k_H\le xm_H,\ x>0",
-        name=r"x-\frac{\gamma}{T^2}",
-        because="so limits for the arm and for the device, each on its own, are enough, and they "
-        "hold for $k_H=0$ too",
+
+
+def _limits(page):
+    """Limits of stiffness and damping per mass for each part are limits for both."""
+    claim = CLAIMED["s4c-independent-limits"](())
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "Limits for the arm and for the device, each on its own, are enough",
+        conjoined(*limits(claim)),
     )
-    page.settle("s4c-independent-limits", firm, calm)
+    page.settle(
+        "s4c-independent-limits",
+        for_all(symbols, given, weakened(found, *given)),
+        example=example(PLAIN | {x: S.One, y: S.One}, given),
+    )

@@ -4,11 +4,16 @@ Table II of the paper lists eleven arms from eleven articles. The articles are n
 what the numbers say of themselves can be checked: ratios, damping, and units that were converted.
 """
 
-from sympy import Rational, S, pi, sqrt, symbols
+from sympy import Ne, Rational, S, pi, sqrt
 
+from symhaptic.notation.proposition import Relation
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.arm import k_1, k_2
 from symhaptic.paper.tables import EXCLUDED, TABLE_II
-from symhaptic.proof.ball import ball
-from symhaptic.proof.sign import assume, combined, number, quotient
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.tactics import closed, example, fact, for_all, one, over, positive
 
 POUND, GRAVITY, INCH = Rational("0.45359237"), Rational("9.80665"), Rational("0.0254")
 """kg, m/s^2 and m, exact by their international definitions."""
@@ -42,35 +47,46 @@ def derive(page):
         "One row stands out. There, says the paper, the arm was strapped down and only the hand "
         "was measured. Over the next largest ratios, of Hogan and of Tsuji et al.:"
     )
-    factors, shown = [], []
+    shown = []
     for column, name in ((1, "k_H/m_H"), (2, "b_H/m_H")):
         all_of_them = ratios(column)
         most = all_of_them.pop(EXCLUDED)
-        factors += [number(most - 3 * less) for less in all_of_them.values()]
-        shown.append((name, ball(most / max(all_of_them.values()), None, 128).real))
+        shown.append((name, most / max(all_of_them.values())))
     page.enclosed("How many times", shown, places=6)
+    far = CLAIMED["s4c-outlier"](())
     page.settle(
-        "s4c-outlier", *factors, note="at least 3 times each of them; 9.4 and 3.4 times the next"
+        "s4c-outlier",
+        conjoined(*map(fact, far.of)),
+        note="at least 3 times each of them; 9.4 and 3.4 times the next",
     )
-    one, two = symbols("k_1 k_2")
-    first, second = assume(one), assume(two)
     page.say("Two springs in series share the force, and their displacements add up:")
-    series = page.positive(
-        "Softer than each",
-        quotient(
-            one - 1 / (1 / one + 1 / two),
-            combined(one**2, [first, first]),
-            combined(one + two, [first], [second]),
-        ),
-        on="k_1,k_2>0",
-        name=r"k_1-\frac{1}{1/k_1+1/k_2}",
-    )
-    page.settle("s4c-series", series, note="how much softer an arm is, rests on its joints")
+    series(page)
     page.settle_external(
         "tab2",
         "on the eleven articles that it cites",
         r"two rows are conversions: of $4\pi^2$ and $4\pi$ (a model of arm and device), and of "
         rf"0.1, 1 and 1 in pounds and inches; {len(checks)} numbers agree to the last digit",
+    )
+
+
+def series(page):
+    """Of two springs one after the other each is stiffer than both."""
+    claim = CLAIMED["s4c-series"](())
+    symbols, given, then = taken_apart(claim)
+    k = symbols[0]
+    found = []
+    for wanted, own, other in zip(then.of, (k_1, k_2), (k_2, k_1), strict=True):
+        soft = over(1 / other > 0, one(), other > 0)
+        both = [assume(k > 0), assume(own > 0), soft]
+        found.append(combined(wanted, both, [assume(given[-1]), -k * own]))
+    apart = [positive(Ne(part, 0), part > 0) for part in symbols]
+    theorem = page.lemma("Softer than each", closed(conjoined(*found), *apart))
+    half = {k: S.Half, k_1: S.One, k_2: S.One}
+    page.settle(
+        "s4c-series",
+        for_all(symbols, given, weakened(theorem, *given)),
+        example=example(half, given),
+        note="how much softer an arm is, rests on its joints",
     )
 
 
@@ -104,7 +120,7 @@ def converted(page):
     )
     page.enclosed(
         "In SI units",
-        [(name, ball(value, None, 128).real) for name, value, _ in found],
+        [(name, value) for name, value, _ in found],
         because="printed as 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,
     )
@@ -115,4 +131,5 @@ def rounded(value, printed):
     """A number that rounds to the printed decimal: less than half a unit of its last digit away."""
     digits = len(printed.partition(".")[2])
     half = Rational(1, 2 * 10**digits)
-    return number(half**2 - (value - Rational(printed)) ** 2)
+    off = (value - Rational(printed)) ** 2
+    return number(Relation(off, "<", half**2))

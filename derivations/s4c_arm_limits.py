@@ -4,11 +4,16 @@ The paper takes the largest ratios of Table II and adds the damping of a device.
 numbers in exact fractions.
 """
 
-from sympy import Rational, S, ceiling
+from sympy import Le, Lt, Rational, S, ceiling
 
+from symhaptic.book.lemmas.arm import in_seconds, within
 from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
-from symhaptic.proof.sign import assume, combined, quotient
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.tactics import example, for_all
 
 RATIOS = {
     row.authors: [Rational(r) / Rational(row.mass) for r in (row.stiffness, row.damping)]
@@ -42,10 +47,14 @@ def largest(page):
         because="$14.555\\ldots$, rounded up to 14.6",
     )
     up = ceiling(10 * damper) / S(10)
+    claim = CLAIMED["eq21"](STATEMENTS["eq21"].printed)
+    symbols, given, then = taken_apart(claim)
     page.settle(
         "eq21",
+        for_all(symbols, given, conjoined(*map(in_seconds, then.of))),
         k_H / m_H <= spring / second**2,
         b_H / m_H <= up / second,
+        example=example({second: S.One}, given),
         note=r"equality for Hogan, $\tfrac{131}9$ rounded up for Tsuji et al.",
     )
     page.say(
@@ -67,13 +76,6 @@ def largest(page):
 
 def limits(page, spring, damper):
     """(22) from (19), (21) and the devices of the paper's reference [8]."""
-    rate, push = assume(1 / second), assume(T)
-    device, arm = assume(m_D), assume(m_H)
-    both = combined(m_D + m_H, [device], [arm])
-    held = {gamma: T**2 * k_H / (m_D + m_H), delta: T * (b_D + b_H) / (m_D + m_H)}
-    soft = assume(spring / second**2 * m_H - k_H, False)
-    tame = assume(damper / second * m_H - b_H, False)
-    light = assume(DEVICE / second * m_D - b_D)
     total = damper + DEVICE
     page.show(
         "Arm and device together",
@@ -87,30 +89,16 @@ def limits(page, spring, damper):
         "on the devices listed in [8]",
         "the paper uses it in (22) only, where $14.6+0.625=15.225$",
     )
-    reach = [spring / second**2, total / second]
-    above = [
-        combined(
-            T**2 * (reach[0] * (m_D + m_H) - k_H),
-            [push, push, soft],
-            [spring, push, push, rate, rate, device],
-        ),
-        combined(
-            T * (reach[1] * (m_D + m_H) - b_D - b_H),
-            [push, light],
-            [push, tame],
-            [damper, push, rate, device],
-            [DEVICE, push, rate, arm],
-        ),
-    ]
-    least = [
-        combined(T**2 * k_H, [push, push, assume(k_H, False)]),
-        combined(T * (b_D + b_H), [push, assume(b_D, False)], [push, assume(b_H, False)]),
-    ]
-    forms = []
-    for i, name in enumerate((gamma, delta)):
-        forms.append(quotient(held[name], least[i], both).relation)
-        top = quotient(T ** (2 - i) * reach[i] - held[name], above[i], both)
-        forms.append(top.relation)
+    held = {gamma: T**2 * k_H / (m_D + m_H), delta: T * (b_D + b_H) / (m_D + m_H)}
+    for name, meaning in held.items():
+        page.define("By (19)", name, meaning)
+    inside = page.lemma(
+        "Arm and device within their limits",
+        conjoined(*within(spring, damper, DEVICE)),
+        because="the bounds of (21), and 0.625 for the damping per mass of the devices of [8]",
+    )
+    signs = {"<": Lt, "<=": Le}
+    forms = [signs[p.sign](p.left, p.right, evaluate=False) for p in inside.conclusion.of]
     page.settle_external(
         "eq22",
         "on $b_D/m_D<0.625\\,\\mathrm{s}^{-1}$ for the devices of [8], and on Table II",

@@ -5,16 +5,22 @@ criteria grow with the delay. But the characteristic polynomial is affine in $\a
 and that is enough: on the unit circle one complex equation fixes both.
 """
 
-from sympy import Ne, S, cos, sin, symbols, tan
+from sympy import Rational, S, cos, sin, tan
 
-from symhaptic.model import boundary, loop, plant
+from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
+from symhaptic.model import boundary, plant
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, theta, z
-from symhaptic.scene import FULL, Parts
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, z
+from symhaptic.notation.proposition import Relation
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.stability import explicit, on_boundary
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import absurd, assume, part, placed, weakened
+from symhaptic.proof.theorems.tactics import counterexample, every, example, fact, for_all
+from symhaptic.scene import Parts
 
 
 def derive(page):
-    a, e, n_1, n_0 = symbols("a e n_1 n_0")
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
     page.say("With $A=z^2-az+e$ and $N=n_1z+n_0$, a root of the polynomial is a point where")
@@ -93,22 +99,44 @@ def derive(page):
         name=r"\beta/\alpha",
         because="damping over stiffness is the delay, half a period of hold included",
     )
-    device = plant.sampled(plant.normalised(FULL), split=c)
-    general = {a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}
-    given = {gamma: (delta**2 - c**2) / 4}
-    walls = {alpha: stiffness.subs(general), beta: damping.subs(general)}
-    residual = on_circle(loop.characteristic(FULL, split=c)).subs(walls).xreplace(given)
+    _settled(page)
+
+
+def _settled(page):
+    page.same(
+        "as Q", boundary.wall(plant.Sampled(n_1, n_0, a, e)), [p.right for p in on_boundary().parts]
+    )
+    exact = page.lemma(
+        "Both roads of it: a zero at $e^{j\\theta}$ and this wall are the same",
+        zero_on_circle_is_explicit(),
+        because="for the numbers of any device whose $N$ does not vanish there",
+    )
+    page.lemma(
+        "For a damped device it does not",
+        numerator_on_circle(),
+        because="a held force that turns by $z$ does work, so that it moves the device",
+    )
+    claim = CLAIMED["s4d-explicit-only-undelayed"](())
+    arm = (gamma, delta, d)
+    given = [gamma >= 0, delta >= 0, d >= 0]
+    walls, inside, _ = taken_apart(explicit())
+    found = weakened(for_all(walls, inside, weakened(exact, *inside)), *given)
+    there = {gamma: Rational(3, 16), delta: S.One, d: S.One}
+    here = for_all(walls, [p.at(there) for p in inside], placed(weakened(exact, *inside), there))
+    only = taken_apart(claim)[2].at(there)
+    late = absurd(part(assume(only), only.parts[0]), fact(Relation(S.One, "!=", S.Zero)), only)
     page.settle(
         "s4d-explicit-only-undelayed",
-        page.same("the boundary of every plant and every delay", residual, S.Zero),
+        for_all(arm, given, found),
+        instead=every(arm, given, explicit()),
         corrected=(
             r"\beta=\frac{\Im Q}{\sin\theta}",
             r"\alpha=\Re Q-\beta(1-\cos\theta)",
             r"Q=-e^{jd\theta}A(e^{j\theta})/N(e^{j\theta})",
         ),
+        example=example(there, given),
         misprint=False,
-        unless={d: S.One, delta: S.One, c: S.Half, theta: S.One},
-        truth=Ne(residual, 0, evaluate=False),
-        shows=r"an explicit point of the boundary for $d=1$, $\gamma=\tfrac3{16}$",
+        unless=[counterexample(claim, there, here, late)],
+        shows=r"an explicit boundary for $d=1$, $\gamma=\tfrac3{16}$",
         note="for fractional delays this is the principal sheet of the paper's substitution",
     )

@@ -10,7 +10,7 @@ from symhaptic.model import boundary, plant
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, h, nu, s_1, s_2, theta, z
 from symhaptic.proof import sign
-from symhaptic.proof.ball import ball
+from symhaptic.proof.enclosed import value
 from symhaptic.scene import FULL, Parts
 
 E, N_1, N_0 = symbols("e n_1 n_0")
@@ -127,7 +127,7 @@ def gap(page):
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23)", [(r"s_1-\delta-\tfrac12\gamma", ball(below, corner, 256).real)]
+        "At the corner of (23)", [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))]
     )
 
 

@@ -9,7 +9,7 @@ from sympy import Rational, S, Symbol, chebyshevt, cos, diff, pi, sin, sqrt, tan
 from symhaptic.model import boundary, plant
 from symhaptic.notation import alpha, beta, d, rho, tau, theta, x
 from symhaptic.proof import roots, sign
-from symhaptic.proof.ball import ball
+from symhaptic.proof.enclosed import value
 from symhaptic.scene import Parts
 
 ANGLE = (d + 1) * theta
@@ -121,7 +121,7 @@ def whole_delays(page, stiffness, bend):
     page.enclosed(
         "Largest stable stiffness of a free mass",
         [
-            (rf"\alpha_{{\max}}({delay})", ball(4 * rho, {rho: number.ball}, 256).real)
+            (rf"\alpha_{{\max}}({delay})", value(4 * rho, {rho: number}))
             for delay, number in enumerate(found)
         ],
         because="at the one root of $g$ on the arc, by balls around all roots",

@@ -10,7 +10,7 @@ from sympy import Rational, S, cos, diff, pi, sin, tan
 from symhaptic.model import boundary, plant
 from symhaptic.notation import d, h, phi, psi, theta
 from symhaptic.proof import sign
-from symhaptic.proof.ball import ball
+from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero
 from symhaptic.scene import Parts
 
@@ -36,7 +36,7 @@ def derive(page):
         because="the bracket falls, to zero at one angle $\\varphi_*$, where this is largest",
     )
     angle = zero(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
-    largest = ball(LONG, {phi: angle.ball}, 256).real
+    largest = value(LONG, {phi: angle})
     page.enclosed("In numbers", [(r"\varphi_*", angle), (r"\varphi_*^2\cos\varphi_*", largest)])
     sides(page)
     page.say(
@@ -74,7 +74,7 @@ def expansion(page, scaled, angle):
     second, third = phi**2 / 6, phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
     page.step("Factor of $h^2$", next_one / LONG, second, name="a_2", because=AT)
     page.step("Factor of $h^4$", (after - shift) / LONG, third, name="a_4", because=AT)
-    numbers = (ball(term, {phi: angle.ball}, 256).real for term in (second, third))
+    numbers = (value(term, {phi: angle}) for term in (second, third))
     page.enclosed("In numbers", list(zip(("a_2", "a_4"), numbers, strict=True)))
 
 

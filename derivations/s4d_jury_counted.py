@@ -9,6 +9,7 @@ from itertools import combinations
 
 from sympy import Mul, Rational, S, symbols
 
+from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.model import jury, plant
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, alpha, beta, e, n_0, n_1, z
@@ -35,6 +36,11 @@ def derive(page):
         ),
         equal_to=jury.inequalities(0),
     )  # fmt: skip
+    page.lemma(
+        "As a theorem",
+        by_inequalities(0),
+        because="for the numbers of any device; so it is with each whole delay",
+    )
     none_is_idle(page)
     page.say("With delay there are $d+4$ inequalities, and they grow:")
     page.table(

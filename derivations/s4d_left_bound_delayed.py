@@ -6,9 +6,19 @@ an arm, and that it does for a stiff one.
 
 from sympy import Eq, Rational, S, diff, exp, pi, symbols
 
+from symhaptic.book.lemmas.left_bound import (
+    HALF_SWING,
+    SOFT,
+    left_bound,
+    no_wall_near,
+    not_soft,
+)
 from symhaptic.model import loop, plant
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, t, x, z
-from symhaptic.proof.sign import assume, combined
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import conjoined, weakened, widened
+from symhaptic.proof.theorems.tactics import counterexample, example, fact, for_all
 from symhaptic.scene import FULL, Parts
 
 
@@ -38,8 +48,6 @@ def derive(page):
         because="positive when all $|r_i|<1$, as non-real roots come in conjugate pairs; on the "
         "right stand the coefficients of $z^3+q_2z^2+q_1z+q_0$",
     )
-    square = assume((x - Rational(1, 2)) ** 2, strict=False)
-    never = combined(x**2 - x + Rational(1, 2), [square], [Rational(1, 4)])
     margin = 1 - (x + Rational(3, 2)) + 2 * x - x**2
     page.step(
         "Here it is",
@@ -58,16 +66,33 @@ def derive(page):
         because="for $\\alpha=0$, $n_1\\beta=-\\tfrac1{10}$, away from the line",
     )
     page.inside("Its roots lie inside the circle", stable)
+    _settled(page)
+
+
+def _settled(page):
+    """What of all this is a theorem: damped arms, and the undamped half swing."""
+    page.say(
+        "A damped arm needs none of these estimates. A wall that pulls, without virtual "
+        "damping, is passive without delay, and for $\\gamma\\le2\\delta$ one period late, so that "
+        "it is stable (chapter s5a):"
+    )
+    found = page.lemma("The region of a damped arm ends on the line", left_bound(), boxed=True)
+    claim = CLAIMED["s4d-left-bound"]([Eq(alpha, -gamma)])
+    symbols, given, then = taken_apart(claim)
+    easy = {alpha: -S.One, gamma: S.One, delta: S.One, d: S.Zero}
+    soft = SOFT.at(easy)
+    there = widened(conjoined(*(fact(p) for p in soft.parts[0].parts)), soft)
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
-        provided=r"d=0\ \text{and}\ (\delta>0\ \text{or}\ \sqrt\gamma\notin\{\pi,2\pi,\ldots\}),"
-        r"\ \text{or}\ d=1\ \text{and}\ \gamma\le1",
-        unless={alpha: -gam, gamma: gam, delta: S.Zero, d: S.One},
-        truth=(margin > 0, never),
-        shows=r"$d=1$, $\delta=0$, $\sqrt\gamma=\tfrac23\pi$: no $\beta$ is stable near the line",
-        note=r"$\alpha>-\gamma$ is necessary for every delay; the counterexample lies outside "
-        r"(23); for $d\ge2$ inside it nothing is shown here",
+        for_all(symbols, [*given, SOFT], weakened(found, *given)),
+        example=example(easy, [*given, SOFT], there),
+        unless=[counterexample(claim, HALF_SWING, no_wall_near(then), not_soft(), but=SOFT)],
+        shows=r"$d=0$, $\delta=0$, $\sqrt\gamma=\pi$: no wall is stable; and $d=1$, $\delta=0$, "
+        r"$\sqrt\gamma=\tfrac23\pi$: none near the line",
+        note=r"$\alpha>-\gamma$ is necessary for every delay; in words, on the page, the line is "
+        r"reached for $d=0$ but for undamped half swings, and for $d=1$ and $\gamma\le1$; for "
+        r"$d\ge2$ inside (23) nothing is shown here",
     )
 
 

@@ -1,33 +1,52 @@
 r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 
 The paper concludes that each of them enlarges the stable region. A single wall that is stable
-without the part and unstable with it is enough to deny this. Roots are isolated by certified
+without the part and unstable with it is enough to deny this. Zeros are isolated by certified
 balls, the coefficients being exact expressions.
 """
 
-from sympy import Rational, S
+from sympy import Rational, S, cos
 
-from symhaptic.model import loop
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.scene import Parts
+from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, LOOP, MARGIN, passive_is_stable
+from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
+from symhaptic.book.lemmas.walls import divisors
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, theta
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.paper.propositions.stability import MORE
+from symhaptic.proof.theorems.kernel import part, whole
+from symhaptic.proof.theorems.leaves import bounded, combined, square
+from symhaptic.proof.theorems.tactics import (
+    closed,
+    counterexample,
+    every,
+    example,
+    for_all,
+    positive,
+)
 
 
 def derive(page):
-    p, full = loop.named(), loop.numbers()
-    mass_only, damped = loop.numbers(Parts(False, False)), loop.numbers(Parts(stiffness=False))
     page.say(
         "\\emph{The spring.} No delay, no damping, $\\alpha=\\tfrac{269}{400}$ and "
         "$\\beta=\\tfrac{97}{100}$. With a free mass the wall is stable:"
     )
-    wall = {alpha: Rational(269, 400), beta: Rational(97, 100), d: S.Zero}
-    page.inside("Without a spring", p, wall, mass_only)
+    wall = {
+        alpha: Rational(269, 400),
+        beta: Rational(97, 100),
+        gamma: S.Zero,
+        delta: S.Zero,
+        d: S.Zero,
+    }
+    free = page.lemma("Without a spring", stable_at(wall))
     page.say(
         "The stiffest spring that (23) gives to an arm, $\\gamma=0.001$, makes it unstable. The "
         "right end of the region moves to the left by about half of $\\gamma$, while the left "
         "bound moves by $\\gamma$."
     )
-    sprung = {**wall, gamma: Rational(1, 1000), delta: S.Zero}
-    witness = page.outside("With the spring", p, sprung, full)
+    sprung = {**wall, gamma: Rational(1, 1000)}
+    witness = page.lemma("With the spring", unstable_at(sprung))
     page.say(
         "\\emph{The mass.} With everything else unchanged, $\\alpha$, $\\beta$ and $\\delta$ are "
         "inversely proportional to $m$. One period of delay, $\\delta=0.02$, "
@@ -36,24 +55,48 @@ def derive(page):
     light = {
         alpha: Rational(9, 800),
         beta: Rational(-13, 4000),
+        gamma: S.Zero,
         delta: Rational(1, 50),
         d: S.One,
     }
-    page.inside("With the mass $m$", p, light, damped)
     heavy = {symbol: value if symbol == d else value / 2 for symbol, value in light.items()}
-    page.outside("With twice the mass", p, heavy, damped)
+    steady = page.lemma("With the mass $m$", stable_at(light))
+    falls = page.lemma("With twice the mass", unstable_at(heavy))
     page.say(
         "With more mass a wall comes closer to the line of the linear condition (25), which lies "
         "inside the exact region at this place. For the damper see the chapter on "
         "damping."
     )
+    claim = CLAIMED["s4d-all-stabilising"](())
+    passive = [EVERY_MARGIN, gamma >= 0, delta > 0, alpha > 0, whole(d)]
+    stiff = positive(alpha + gamma > 0, alpha > 0, gamma >= 0)
+    robust = closed(part(passive_is_stable(), STABLE), stiff)
     page.settle(
         "s4d-all-stabilising",
-        page.same("the mass scales", light[alpha] / 2, heavy[alpha]),
-        corrected=(r"\text{no spring destabilises a passive wall (chapter s5a)}",),
+        for_all(LOOP, passive, robust),
+        instead=every(LOOP, passive, STABLE),
+        corrected=[r"\text{no spring destabilises a passive wall (chapter s5a)}"],
+        example=_passive_wall(passive),
         misprint=False,
-        unless=sprung,
-        truth=witness,
+        unless=[
+            counterexample(claim, _arms(wall, 1, sprung[gamma]), free, witness),
+            counterexample(claim, _arms(light, 2, S.Zero), steady, falls),
+        ],
         shows="a wall that is stable with a free mass and unstable with a spring inside (23)",
         note="doubling the mass destabilises a wall at $d=1$; more damping can do so outside (23)",
     )
+
+
+def _arms(wall, mass, spring):
+    """A wall in units of mass and period, and beside it the mass and the spring of another arm."""
+    before = {K: wall[alpha], B: wall[beta], T: S.One, m: S.One, b: wall[delta], k: wall[gamma]}
+    return before | {d: wall[d]} | dict(zip(MORE, (S(mass), wall[delta], spring), strict=True))
+
+
+def _passive_wall(given):
+    """alpha = 1 and delta = 2, a period late: 3/2 - cos(theta) is left of the damping."""
+    wall = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S(2), d: S.One}
+    turn = square(1 - cos(theta)), bounded(cos, theta)
+    left = combined(MARGIN.xreplace(wall) >= 0, *([S.Half, known] for known in turn), [S.Half])
+    angles = for_all([theta], INSIDE, closed(left, *divisors(theta)))
+    return example(wall, given, angles)

@@ -9,11 +9,15 @@ them is larger, the sum turns with it.
 from sympy import I, cos, exp, pi, sin, symbols
 
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, d, phi, theta, z
+from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, phi, theta, z
+from symhaptic.notation.proposition import Iff, Relation
+from symhaptic.proof.theorems.kernel import assume
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import either_way, every, for_all
 
 
 def derive(page):
-    a, e, n_1, n_0, y = symbols("a e n_1 n_0 y")
+    y = symbols("y")
     top, wall, bottom = n_1 * z + n_0, (alpha + beta) * z - beta, z**2 - a * z + e
     page.say(
         "Write $p_1=f+g$ with the plant's part $f=z^{d+1}A$ and the wall's part $g=NW$, where "
@@ -25,17 +29,13 @@ def derive(page):
         ("N", top, (n_1 + n_0) ** 2 - n_1 * n_0 * y),
         ("W", wall, alpha**2 + (alpha + beta) * beta * y),
     ]
-    square = {}
-    for name, factor, size in sizes:
+    for name, factor, form in sizes:
         page.show(
             f"Size of ${name}$ on the circle",
             f"|{name}|^2",
-            size,
-            page.same(name, factor * factor.subs(z, 1 / z), size.subs(y, 2 - z - 1 / z)),
+            form,
+            page.same(name, factor * factor.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),
         )
-        square[name] = size
-    surplus = square["A"] - square["N"] * square["W"]
-    ignores = page.free_of("the surplus", surplus, d)
     page.say(
         "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$, and the delay is not in it: there "
         "are at most two angles $\\theta_i$ in $(0,\\pi)$ at which plant and wall are equally "
@@ -99,16 +99,35 @@ def derive(page):
     )
     m_2, m_1, m_0 = symbols("m_2 m_1 m_0")
     late, whole = m_2 * z**2 + m_1 * z + m_0, m_2 + m_1 + m_0
-    size = whole**2 + ((m_2 - m_0) ** 2 - whole * (m_2 + m_0)) * y + m_2 * m_0 * y**2
+    form = whole**2 + ((m_2 - m_0) ** 2 - whole * (m_2 + m_0)) * y + m_2 * m_0 * y**2
     page.show(
         "A delay with a fraction has a numerator of degree two",
         "|m_2z^2+m_1z+m_0|^2",
-        size,
-        page.same("late", late * late.subs(z, 1 / z), size.subs(y, 2 - z - 1 / z)),
+        form,
+        page.same("late", late * late.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),
         because="the surplus then has degree three, and the rest is the same",
     )
+    _equally_large(page)
+
+
+def _equally_large(page):
+    turn = exp(I * theta)
+    plant = exp(I * (d + 1) * theta) * (turn**2 - a * turn + e)
+    wall = (n_1 * turn + n_0) * ((alpha + beta) * turn - beta)
+    later = symbols("d'")
+    equal = Relation(_size(plant), "=", _size(wall))
+    then = equal.at({d: later})
+    walls = (alpha, beta, n_1, n_0, a, e, theta, d, later)
     page.state(
         "counting-ignores-delay",
         "the angles at which plant and wall are equally large ignore the delay",
+        claim=every(walls, [], Iff((equal, then))),
     )
-    page.settle("counting-ignores-delay", ignores)
+    there, here = (combined(q, [assume(p), 1]) for p, q in ((equal, then), (then, equal)))
+    page.settle("counting-ignores-delay", for_all(walls, [], either_way(there, here, equal, then)))
+
+
+def _size(of):
+    """Real part squared and imaginary part squared."""
+    mirror = of.xreplace({I: -I})
+    return ((of + mirror) / 2) ** 2 + ((of - mirror) / (2 * I)) ** 2

@@ -7,9 +7,17 @@ and when the first one does.
 
 from sympy import I, Rational, pi, symbols
 
+from symhaptic.book.lemmas.crossing import (
+    at_one_angle,
+    leaves_where_the_wall_stops_to_lead,
+    one_angle,
+    speed_outwards,
+)
 from symhaptic.model import loop
 from symhaptic.model.passivity import real_part
 from symhaptic.notation import alpha, beta, d, theta, u, w
+from symhaptic.notation.proposition import both
+from symhaptic.proof.theorems.kernel import conjoined
 from symhaptic.report.stability_figures import delay_margins
 from symhaptic.scene import Parts
 
@@ -20,13 +28,13 @@ def derive(page):
         "number there, on the principal sheet. The root moves with it: $(d+1)\\ln z=\\ln h$, and "
         "with $u+jw=z\\,h'/h$ at $z=e^{j\\theta}$,"
     )
-    moves = page.step(
+    page.step(
         "How a root on the circle moves with the delay",
         real_part(-I * theta / (d + 1 - u - I * w)),
         theta * w / ((d + 1 - u) ** 2 + w**2),
         name=r"\frac{\partial\ln|z|}{\partial d}",
     )
-    leads = page.step(
+    page.step(
         "How the lead of the wall changes along the circle",
         real_part(I * (u + I * w)),
         -w,
@@ -77,9 +85,11 @@ def derive(page):
         "delay-margin",
         "with growing delay (on the principal sheet) roots leave the circle at one angle at most, "
         "where the wall stops to lead",
+        claim=both([leaves_where_the_wall_stops_to_lead(), at_one_angle()]),
     )
     page.settle(
         "delay-margin",
-        page.same("moves", moves, theta * w / ((d + 1 - u) ** 2 + w**2)),
-        page.same("leads", leads, -w),
+        conjoined(speed_outwards(), one_angle()),
+        note="leave with a speed: $\\Re\\{dz/(z\\,dd)\\}$ times $|dp_1/d\\theta|^2$ is "
+        "$\\tfrac\\theta2$ times the slope of the surplus $|f|^2-|g|^2$",
     )

@@ -6,14 +6,22 @@ and is held for the next. We look for a bound that no stable wall can exceed.
 
 from sympy import Rational, S
 
+from symhaptic.book.lemmas.damping_bound import bounded_damping
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, z
+from symhaptic.paper.propositions.stability import AFTER, lost_by_damping
+from symhaptic.proof.theorems.kernel import conjoined, weakened, witnessed
+from symhaptic.proof.theorems.tactics import fact, for_all
+
+ARM = {gamma: Rational(1, 1000), delta: Rational(1, 50), alpha: Rational(1, 20)}
+"""The largest spring and damper of (23)."""
 
 
 def derive(page):
     polynomial = loop.named()
     last = polynomial - (z ** (d + 1)) * polynomial.coeff(z ** (d + 1))
-    product = page.step(
+    page.step(
         "The constant coefficient",
         last.subs(z, 0),
         -beta * n_0,
@@ -24,22 +32,37 @@ def derive(page):
         "The polynomial is monic, so that, up to the sign, this is the product of its roots. If "
         "all lie inside the unit circle, $|n_0\\beta|<1$, whatever $\\alpha$, $\\gamma$, $\\delta$ "
         "and the delay are. A free mass has $n_0=\\tfrac12$ and $|\\beta|<2$, that is "
-        "$|B|<2m/T$."
+        "$|B|<2m/T$. With a delay of $p/q$ periods it is the same for the polynomial in "
+        "$z^{1/q}$. Where $n_0=0$, with springs far stiffer than an arm, the next coefficient "
+        "bounds $n_1\\beta$; and where $n_1=0$ too, no wall is stable."
     )
-    bound = page.same("product of roots", product, -n_0 * beta)
+    bounded = page.lemma("One bound of $\\beta$ for all walls", bounded_damping(), boxed=True)
     page.say(
         "For the largest spring and damper of (23), $\\gamma=0.001$ and $\\delta=0.02$, and the "
         "stiffness $\\alpha=0.05$:"
     )
-    arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), alpha: Rational(1, 20)}
-    numbers, found = loop.numbers(), []
+    numbers = loop.numbers()
     for delay, low, high in ((0, "1.9", "2.1"), (1, "0.7", "0.9")):
         for text, side in ((low, page.inside), (high, page.outside)):
-            wall = {**arm, d: S(delay), beta: Rational(text)}
-            title = f"$d={delay}$, $\\beta={text}$"
-            found.append(side(title, polynomial, wall, numbers))
+            wall = {**ARM, d: S(delay), beta: Rational(text)}
+            side(f"$d={delay}$, $\\beta={text}$", polynomial, wall, numbers)
     page.say(
         "With a delay less damping is too much. By the first line no virtual stiffness can make up "
         "for it."
     )
-    page.settle("s4d-too-much-damping", bound, *found, note="$|n_0\\beta|<1$ for every delay")
+    given = [gamma >= 0, delta >= 0, d >= 0]
+    page.settle(
+        "s4d-too-much-damping",
+        conjoined(for_all((gamma, delta, d), given, weakened(bounded, *given)), _lost()),
+        note="$|n_0\\beta|<1$ for every delay",
+    )
+
+
+def _lost():
+    """Without delay beta = 1.9 is stable beside alpha = 0.05, and 2.1 is not."""
+    wanted = lost_by_damping()
+    little, much = ({**ARM, d: S.Zero, beta: Rational(text)} for text in ("1.9", "2.1"))
+    values = {**little, AFTER: much[beta]}
+    known = {t.conclusion: t for t in (stable_at(little), unstable_at(much))}
+    there = [part.at(values) for part in wanted.body.parts]
+    return witnessed(conjoined(*(known.get(p) or fact(p) for p in there)), wanted, values)

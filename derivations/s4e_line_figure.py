@@ -4,13 +4,14 @@ Fig. 10 of the paper marks such points for $\gamma=0.001$, five dampings and two
 boundary they are zeros of one polynomial of degree two or three, and all of them can be enclosed.
 """
 
+from flint import arb
 from sympy import S, expand
 
+from symhaptic.linear_points import Arc, apart
 from symhaptic.model import linear
 from symhaptic.notation import delta, gamma, nu, s_1, z
 from symhaptic.proof.roots import rounded
-from symhaptic.record import Evidence
-from symhaptic.report.linear_figures import DAMPINGS, DELAYS, marks
+from symhaptic.report.linear_figures import DAMPINGS, DELAYS, GAMMA, LEVELS, marks
 from symhaptic.report.linear_figures import linear as draw
 
 
@@ -57,10 +58,22 @@ def derive(page):
         "fig10",
         *roots,
         gap,
-        Evidence("balls around all roots of the polynomials"),
+        *(c for n in DELAYS for damping in DAMPINGS for c in counted(page, n, damping)),
         note="the figure leaves out the marks of $-2$ and $-5\\,\\%$ next to the corner, of all "
         "$\\delta>0$",
     )
+
+
+def counted(page, delay, damping):
+    """No point of these errors on an arc but those of the table."""
+    arc, zero = Arc(GAMMA, damping, delay), arb(0)
+    shown = marks(delay, damping)
+    checks = []
+    for level in LEVELS:
+        chords = [(2 * (p.theta / 2).sin()) ** 2 for at, p in shown if at == level]
+        polynomial = arc.coefficients(apart(arc, level))
+        checks.append(page.all_zeros(f"{level}", polynomial, zero, arc.end, chords))
+    return checks
 
 
 def wall(delay):

@@ -13,7 +13,8 @@ from symhaptic.model import linear
 from symhaptic.notation import d, delta, gamma, nu
 from symhaptic.proof.ball import ball
 from symhaptic.proof.box import positive
-from symhaptic.proof.roots import BITS, between_decimals
+from symhaptic.proof.enclosed import sign_change
+from symhaptic.proof.roots import BITS
 
 HALF, LEVEL = Rational(1, 2), Rational(2, 100)
 Y = linear.CHORD
@@ -96,7 +97,7 @@ def falls(page, delay):
 def threshold(spring, delay):
     """The damping at which the error at alpha = 0 is -2 per cent."""
     level = ball(LEVEL, None, BITS).real
-    return between_decimals(
+    return sign_change(
         lambda damping: error_without_stiffness(spring, damping, delay) + level,
         Rational(14, 1000),
         Rational(18, 1000),

@@ -17,18 +17,17 @@ def derive(page):
         (stiffness * T**2 / m).subs(scaled),
         (damping * T / m).subs(scaled),
     ]
-    both = [
-        page.free_of(name, part, T, m)
-        for name, part in zip(("alpha", "beta"), in_plane, strict=True)
-    ]
+    line = passivity.margin(omega_hat) * T / m
+    line = line.subs({K: alpha * m / T**2, B: beta * m / T}).subs(scaled)
+    free = page.free_of("the line", line, T, m)
     page.say(
         "The envelope of the passive walls, multiplied by $T^2/m$ and $T/m$: mass and period drop "
-        f"out ({both[0].method}), and both coordinates are proportional to $\\delta$."
+        f"out of the line of each frequency ({free.method}), and so of the envelope, and both "
+        "coordinates are proportional to $\\delta$."
     )
-    line = passivity.margin(omega_hat) * T / m
     page.step(
         "The line of one frequency",
-        line.subs({K: alpha * m / T**2, B: beta * m / T}).subs(scaled),
+        line,
         delta - passivity.dirichlet_form(omega_hat).subs({K: alpha, B: beta, T: 1}),
         name=r"\tfrac{T}{m}F",
     )

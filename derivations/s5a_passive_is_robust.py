@@ -52,11 +52,11 @@ def _robust(page):
     stiff = positive(alpha + gamma > 0, alpha > 0, gamma >= 0)
     found = cut(part(passive_is_stable(), STABLE), margins(given[-1]), stiff)
     damper = page.lemma(
-        "A stiff wall meets (5) beside a damper only",
+        "A wall that does not pull meets (5) beside a damper only",
         damped(given[-1]),
         because="at $\\theta=\\pi/(2(d+1))$ its virtual damping does nothing",
     )
-    found = cut(found, damper)
+    found = closed(cut(found, damper), positive(alpha >= 0, alpha > 0))
     every = for_all([gamma], [gamma >= 0], found)
     theorem = for_all(symbols, [*given, *extra], weakened(every, *given))
     stiff_wall = {alpha: S.One, beta: S.Zero, delta: S.One, d: S.Zero}

@@ -4,10 +4,29 @@ For a soft contact the paper lowers the virtual stiffness down to zero and expec
 stability. We keep the virtual damping and ask for which walls this is so.
 """
 
-from sympy import Rational, S, cos
+from sympy import Rational, S, cos, pi
 
-from symhaptic.model import loop, passivity
-from symhaptic.notation import B, K, alpha, b, beta, d, delta, gamma, theta, y
+from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
+from symhaptic.book.lemmas.softer import stays_passive
+from symhaptic.book.lemmas.walls import damped, margins, met, unstable
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, alpha, b, beta, d, delta, gamma, omega, theta, y, z
+from symhaptic.notation.proposition import negated, proposition
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened, whole
+from symhaptic.proof.theorems.leaves import not_negative, number, root_outside, roots_inside
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    counterexample,
+    denied_by,
+    example,
+    fact,
+    for_all,
+)
 
 
 def derive(page):
@@ -26,38 +45,93 @@ def derive(page):
         name="F(0,B)",
         because="not negative, since a passive wall has $-b\\le B\\le b$",
     )
-    kept = page.same("softer", softer, margin.subs(K, y * K))
-    ends = page.same("ends", without, margin.subs(K, 0))
+    page.same("softer", softer, margin.subs(K, y * K))
+    page.same("ends", without, margin.subs(K, 0))
     page.say(
         "So with $0\\le y\\le1$ the softer wall is passive too, and by the chapter on passive "
         "walls stable, for $\\delta>0$ and whole delays as long as $\\alpha+\\gamma>0$. (Without "
         "any stiffness, $\\alpha=\\gamma=0$, a root lies at 1: nothing holds the mass.)"
     )
-    polynomial, numbers = loop.named(), loop.numbers()
+    page.lemma(
+        "With less stiffness the margin stays at every angle",
+        stays_passive(),
+        because="at $\\theta\\to0$ and $\\theta=\\pi/(d+1)$ it says that $|\\beta|\\le\\delta$",
+    )
     page.say(
         "For other walls it is false. The virtual damping alone may be too much for the delay, "
-        "and the stiffness was what kept it stable. Inside (23) that takes long delays. For "
-        "$\\gamma=0.001$, $\\delta=0.02$, $\\beta=0.0252$ and $d=150$:"
+        "and the stiffness was what kept it stable. Inside (23) that takes long delays: "
+        "$\\gamma=0.001$, $\\delta=0.02$, $\\beta=0.0252$ and $d=150$."
     )
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), beta: Rational("0.0252"), d: S(150)}
-    page.inside("$\\alpha=0.0002$", polynomial, {**arm, alpha: Rational(1, 5000)}, numbers)
-    soft = {**arm, alpha: S.Zero}
-    witness = page.outside("No stiffness", polynomial, soft, numbers)
-    page.say(
-        "With stiff springs, as in Fig. 13, two periods are enough: $\\gamma=3$, $\\delta=0.02$, "
-        "$\\beta=0.47$ and $d=2$."
-    )
+    soft = {**arm, alpha: Rational(1, 5000), y: S.Zero}
+    page.lemma("$\\alpha=0.0002$", stands(soft))
+    page.lemma("No stiffness", falls(soft))
+    page.say("With stiff springs, as in Fig. 13, two periods are enough:")
     spring = {gamma: S(3), delta: Rational(1, 50), beta: Rational("0.47"), d: S(2)}
-    page.inside("$\\alpha=0.3$", polynomial, {**spring, alpha: Rational(3, 10)}, numbers)
-    page.outside("No stiffness, stiff spring", polynomial, {**spring, alpha: S.Zero}, numbers)
+    spring |= {alpha: Rational(3, 10), y: S.Zero}
+    page.lemma("$\\alpha=0.3$", stands(spring))
+    page.lemma("No stiffness, stiff spring", falls(spring))
+    claim = CLAIMED["s5b-soft-contacts"](())
+    symbols, given, _ = taken_apart(claim)
+    held, below = proposition(y * alpha + gamma > 0), passive()
+    stable = part(passive_is_stable(), STABLE)
+    softened = closed(placed(stable, {alpha: y * alpha}), stays_passive())
+    bounds = damped(below), margins(below), not_negative(assume(whole(d)))
+    found = closed(softened, *bounds)
+    drifting = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.One, d: S.Zero, y: S.Zero}
+    easy = drifting | {y: S.One}
     page.settle(
         "s5b-soft-contacts",
-        kept,
-        ends,
-        provided=r"\delta>0,\ d\in\mathbb{N}_0,\ \alpha+\gamma>0\ \text{and a passive wall}",
-        unless=soft,
-        truth=witness,
+        for_all(symbols, [*given, held, below], weakened(found, *given)),
+        example=example(
+            easy, [*given, held, below], *(met(easy, [S.Half]), stands(easy), fact(whole(S.Zero)))
+        ),
+        unless=[
+            counterexample(
+                claim, soft, *(stands(soft), falls(soft), lacks(soft)), holds=[held], but=below
+            ),
+            counterexample(
+                claim,
+                drifting,
+                *(stands(drifting), falls(drifting), met(drifting, [S.Half])),
+                holds=[below],
+                but=held,
+            ),
+        ],
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note="without delay it need not be passive (next chapter); inside (23) no such wall was "
-        "found for delays up to 75 periods",
+        note=r"a passive wall that does not pull has $\delta>0$; for whole delays; without delay "
+        "it need not be passive (next chapter); inside (23) no such wall was found for delays up "
+        "to 75 periods",
     )
+
+
+def stands(point):
+    """The wall of a point is stable."""
+    loop = at_point(point)
+    zeros = loop.conclusion.of[1].of[0]
+    return applied(loop, roots_inside(zeros, z, {}))
+
+
+def falls(point):
+    """With the share y of its stiffness it is not."""
+    softened = {**point, alpha: point[y] * point[alpha]}
+    if softened[alpha] + point[gamma] == 0:
+        return unstable(softened)
+    loop = at_point(softened)
+    return denied_by(loop, root_outside(loop.conclusion.of[1].of[0], z))
+
+
+def at_point(point):
+    """A loop without symbols: it is stable where all zeros of its polynomial lie inside."""
+    values = [point[s] for s in (alpha, beta, gamma, delta, d)]
+    loop = loop_substituted(values, z, 1, stiffness=point[gamma] != 0)
+    return closed(loop, fact(whole(point[d])))
+
+
+def lacks(point):
+    """(5) does not hold at theta = pi/(d+1)."""
+    below = passive().at(point)
+    frequency = pi / (point[d] + 1)
+    inside = [fact(r.at({omega: frequency})) for r in below.body.of[0].of]
+    there = at(assume(below), {omega: frequency}, *inside)
+    return absurd(there, number(negated(there.conclusion)), below)

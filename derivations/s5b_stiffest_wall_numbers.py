@@ -92,12 +92,12 @@ def table(page):
     )
     rows = []
     for delay in (0, *PLAIN):
-        cells = [decimals(over(S.One, ratio(S.Zero, DAMPED, delay)), 20)]
+        cells = [decimals(over(S.One, ratio(S.Zero, DAMPED, delay)).ball, 20)]
         if delay <= 48:
-            cells.append(decimals(over(S.One, ratio(STIFF, DAMPED, delay)), 20))
+            cells.append(decimals(over(S.One, ratio(STIFF, DAMPED, delay)).ball, 20))
         else:
             high = over(passive(DAMPED, delay), FOR_EVER)
-            cells.append(f"$<{bound(high, above=True)}$")
+            cells.append(f"$<{bound(high.ball, above=True)}$")
         rows.append([delay, *cells])
     head = ["$d$", r"$\eta$ for $\gamma=0$", r"$\eta$ for $\gamma=0.001$"]
     page.table("Largest passive over largest stable stiffness, decimals cut off.", head, rows)

@@ -10,9 +10,9 @@ from symhaptic.arm import DAMPED, STIFF
 from symhaptic.model import loop
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, h, kappa, n_0, n_1, phi, t
 from symhaptic.proof import box
-from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Known
-from symhaptic.proof.roots import BITS, zero_between
+from symhaptic.proof.enclosed import given, value
+from symhaptic.proof.roots import zero
 from symhaptic.wall_balls import STIFFNESS, most, numbers, over, passive
 
 ARM = loop.numbers()
@@ -31,7 +31,7 @@ def derive(page):
         because="by the maximum of the explicit function, as before",
     )
     page.say("No other whole delay comes as close to one; 119 to 125 are enclosed like these.")
-    beside = [box.positive(ETA[122] - ETA[n], {}, Known(known)) for n in ETA if n != 122]
+    beside = [box.positive(ETA[122] - ETA[n], {}, Known(given(known))) for n in ETA if n != 122]
     facts = [*beside, *without_spring(page, known), *with_spring(page, known)]
     limit(page)
     page.settle(
@@ -72,7 +72,7 @@ def without_spring(page, known):
         name=r"\frac{\partial\alpha}{\partial\varphi}",
     )
     page.define("The delay", "u", far)
-    far, balls = far.subs(delta, DAMPED), Known(known | numbers(S.Zero, DAMPED))
+    far, balls = far.subs(delta, DAMPED), Known(given(known) | numbers(S.Zero, DAMPED))
     above = STIFFNESS.subs(t, tan(far * phi / 2)) * peak - 2 * DAMPED * tan(pi * far / 4)
     ends = [Rational(v, 10**4) for v in (10925, 15622, 15778, 19400)]
     name, facts = r"\alpha\,\eta(122)-2\delta\tan\tfrac{\pi u}4", []
@@ -80,7 +80,7 @@ def without_spring(page, known):
         fact = box.positive(above, {phi: (low, high)}, balls)
         on = rf"{low.n(5)}\le\varphi\le{high.n(5)}"
         facts.append(page.positive(f"Delays {text}", fact, on, name=name))
-    delays = [ball(1 / far - 1, {phi: end}, BITS).real for end in ends]
+    delays = [value(1 / far - 1, {phi: end}) for end in ends]
     names = [rf"d\big|_{{\varphi={end.n(5)}}}" for end in ends]
     page.enclosed("They reach", list(zip(names, delays, strict=True)), places=4)
     page.say(
@@ -110,7 +110,7 @@ def without_spring(page, known):
 
 def with_spring(page, known):
     """gamma = 0.001: a straight line of angles, and a wall for every delay."""
-    peak, balls = SPRUNG, Known(known | numbers(STIFF, DAMPED))
+    peak, balls = SPRUNG, Known(given(known) | numbers(STIFF, DAMPED))
     page.say("\\emph{The spring.} Up to $d=48$ angles on a straight line are good enough:")
     line = Rational(15753, 10**4) + Rational(134, 10**4) * (d - 40)
     above = STIFFNESS.subs({t: tan(line / (2 * (d + 1))), phi: line}, simultaneous=True)
@@ -133,8 +133,8 @@ def with_spring(page, known):
 
 def limit(page):
     """Without a spring the ratio tends to 0.863."""
-    angle = zero_between(sin(phi) + phi * cos(phi), phi, S(2), Rational(21, 10))
-    high = ball(phi * sin(phi), {phi: angle}, BITS).real
+    angle = zero(sin(phi) + phi * cos(phi), phi, S(2), Rational(21, 10))
+    high = value(phi * sin(phi), {phi: angle})
     page.enclosed(
         "What it tends to without a spring",
         [

@@ -4,7 +4,7 @@ The passive region shrinks in proportion to $\delta$, the stable one hardly, say
 terms of the largest stiffness that asks whether $\alpha_{\max}/\delta$ falls as $\delta$ grows.
 """
 
-from sympy import Rational, S, diff, symbols, tan
+from sympy import Rational, S, diff, latex, symbols, tan
 
 from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import boundary
@@ -12,6 +12,7 @@ from symhaptic.notation import d, delta, gamma, phi, t
 from symhaptic.plant_balls import BALLS, NUMBERS, SLOPES, named
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
+from symhaptic.proof.enclosed import given
 from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 GIVEN = named({s: s for s in (*NUMBERS, *SLOPES)})
@@ -43,7 +44,10 @@ def derive(page):
         curve = STIFFNESS.subs(t, tan(phi / (2 * (delay + 1)))).subs(BALLS)
         below = curve.subs(phi, NEAR) - curve
         for side in ((S.Zero, LOW), (HIGH, Rational(42, 10))):
-            facts.append(box.positive(below, {**RANGES, phi: side}, GIVEN))
+            fact = box.positive(below, {**RANGES, phi: side}, GIVEN)
+            on = rf"{latex(side[0])}\le\varphi\le{latex(side[1])},\ " + IN_23
+            name = r"\alpha|_{\varphi=1.1}-\alpha"
+            facts.append(page.positive(f"$d={delay}$, lower there", fact, on, name=name))
         falls = box.positive(curve - delta * dash(curve), {**RANGES, phi: (LOW, HIGH)}, GIVEN)
         page.positive(
             f"$d={delay}$",
@@ -62,7 +66,7 @@ def derive(page):
         "Passive over stable stiffness",
         [(r"\eta|_{\delta=0.01}", known[one]), (r"\eta|_{\delta=0.02}", known[two])],
     )
-    closer = box.positive(one - two, {}, Known(known))
+    closer = box.positive(one - two, {}, Known(given(known)))
     page.settle(
         "s5a-smaller-delta",
         *facts,

@@ -1,14 +1,27 @@
 r"""How stiff may the physical spring be before sampling misses its oscillation?
 
 A device on a spring oscillates. Sampling can follow that up to the Nyquist frequency; we ask for
-which stiffness it is reached, and what happens to the loop there.
+which stiffness it is reached.
 """
 
-from sympy import Eq, I, S, pi, sqrt
+from sympy import Eq, I, Ne, S, pi, sqrt
 
-from symhaptic.model import loop, plant
+from symhaptic.book.lemmas.swing import (
+    SQUARE,
+    by_its_square,
+    rewritten,
+    swings,
+    up_to_nyquist,
+)
+from symhaptic.model import plant
 from symhaptic.model.plant import Plant
-from symhaptic.notation import T, alpha, b, beta, d, delta, gamma, k, m, omega, z
+from symhaptic.notation import T, b, delta, gamma, k, m, omega
+from symhaptic.notation.proposition import Relation
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import applied, assume, conjoined, discharged, placed, weakened
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.tactics import closed, either_way, example, for_all, over, positive
 from symhaptic.scene import Parts
 
 
@@ -24,8 +37,13 @@ def derive(page):
         because="with $\\omega$ as follows, real where $k>b^2/(4m)$",
         paper="28",
     )
-    frequency = (one - two) / (2 * I)
-    page.settle("eq28", Eq(omega, frequency))
+    page.lemma(
+        "A damped mass on a spring swings with one frequency only",
+        swings(),
+        because="$e^{\\sigma t}\\sin\\omega t$ obeys Newton's law where its sine and its cosine "
+        "part vanish",
+    )
+    _frequency(page, (one - two) / (2 * I))
     unit = plant.normalised(Parts())
     turns = sqrt(gamma - delta**2 / 4)
     page.step(
@@ -36,7 +54,7 @@ def derive(page):
         because="with $\\omega T=\\sqrt{\\gamma-\\delta^2/4}$",
         paper="29",
     )
-    page.settle("eq29", Eq(omega, turns / T))
+    _in_units(page, turns)
     page.say(
         "The Nyquist frequency is $\\omega T=\\pi$. Both sides being positive, "
         "$\\omega T\\le\\pi$ is the same as their squares:"
@@ -47,23 +65,70 @@ def derive(page):
         equal_to=turns**2 <= pi**2,
         paper="30",
     )
-    page.settle("eq30", turns**2 <= pi**2)
-    page.say(
-        "Without damping the sampled device degenerates there: it returns to its mirror image "
-        "after each period. Its numerator shares the double pole at $-1$ once."
-    )
-    undamped = Parts(damping=False)
-    stuck = loop.characteristic(undamped).subs(gamma, pi**2)
-    rest = page.step(
-        "The polynomial at $\\gamma=\\pi^2$, $\\delta=0$",
-        stuck,
-        (z + 1) * ((z + 1) * z ** (d + 1) + 2 * ((alpha + beta) * z - beta) / pi**2),
-        name="p_1(z)",
-        because="the root at $-1$ is there for every wall and every delay",
-    )
+    _up_to_nyquist(page, turns)
+
+
+def _frequency(page, frequency):
+    """(28): the square of the frequency is known, and its root."""
+    symbols, given, _ = taken_apart(CLAIMED["eq28"]((Eq(omega, frequency),)))
+    square = over(SQUARE > 0, positive(4 * m * k - b**2 > 0, [4, m > 0, given[2]]), _four(m))
+    apart = positive(Ne(m, 0), m > 0)
+    root = closed(by_its_square(SQUARE), positive(SQUARE >= 0, [square]), apart)
+    same = closed(rewritten(root, swings()), apart)
+    point = {m: S.One, b: S.Zero, k: S.One, omega: S.One}
     page.settle(
-        "s5c-undamped-limit",
-        page.same("a root at -1", rest.subs(z, -1), S.Zero),
-        note="no wall is asymptotically stable there; a second root at $-1$ or one outside makes "
-        "it unstable",
+        "eq28",
+        for_all(symbols, given, weakened(same, *given)),
+        Eq(omega, frequency),
+        example=example(point, given),
+    )
+
+
+def _four(mass):
+    return positive(4 * mass**2 > 0, [4, mass > 0, mass > 0])
+
+
+def _in_units(page, turns):
+    """(29): the same with Table I; the square is divided by that of the period."""
+    symbols, given, same = taken_apart(CLAIMED["eq29"]((Eq(omega, turns / T),)))
+    unit = placed(swings(), {b: delta * m / T, k: gamma * m / T**2})
+    angle = by_its_square(gamma - delta**2 / 4)
+    angle = placed(angle, {omega: omega * T})
+    apart = positive(Ne(T, 0), T > 0), positive(Ne(m, 0), m > 0)
+    root, turned = angle.conclusion.of
+    value, swinging = same.of
+    square = unit.conclusion.of[1]
+    there = applied(angle, combined(root, [assume(value), T]))
+    there = applied(unit, combined(square, [there, 1 / T**2]))
+    back = applied(angle, combined(turned, [applied(unit, assume(swinging)), T**2]))
+    back = combined(value, [back, 1 / T])
+    both = either_way(there, back, value, swinging)
+    both = closed(
+        both,
+        *apart,
+        positive(omega * T > 0, [omega > 0, T > 0]),
+        positive(gamma - delta**2 / 4 >= 0, given[3]),
+    )
+    point = {m: S.One, T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
+    page.settle(
+        "eq29",
+        for_all(symbols, given, weakened(both, *given)),
+        Eq(omega, turns / T),
+        example=example(point, given),
+    )
+
+
+def _up_to_nyquist(page, turns):
+    """(30): the frequency (29), where it is real, and Nyquist's."""
+    symbols, given, both = taken_apart(CLAIMED["eq30"]((turns**2 <= pi**2,)))
+    swinging, calm = both.of
+    same = discharged(up_to_nyquist(), swinging.of[0])
+    slow = positive(calm.of[1], calm.of[0], number(Relation(S.Zero, "<", pi**2)))
+    found = weakened(conjoined(same, discharged(slow, calm.of[0])), *given)
+    point = {T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
+    page.settle(
+        "eq30",
+        for_all(symbols, given, found),
+        turns**2 <= pi**2,
+        example=example(point, given),
     )

@@ -10,7 +10,6 @@ from sympy import I, Rational, S, exp, pi, symbols, tanh
 from symhaptic.model import jury, loop, plant
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
 from symhaptic.proof import box
-from symhaptic.proof.sign import Interval, combined, exponential, integrated
 from symhaptic.scene import FULL
 
 AT = {gamma: pi**2 + delta**2 / 4}
@@ -30,21 +29,12 @@ def derive(page):
     force = (1 + LEFT) / AT[gamma]
     whole = loop.characteristic(FULL, split=2 * I * pi).subs(AT)
     rest = (z + LEFT) * z ** (d + 1) + force * ((alpha + beta) * z - beta)
-    factors = page.step(
+    page.step(
         "The polynomial",
         whole,
         (z + LEFT) * rest,
         name="p_1(z)",
         because="so one root is $-e^{-\\delta/2}$, for every wall and every delay",
-    )
-    up = Interval(delta, S.Zero)
-    inside = integrated(1 - LEFT, up, combined(LEFT / 2, [Rational(1, 2), exponential(-delta / 2)]))
-    page.positive("It is inside the circle", inside, r"\delta>0", name=r"1-e^{-\delta/2}")
-    page.settle(
-        "s5c-pole-inside",
-        page.same("the factor", factors.subs(z, -LEFT), S.Zero),
-        inside,
-        note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, whatever wall and delay",
     )
     page.say(
         "For $d=0$ the other factor $q$ is a quadratic. With $f=e^{-\\delta/2}$ and "

@@ -9,9 +9,9 @@ from sympy import Rational, S, cos, diff, pi, sin, tan
 from symhaptic.model import plant, wall
 from symhaptic.notation import B, K, T, b, d, function, h, k, m, phi, psi, t_d, z
 from symhaptic.proof import box, sign
-from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Known
-from symhaptic.proof.roots import zero_between
+from symhaptic.proof.enclosed import given, value
+from symhaptic.proof.roots import zero
 from symhaptic.wall_balls import most, over
 
 LONG = phi**2 * cos(phi)
@@ -67,8 +67,8 @@ def stable(page):
         "what endlessly fast sampling gives. So the gain is at most $(1+\\frac1d)^2$: 21 % for "
         "$d=10$, and 10 % for the passive stiffness. With little delay it is more:"
     )
-    angle = zero_between(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
-    limit = ball(LONG, {phi: angle}, 256).real
+    angle = zero(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
+    limit = value(LONG, {phi: angle})
     now = {n: most(S.Zero, S.Zero, n) for n in (1, 10)}
     page.enclosed(
         "The gain of a free mass",
@@ -77,8 +77,8 @@ def stable(page):
             for n in now
         ],
     )
-    gap = box.positive(h - 2 * K, {}, Known({h: limit, K: now[1]}))
-    ten = box.positive(121 * K - h, {}, Known({h: limit, K: now[10]}))
+    gap = box.positive(h - 2 * K, {}, Known(given({h: limit, K: now[1]})))
+    ten = box.positive(121 * K - h, {}, Known(given({h: limit, K: now[10]})))
     return [ten, gap]
 
 

@@ -12,6 +12,7 @@ from symhaptic.notation import alpha, d, delta, gamma
 from symhaptic.plant_balls import BALLS, NUMBERS, named
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
+from symhaptic.proof.enclosed import given
 from symhaptic.proof.roots import decimals
 from symhaptic.wall_balls import DEVICE, most, over
 
@@ -35,7 +36,7 @@ def damping(page):
     for periods in (0, 1, 2, 4, 8, 16, 40):
         free = over(most(S.Zero, DAMPED, periods), most(S.Zero, S.Zero, periods))
         held = over(most(STIFF, DAMPED, periods), most(STIFF, STIFF, periods))
-        rows.append([periods, decimals(free, 12), decimals(held, 12)])
+        rows.append([periods, decimals(free.ball, 12), decimals(held.ball, 12)])
     head = ["$d$", r"$\gamma=0$, $\delta$ from 0", r"$\gamma=0.001$, $\delta$ from 0.001"]
     page.table(r"Growth of the stable stiffness up to $\delta=0.02$, decimals cut off.", head, rows)
     page.say(
@@ -57,7 +58,7 @@ def damping(page):
         name=r"\alpha_{\max}(0)-0.6848",
     )
     known = {FIRST: most(STIFF, STIFF, 40), SECOND: most(STIFF, DAMPED, 40)}
-    gap = box.positive(SECOND - 11 * FIRST, {}, Known(known))
+    gap = box.positive(SECOND - 11 * FIRST, {}, Known(given(known)))
     page.positive(
         "Eleven times at $d=40$",
         gap,
@@ -80,7 +81,8 @@ def damping(page):
 def spring(page):
     """What the spring of (23) takes or adds."""
     page.say("\\emph{The spring} of (23) takes a little of the stiffness without delay:")
-    rows = [decimals(over(most(STIFF, DAMPED, n), most(S.Zero, DAMPED, n)), 16) for n in (0, 1, 40)]
+    shares = [over(most(STIFF, DAMPED, n), most(S.Zero, DAMPED, n)) for n in (0, 1, 40)]
+    rows = [decimals(share.ball, 16) for share in shares]
     page.table(
         r"Stable stiffness with $\gamma=0.001$ over that without a spring, $\delta=0.02$.",
         ["$d=0$", "$d=1$", "$d=40$"],
@@ -102,7 +104,7 @@ def spring(page):
         "every delay, without it none is. At $d=1000$:"
     )
     known = {FIRST: most(S.Zero, DAMPED, 1000)}
-    gap = box.positive(Rational(59, 10**5) - 16 * FIRST, {}, Known(known))
+    gap = box.positive(Rational(59, 10**5) - 16 * FIRST, {}, Known(given(known)))
     page.positive("Sixteen times", gap, r"\delta=0.02", name=r"0.00059-16\,\alpha_{\max}(1000)")
     page.settle(
         "s6-stiffness-marginal",

@@ -9,7 +9,7 @@ from sympy import Rational, S, cos, discriminant, expand, pi, sqrt
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
 from symhaptic.proof import sign
-from symhaptic.proof.roots import root_between
+from symhaptic.proof.enclosed import root
 from symhaptic.report.fractional_figures import largest_stiffness
 
 HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
@@ -54,7 +54,7 @@ def derive(page):
         because="zero where two values of $B$ fall together",
     )
     one, two = S.One, Rational(2)
-    zeros = ((B, root_between(end, one, two)), (K, root_between(tip, one, two)))
+    zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))
     page.enclosed("Their zeros", zeros, places=12, because="of the second we ask if it is a bound")
     below, above = Rational("1.175869"), Rational("1.175870")
     passive = everywhere(value.subs({K: below, B: Rational("0.324")}), x)

@@ -1,17 +1,19 @@
 """What enlarges the stable region, seen by companion eigenvalues."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
 from scipy.signal import cont2discrete
-from sympy import Rational, S
+from sympy import Rational, S, cos, sin
 
 from symhaptic.chapter import Page
 from symhaptic.library import folder, run
 from symhaptic.model import loop
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.proof.settle import Unfounded, Witness
+from symhaptic.notation import alpha, beta, d, delta, gamma, x, z
+from symhaptic.proof.seal import KEY
+from symhaptic.proof.settle import Unfounded
 from symhaptic.record import FalseStep
 
 RNG = np.random.default_rng(41)
@@ -81,7 +83,8 @@ def test_a_root_on_the_wrong_side_is_not_shown():
 
 def test_a_witness_at_another_point_does_not_count():
     page = Page("test")
-    evidence = page.same("nothing", S.One, S.One)
+    evidence = page.same("something", cos(x) ** 2, 1 - sin(x) ** 2)
+    witness = page.outside("z - 2", z - 2)
     with pytest.raises(Unfounded, match="another point"):
         page.settle(
             "s4d-delay-shrinks",
@@ -89,7 +92,7 @@ def test_a_witness_at_another_point_does_not_count():
             corrected=("1",),
             misprint=False,
             unless={alpha: S.One},
-            truth=Witness({alpha: S(2)}, "balls"),
+            truth=replace(witness, at={alpha: S(2)}, key=KEY),
             shows="nothing",
         )
 

@@ -98,7 +98,7 @@ def test_a_checker_that_accepts_everything_is_caught(monkeypatch, name):
         ("s3b_extent", checks, "equal", lambda left, right: True),
         ("s3b_envelope", checks, "is_zero", lambda expr: True),
         ("s4d_free_mass", sign, "is_zero", lambda expr: True),
-        ("s4d_parts_of_the_arm", Roots, "holds", lambda self: True),
+        ("s4d_roots_delay_margin", Roots, "holds", lambda self: True),
         ("s4d_figure9_delayed", box, "ball", lambda expr, at=None, bits=64: acb(1)),
         (
             "s3c_damping_maximum",

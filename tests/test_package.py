@@ -105,14 +105,14 @@ def unpacked(tmp_path_factory):
 def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     code = (
         "import symhaptic, symhaptic.cli; print(symhaptic.__file__, flush=True); "
-        "import sys; sys.argv = ['symhaptic', 'verify', 'eq1', 'eq11', '--format', 'json']; "
+        "import sys; sys.argv = ['symhaptic', 'verify', 'eq1', 'eq5', '--format', 'json']; "
         "symhaptic.cli.main()"
     )
     environment = os.environ | {"PYTHONPATH": str(unpacked)}
     first, _, rest = python(code, cwd=tmp_path, env=environment).partition("\n")
     assert first.startswith(str(unpacked))
     verdicts = {r["id"]: r["verdict"] for r in json.loads(rest)["statements"]}
-    assert verdicts == {"eq1": "definition", "eq11": "qualified"}
+    assert verdicts == {"eq1": "definition", "eq5": "qualified"}
 
 
 def test_the_wheel_says_that_it_is_typed(unpacked):

@@ -9,28 +9,44 @@ in which :meth:`Page.show` writes what was proved just before, are not checked.
 from __future__ import annotations
 
 import itertools
+import sys
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import sympy as sp
 from flint import arb
 from sympy import Expr
+from sympy.core.function import AppliedUndef
 
+from symhaptic.grounds import not_defined, unproved, written_twice
 from symhaptic.latex import latex
-from symhaptic.notation.proposition import Proposition
+from symhaptic.notation import SYMBOLS
+from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.notation.written import chains, written
 from symhaptic.paper import STATEMENTS, Statement
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
-from symhaptic.proof.certificate import Zero
-from symhaptic.proof.checks import Check, Decimals, Free, Minimal, Roots, Sign, Units
+from symhaptic.proof.checks import (
+    AllZeros,
+    Check,
+    Decimals,
+    Free,
+    Minimal,
+    Roots,
+    Sign,
+    Units,
+    confirmed,
+)
 from symhaptic.proof.decide import Form, parts
+from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
-from symhaptic.proof.settle import Settlement, Truth, Witness
+from symhaptic.proof.seal import KEY
+from symhaptic.proof.settle import ACCEPTED, Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
-from symhaptic.proof.theorems import analysis, energy, roots
+from symhaptic.proof.theorems import analysis, energy, roots, samples
 from symhaptic.proof.theorems.judge import Case, Judged
 from symhaptic.proof.theorems.kernel import Theorem, conjoined, leaves_of
 from symhaptic.proof.units import UnitError, dimension_of, shown
@@ -53,10 +69,32 @@ class Page(Record):
             unit = shown(dimension_of(meaning))
         except UnitError as wrong:
             raise FalseStep(f"{title}: {wrong}") from None
+        self._same_unit(title, name, meaning)
         self.checks.append((title, Units(meaning)))
+        self._defined(name, meaning)
         note = "units agree" if unit == "1" else f"units agree: {unit}"
         self._equation(title, [(name, "=", meaning)], "definition", note, because)
         return meaning
+
+    def _same_unit(self, title: str, name: Expr | str, meaning: Expr) -> None:
+        """The units of a name, where it is no text and has one, are those of its meaning."""
+        if isinstance(name, str) or meaning == 0:
+            return
+        known = all(s.name in SYMBOLS for s in name.free_symbols)
+        try:
+            ours, theirs = dimension_of(name), dimension_of(meaning)
+        except UnitError as wrong:
+            if known:
+                raise FalseStep(f"{title}: {wrong}") from None
+            return
+        if ours != theirs:
+            raise FalseStep(
+                f"{title}: {name} is in {shown(ours)}, what it stands for in {shown(theirs)}"
+            )
+
+    def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
+        if isinstance(name, Expr):
+            self.definitions.append((name, meaning))
 
     # -- steps --------------------------------------------------------------------------
 
@@ -79,6 +117,7 @@ class Page(Record):
         method = ""
         for left, right in itertools.pairwise(chain):
             method = self._proved(title, left, right)
+        self._defined(name, chain[0])
         written = chain if name is None else chain[1:]
         left = written[0] if name is None else name
         rights = written[1:] if name is None else written
@@ -105,7 +144,7 @@ class Page(Record):
         self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
     ) -> Theorem:
         """A theorem of the kernel: its hypotheses, and what they imply."""
-        sources = analysis.SOURCES | energy.SOURCES | roots.SOURCES
+        sources = analysis.SOURCES | energy.SOURCES | roots.SOURCES | samples.SOURCES
         rules = ", ".join(sorted(leaves_of(theorem).keys() & sources.keys()))
         method = f"a theorem of the kernel{f' by {rules}' if rules else ''}".replace("_", " ")
         given = sorted(chains(sorted(theorem.hypotheses, key=written)), key=len)
@@ -120,6 +159,8 @@ class Page(Record):
         for name, number in numbers:
             if number.positive_roots_below:
                 raise FalseStep(f"{title}: {name} has a smaller positive root")
+            if not confirmed(Minimal(number)):
+                raise FalseStep(f"{title}: {name} has another minimal polynomial")
             self.checks.append((title, Minimal(number)))
         lines = [(name, "=", number.minimal) for name, number in numbers]
         method = r"irreducible over $\mathbb{Q}$; balls around the roots"
@@ -128,24 +169,35 @@ class Page(Record):
     def enclosed(
         self,
         title: str,
-        values: Sequence[tuple[Expr | str, arb | Zero]],
+        values: Sequence[tuple[Expr | str, Source]],
         because: str = "",
         places: int = 24,
     ) -> None:
-        """Positive numbers by their first decimals, which the balls around them settle."""
+        """Positive numbers by their first decimals, which the balls around them settle.
+
+        A number is given by what shows it, and a name that is a number has these decimals, too.
+        """
         rows = []
-        for name, value in values:
-            if isinstance(value, Zero):
-                self.certificates.append(value)
-                value = value.ball
+        for name, source in values:
+            value = self._shown(source)
             text = decimals(value, places)
+            if isinstance(name, Expr) and not name.free_symbols:
+                own = Decimals(enclosed(name).ball, text)
+                if not (own.holds() and own.value.overlaps(value)):
+                    raise FalseStep(f"{title}: {name} is not {text}...")
             self.checks.append((title, Decimals(value, text)))
             rows.append((name, "=", text + r"\ldots"))
         self._equation(title, rows, "enclosed", "ball arithmetic", because)
 
+    def _shown(self, source: Source) -> arb:
+        """A ball, whose certificates are kept."""
+        number = enclosed(source)
+        self.certificates += number.certificates
+        return number.ball
+
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
-        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),))
+        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),), KEY)
 
     def limit(
         self,
@@ -168,7 +220,10 @@ class Page(Record):
         self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
     ) -> Fact:
         """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
+        if fact.made is None:
+            raise FalseStep(f"{title}: {fact.expr} is assumed, not proved")
         self._keep(fact)
+        self.supposed |= fact.rests
         sign = ">" if fact.strict else r"\ge"
         left = latex(fact.expr) if name is None else name
         right = rf"0\qquad ({on})"
@@ -211,7 +266,7 @@ class Page(Record):
         if not largest < 1:
             raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
         self._roots(title, "<", bound(largest, above=True), check)
-        return Evidence("balls around the roots", (check,))
+        return Evidence("balls around the roots", (check,), KEY)
 
     def outside(
         self,
@@ -230,7 +285,7 @@ class Page(Record):
         if not largest > 1:
             raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
         self._roots(title, ">", bound(largest, above=False), check)
-        return Witness(dict(at or {}), "balls around the roots", check)
+        return Witness(dict(at or {}), "balls around the roots", check, KEY)
 
     def _roots(self, title: str, sign: str, size: str, check: Roots) -> None:
         """The line that says on which side of 1 the largest root lies."""
@@ -239,21 +294,49 @@ class Page(Record):
         self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
-        """``expr`` does not change with the symbols: its derivatives are identically zero."""
-        checks = tuple(Free(expr, symbol) for symbol in symbols)
+        """``expr`` contains the symbols and does not change with them.
+
+        Its difference for two values of a symbol is zero in the normal form.
+        """
+        checks = tuple(Free(sp.sympify(expr), symbol) for symbol in symbols)
         for check in checks:
-            if not check.holds():
+            if check.symbol not in check.expr.free_symbols:
+                raise FalseStep(
+                    f"{what}: {check.symbol} is not in it, so nothing is shown to drop out"
+                )
+            if not confirmed(check):
                 raise FalseStep(f"{what}: it changes with {check.symbol}")
         self.checks += [(what, check) for check in checks]
         names = ", ".join(f"${latex(s)}$" for s in symbols)
-        return Evidence(f"derivative with respect to {names} is zero", checks)
+        return Evidence(f"the same for any two values of {names}", checks, KEY)
+
+    def all_zeros(
+        self, what: str, coefficients: Sequence[arb], lower: arb, upper: arb, zeros: Sequence[arb]
+    ) -> Evidence:
+        """A real polynomial (lowest power first) has these zeros in an interval, and no other."""
+        check = AllZeros(tuple(coefficients), (lower, upper), tuple(zeros))
+        if not check.holds():
+            raise FalseStep(f"{what}: these are not all the zeros")
+        self.checks.append((what, check))
+        return Evidence("balls around all roots of the polynomials", (check,), KEY)
 
     def same(self, what: str, *forms: Form) -> Evidence:
-        """All the forms are proved equal, without being written on the page."""
+        """All the forms are proved equal, without being written on the page.
+
+        A form beside itself is refused.  Where SymPy makes one expression of two forms as it
+        evaluates them, the method says so.
+        """
         method, before = "", len(self.checks)
+        if len(forms) < 2:
+            raise FalseStep(f"{what}: a comparison needs two sides")
+        caller = sys._getframe(1)
+        if again := written_twice(caller.f_code, caller.f_lasti, skipped=1):
+            raise FalseStep(f"{what}: {again} compared with itself proves nothing")
         for left, right in itertools.pairwise(forms):
             method = self._proved(what, left, right)
-        return Evidence(method, tuple(check for _, check in self.checks[before:]))
+            if parts(left) == parts(right):
+                method = "both sides evaluate to one expression"
+        return Evidence(method, tuple(check for _, check in self.checks[before:]), KEY)
 
     def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
         """Columns of numbers or formulas as they were computed; text may hold formulas in $."""
@@ -293,10 +376,9 @@ class Page(Record):
             read(line)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
-        if id in self.own:
-            raise FalseStep(f"{id} is stated twice")
+        self._once("stated", id)
         if claim is not None:
-            self.claimed[id] = lambda printed: claim
+            self.claimed[id] = partial(of_print, claim)
         self.own[id] = Statement(id, self.name, says, printed)
         return self.own[id]
 
@@ -315,7 +397,7 @@ class Page(Record):
         specialise: Callable[[Expr], Expr] | None = None,
         corrected: Sequence[str] | None = None,
         misprint: bool = True,
-        value: Expr | arb | Sequence[Expr | arb] | None = None,
+        value: Source | Sequence[Source] | None = None,
         shows: str | None = None,
         note: str | None = None,
     ) -> Verdict:
@@ -326,13 +408,13 @@ class Page(Record):
         ``provided`` names a condition that the paper leaves out and ``unless`` a point without
         it where the statement fails, that is where the printed form (after ``specialise``) and
         the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
-        ``value`` is the number that the text quotes, exact or in a ball, or several of them.
+        ``value`` is the number that the text quotes, or several, each given by what shows it.
 
         A theorem among the grounds has to say what the statement claims, see
         :mod:`symhaptic.proof.theorems.judge`: with further hypotheses it is qualified, if there is
         an ``example`` at which they hold and, in ``unless``, a case for each in which it alone is
         violated and the claim fails.  Of what is false, the theorem is of the ``corrected`` print,
-        or of what holds ``instead``.
+        or of what holds ``instead``, which ``corrected`` then says in short.
         """
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
@@ -362,7 +444,7 @@ class Page(Record):
                 tuple(forms),
                 judged=judged,
                 claim=self.claimed.get(id) or CLAIMED.get(id),
-                values=tuple(values),
+                values=tuple(v if isinstance(v, Expr) else self._shown(v) for v in values),
                 quoted=statement.quoted,
             )
             return self._record(statement, settlement)
@@ -370,6 +452,12 @@ class Page(Record):
         for ground in grounds:
             if isinstance(ground, Fact):
                 self._keep(ground)
+                if wrong := unproved(ground, self.supposed):
+                    raise FalseStep(f"{id}: {wrong}")
+        for fact in _facts(truth):
+            if wrong := unproved(fact, self.supposed):
+                raise FalseStep(f"{id}: {wrong}")
+        self._put_in(id, given)
         values = () if value is None else value if isinstance(value, Sequence) else (value,)
         settlement = Settlement(
             derived=tuple(forms),
@@ -382,12 +470,17 @@ class Page(Record):
             specialise=specialise,
             corrected=None if corrected is None else tuple(corrected),
             misprint=misprint,
-            values=tuple(values),
+            values=tuple(v if isinstance(v, Expr) else self._shown(v) for v in values),
             quoted=statement.quoted,
             shows=shows,
             note=note,
         )
-        return self._record(statement, settlement, checks)
+        verdict = self._record(statement, settlement, checks)
+        if verdict.kind in ACCEPTED:
+            for form in forms:
+                if isinstance(form, sp.Eq) and isinstance(form.lhs, (sp.Symbol, AppliedUndef)):
+                    self._defined(form.lhs, form.rhs)
+        return verdict
 
     def settle_external(
         self,
@@ -405,8 +498,20 @@ class Page(Record):
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
         derived = tuple(p for form in follows for p in parts(form))
+        self._put_in(id, given)
         settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
         return self._record(statement, settlement)
+
+    def _put_in(self, id: str, given: Mapping[Expr, Expr] | None) -> None:
+        """Only definitions are put into a statement."""
+        if wrong := not_defined(given or {}, self.definitions):
+            raise FalseStep(f"{id}: {wrong}")
+
+
+def _facts(truth: Truth) -> tuple[Fact, ...]:
+    """The fact in what is true at a counterexample."""
+    last = truth[-1] if isinstance(truth, tuple) and truth else truth
+    return (last,) if isinstance(last, Fact) else ()
 
 
 def _checks(ground: Any) -> tuple[Check, ...]:

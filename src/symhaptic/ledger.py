@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,10 @@ from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 from symhaptic.record import Settled
 
 GENERATED = "written by `symhaptic report`; do not edit"
+
+
+class Twice(ValueError):
+    """A statement that two derivations settle."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +114,9 @@ def judged_again(entry: Entry) -> str | None:
         found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
     except Unfounded as wrong:
         return f"{statement.id}: {wrong}"
-    if (found.kind, found.condition) != (entry.verdict.kind, entry.verdict.condition):
+    numbers = entry.verdict.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
+    same = found.kind is entry.verdict.kind or numbers
+    if not same or found.condition != entry.verdict.condition:
         return f"{statement.id}: judged again it is {found.kind}"
     return None
 
@@ -131,32 +137,42 @@ def _corrected(verdict: Verdict) -> str | None:
     return verdict.corrected_latex
 
 
-def twice(settled: Iterable[Entry]) -> list[str]:
-    """Statements that two derivations settle: one line each, which names both.
+def once(
+    settled: Iterable[Entry], places: Mapping[str, str]
+) -> tuple[list[Entry], dict[str, list[str]]]:
+    """The entries of statements that one file settles, and the files of each that several do.
 
-    A user's chapter may settle a statement of the paper again; its verdict then counts beside that
-    of ours, see :func:`surprises`.
+    ``places`` are the files of the committed statements, which need not have been run.  None of
+    two verdicts on one statement counts.
     """
-    places: dict[str, list[str]] = {}
+    by_id: dict[str, list[Entry]] = {}
     for entry in settled:
-        places.setdefault(entry.statement.id, []).append(entry.derivation or "")
-    lines = []
-    for id, files in places.items():
-        theirs = [f for f in files if not f.startswith("derivations/")]
-        if len(files) > 1 and (id not in STATEMENTS or len(theirs) != 1 or len(files) > 2):
-            lines.append(f"{id}: settled twice, in {' and '.join(files)}")
-    return lines
+        by_id.setdefault(entry.statement.id, []).append(entry)
+    kept, several = [], {}
+    for id, entries in by_id.items():
+        files = [entry.derivation or "" for entry in entries]
+        files += [places[id]] if id in places and places[id] not in files else []
+        if len(files) == 1:
+            kept += entries
+        else:
+            several[id] = files
+    return kept, several
 
 
-def covered(settled: Iterable[Entry], shown: Iterable[Entry]) -> list[Entry]:
-    """Verdicts that another one of the same statement hides from a ledger."""
-    visible = {entry.statement.id: entry for entry in shown}
-    return [e for e in settled if visible.get(e.statement.id, e) is not e]
+def twice(id: str, files: Iterable[str]) -> str:
+    """What is wrong with a statement that several files settle."""
+    return f"{id!r} has a verdict in {' and in '.join(files)}; one file may settle a statement"
 
 
 def ledger(settled: Iterable[Entry]) -> list[Entry]:
-    """Every statement of the paper in its order, then the users' own; the last verdict is shown."""
-    found = {entry.statement.id: entry for entry in settled}
+    """Every statement of the paper in its order, then the users' own.
+
+    Raises :class:`Twice` where two files settle one of them.
+    """
+    entries, several = once(settled, {})
+    for id, files in several.items():
+        raise Twice(twice(id, files))
+    found = {entry.statement.id: entry for entry in entries}
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
     return entries + [entry for entry in found.values() if entry.own]
 
@@ -177,6 +193,12 @@ def expected(path: Path) -> dict[str, str]:
     """The committed verdict of each statement."""
     data = json.loads(path.read_text(encoding="utf-8"))
     return {record["id"]: record["verdict"] for record in data["statements"]}
+
+
+def places(path: Path) -> dict[str, str]:
+    """The derivation of each statement, as far as the committed ledger tells."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {r["id"]: r["derivation"] for r in data["statements"] if r["derivation"]}
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import ast
 import importlib.util
+import symtable
 import sys
 import time
-import traceback
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType, TracebackType
@@ -17,6 +17,30 @@ from symhaptic.proof.recheck import confirm
 
 class BadChapter(ValueError):
     """A derivation that cannot be run, or that proves nothing; the message is one line."""
+
+    def __init__(self, path: Path, what: str, line: int | None = None) -> None:
+        super().__init__(path, what, line)
+        self.path, self.what, self.line = path, what, line
+
+    @property
+    def place(self) -> str:
+        """The file, and where known the line in it."""
+        return str(self.path) if self.line is None else f"{self.path}:{self.line}"
+
+    def __str__(self) -> str:
+        return f"{self.place}: {self.what}"
+
+
+NO_DERIVE = "has no function derive(page)"
+NO_TITLE = "has no docstring; its first line is the chapter's title"
+
+_ran: list[Path] = []
+"""Chapters that this process has run, and that may have left something behind in it."""
+
+
+def untouched() -> bool:
+    """Whether no chapter was run in this process, which a chapter can then be forked from."""
+    return not _ran
 
 
 @dataclass(frozen=True)
@@ -37,7 +61,7 @@ class Chapter:
     @property
     def source(self) -> str:
         """Where the derivation stands, relative to the project."""
-        return f"derivations/{self.path.name}" if self.path.parent == folder() else self.path.name
+        return source(self.path)
 
 
 def _beside(name: str) -> Path:
@@ -50,6 +74,11 @@ def _beside(name: str) -> Path:
 def folder() -> Path:
     """The folder of the paper's derivations."""
     return _beside("derivations")
+
+
+def source(path: Path) -> str:
+    """Where a derivation stands, relative to the project, or its name alone."""
+    return f"derivations/{path.name}" if path.resolve().parent == folder() else path.name
 
 
 def expected_ledger() -> Path:
@@ -79,63 +108,61 @@ def run(path: Path) -> Chapter:
     Raises :class:`BadChapter` with one line that names the file and what is wrong with it.
     """
     begin = time.perf_counter()
+    _ran.append(path)
     module = _load(path)
     derive = getattr(module, "derive", None)
     if not callable(derive):
-        raise BadChapter(f"{path}: has no function derive(page)")
+        raise BadChapter(path, NO_DERIVE)
     title, _, introduction = (module.__doc__ or "").strip().partition("\n")
     if not title:
-        raise BadChapter(f"{path}: has no docstring; its first line is the chapter's title")
+        raise BadChapter(path, NO_TITLE)
     page = Page(path.stem)
     with _SomebodyElses(path):
         derive(page)
         confirm(page.certificates)
     if not any(block.verdict == "proved" for block in page.blocks) and not page.settled:
-        raise BadChapter(f"{path}: proves nothing; a chapter has at least one step or verdict")
+        raise BadChapter(path, "proves nothing; a chapter has at least one step or verdict")
     return Chapter(path, title, introduction.strip(), page, time.perf_counter() - begin)
-
-
-def looked_at(path: Path) -> Path:
-    """The path itself; raises :class:`BadChapter` for a file that cannot be a chapter.
-
-    Nothing of it is run: it must parse, have a docstring and define ``derive``.
-    """
-    try:
-        tree = ast.parse(found(path).read_text(encoding="utf-8"), str(path))
-    except SyntaxError as wrong:
-        raise BadChapter(f"{path}:{wrong.lineno}: SyntaxError: {wrong.msg}") from None
-    except UnicodeDecodeError as wrong:
-        raise BadChapter(f"{path}: not a text in UTF-8 ({wrong.reason})") from None
-    names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
-    names |= {
-        a.asname or a.name for n in tree.body if isinstance(n, ast.ImportFrom) for a in n.names
-    }
-    names |= {
-        t.id
-        for n in tree.body
-        if isinstance(n, ast.Assign)
-        for t in n.targets
-        if isinstance(t, ast.Name)
-    }
-    if "derive" not in names:
-        raise BadChapter(f"{path}: has no function derive(page)")
-    if not (ast.get_docstring(tree) or "").strip():
-        raise BadChapter(f"{path}: has no docstring; its first line is the chapter's title")
-    return path
 
 
 def found(path: Path) -> Path:
     """The path itself; raises :class:`BadChapter` where no file is."""
     if not path.is_file():
         what = "is a folder" if path.is_dir() else "no such file"
-        raise BadChapter(f"{path}: {what}; a derivation is a Python file")
+        raise BadChapter(path, f"{what}; a derivation is a Python file")
     return path
+
+
+def readable(path: Path) -> Path:
+    """The path itself, looked at without being run.
+
+    Raises :class:`BadChapter` for a file that is no Python, or has no docstring or no ``derive``.
+    """
+    with _SomebodyElses(path):
+        text = importlib.util.decode_source(found(path).read_bytes())
+        tree = ast.parse(text, str(path))
+        names = symtable.symtable(text, str(path), "exec")
+    if not _binds(tree, names, "derive"):
+        raise BadChapter(path, NO_DERIVE)
+    if not (ast.get_docstring(tree) or _binds(tree, names, "__doc__")):
+        raise BadChapter(path, NO_TITLE)
+    return path
+
+
+def _binds(tree: ast.Module, names: symtable.SymbolTable, name: str) -> bool:
+    """Whether a module may give a name a meaning."""
+    if any(isinstance(n, ast.ImportFrom) and n.names[0].name == "*" for n in ast.walk(tree)):
+        return True
+    if name not in names.get_identifiers():
+        return False
+    symbol = names.lookup(name)
+    return symbol.is_assigned() or symbol.is_imported()
 
 
 def _load(path: Path) -> ModuleType:
     spec = importlib.util.spec_from_file_location(f"derivation_{path.stem}", found(path))
     if spec is None or spec.loader is None:
-        raise BadChapter(f"{path}: not a Python file; a derivation ends in .py")
+        raise BadChapter(path, "not a Python file; a derivation ends in .py")
     module = importlib.util.module_from_spec(spec)
     with _SomebodyElses(path):
         spec.loader.exec_module(module)
@@ -159,12 +186,24 @@ class _SomebodyElses:
         trace: TracebackType | None,
     ) -> None:
         sys.stdout = self.stdout
-        if kind is None or not issubclass(kind, (Exception, SystemExit)):
+        if kind is None or wrong is None or issubclass(kind, (KeyboardInterrupt, BadChapter)):
             return
-        line = " ".join(str(wrong).split()) or "no message"
+        said = wrong.msg if isinstance(wrong, SyntaxError) else str(wrong)
+        line = " ".join(said.split()) or "no message"
         own = kind.__module__.startswith("symhaptic")
-        at = [
-            n for frame, n in traceback.walk_tb(trace) if frame.f_code.co_filename == str(self.path)
-        ]
-        place = f"{self.path}:{at[-1]}" if at else str(self.path)
-        raise BadChapter(f"{place}: {line if own else f'{kind.__name__}: {line}'}") from wrong
+        what = line if own else f"{kind.__name__}: {line}"
+        raise BadChapter(self.path, what, self._line(wrong, trace)) from wrong
+
+    def _line(self, wrong: BaseException, trace: TracebackType | None) -> int | None:
+        """The line of the chapter in which it went wrong: the innermost one that is its own."""
+        if isinstance(wrong, SyntaxError) and wrong.filename and self._is_own(wrong.filename):
+            return wrong.lineno
+        line = None
+        while trace is not None:
+            if self._is_own(trace.tb_frame.f_code.co_filename):
+                line = trace.tb_lineno
+            trace = trace.tb_next
+        return line
+
+    def _is_own(self, file: str) -> bool:
+        return Path(file).resolve() == self.path.resolve()

@@ -75,10 +75,14 @@ class Arc:
 
     def zeros(self, polynomial: Expr) -> list[arb]:
         """All real zeros but 0 of a polynomial in the chord."""
+        return real_roots(self.coefficients(polynomial))
+
+    def coefficients(self, polynomial: Expr) -> list[arb]:
+        """Its coefficients in balls, the lowest first, without those that are zero exactly."""
         exact = [c.subs(self.exact).subs(self.exact) for c in self.form.coefficients(polynomial)]
         while is_zero(exact[0]):
             exact.pop(0)
-        return real_roots([ball(c, self.at, BITS).real for c in exact])
+        return [ball(c, self.at, BITS).real for c in exact]
 
     def chords(self, polynomial: Expr) -> list[arb]:
         """Its zeros on the arc, in order."""
@@ -104,6 +108,11 @@ class Point(NamedTuple):
     beta: arb
 
 
+def apart(arc: Arc, level: Expr) -> Expr:
+    """A polynomial in the chord, zero where the error is ``level``."""
+    return arc.form.above - level * (arc.delay + HALF) * arc.form.right
+
+
 def points(arc: Arc, level: Expr) -> list[Point]:
     """All points of the arc where (alpha_lin - alpha)/(alpha + gamma) is ``level``.
 
@@ -111,9 +120,7 @@ def points(arc: Arc, level: Expr) -> list[Point]:
     >>> [rounded(p.alpha, 6) for p in points(Arc(sp.Rational(1, 1000), sp.Rational(1, 50), 0), 0)]
     ['0.0467456']
     """
-    form = arc.form
-    apart = form.above - level * (arc.delay + HALF) * form.right
-    return [arc.point(y) for y in arc.chords(apart)]
+    return [arc.point(y) for y in arc.chords(apart(arc, level))]
 
 
 def error_without_stiffness(stiffness: Expr, damping: Expr, delay: int) -> arb:

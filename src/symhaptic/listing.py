@@ -8,19 +8,20 @@ import tempfile
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree as ET
 
 from symhaptic import __version__
-from symhaptic.ledger import Entry, counted
-from symhaptic.library import expected_ledger
+from symhaptic.ledger import Entry, counted, places
+from symhaptic.library import BadChapter, expected_ledger
+from symhaptic.paper import STATEMENTS
 from symhaptic.proof.verdict import Kind
 
 
 @cache
 def _places() -> dict[str, str]:
     """The file that settles each statement, as far as the committed ledger tells."""
-    records = json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]
-    return {r["id"]: Path(r["derivation"]).name for r in records if r["derivation"]}
+    return {id: Path(place).name for id, place in places(expected_ledger()).items()}
 
 
 def needed(ids: list[str], paths: list[Path]) -> list[Path]:
@@ -40,12 +41,47 @@ def under_way(path: Path) -> str:
     return (ids[0] + (f" and {len(ids) - 1} more" if ids[1:] else "")) if ids else path.stem
 
 
+def statements() -> list[dict[str, str]]:
+    """Id, location and content of every statement that is verified, without running anything.
+
+    Those of the paper are read from its transcription, our own from the committed ledger.
+    """
+    data = json.loads(expected_ledger().read_text(encoding="utf-8"))
+    own = [
+        {"id": r["id"], "location": r["location"], "says": plain(r["statement"])}
+        for r in data["statements"]
+        if r["id"] not in STATEMENTS
+    ]
+    paper = [
+        {"id": id, "location": s.location, "says": s.says or s.text} for id, s in STATEMENTS.items()
+    ]
+    return paper + own
+
+
+def plain(latex: str) -> str:
+    """Words that stand in LaTeX as a whole, or the LaTeX itself."""
+    words = latex.removeprefix(r"\text{")
+    return words[:-1] if words != latex and latex.endswith("}") else latex
+
+
+def names(records: list[dict[str, str]], as_json: bool) -> str:
+    """The statements as a table for people, or as JSON."""
+    if as_json:
+        data = {"package": "symhaptic", "version": __version__, "statements": records}
+        return json.dumps(data, indent=1) + "\n"
+    widths = [max((len(r[key]) for r in records), default=0) for key in ("id", "location")]
+    lines = [
+        f"{r['id']:{widths[0]}}  {r['location']:{widths[1]}}  {r['says']}".rstrip() for r in records
+    ]
+    return "\n".join(lines) + "\n"
+
+
 def text(
     entries: list[Entry],
     surprises: list[str],
     strict: bool,
-    errors: Sequence[str] = (),
-    elapsed: float | None = None,
+    bad: Sequence[BadChapter] = (),
+    seconds: float | None = None,
 ) -> str:
     """One line a statement, then what differs from the committed ledger, then the counts."""
     width = max((len(e.statement.id) for e in entries), default=0)
@@ -59,7 +95,7 @@ def text(
             detail = f"{detail}  [{entry.derivation}]".strip()
         lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
     lines += [f"DIFFERS  {line}" for line in surprises]
-    lines += [f"FAILED   {line}" for line in errors]
+    lines += [f"ERROR    {wrong}" for wrong in bad]
     plural = "" if len(entries) == 1 else "s"
     lines.append(f"{len(entries)} statement{plural}: {counted(entries)}")
     argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
@@ -76,15 +112,20 @@ def json_text(
     entries: list[Entry],
     surprises: list[str],
     strict: bool,
-    errors: Sequence[str] = (),
-    elapsed: float | None = None,
+    bad: Sequence[BadChapter] = (),
+    seconds: float | None = None,
 ) -> str:
-    """The JSON form of the ledger; chapters that ended in an error are listed beside."""
-    data = {
+    """The JSON form of the ledger, with ``errors`` where a chapter could not be run."""
+    data: dict[str, Any] = {
         "package": "symhaptic",
         "version": __version__,
         "statements": [entry.as_json() for entry in entries],
-    } | ({"errors": list(errors)} if errors else {})
+    }
+    if bad:
+        data["errors"] = [
+            {"derivation": str(wrong.path), "line": wrong.line, "message": wrong.what}
+            for wrong in bad
+        ]
     return json.dumps(data, indent=1) + "\n"
 
 
@@ -92,14 +133,14 @@ def junit(
     entries: list[Entry],
     surprises: list[str],
     strict: bool,
-    errors: Sequence[str] = (),
-    elapsed: float | None = None,
+    bad: Sequence[BadChapter] = (),
+    seconds: float | None = None,
 ) -> str:
     """Each statement as a test case: a failure where its verdict is not the committed one.
 
-    A chapter that ends in an error is a test case, too.  The time of a case is what its chapter
-    took for it, in its own process; that of the suite is what passed on the clock, for several
-    chapters run side by side.
+    The time of a case is that from the verdict before it in its chapter, or the chapter's begin,
+    to its own; chapters run side by side, so that the suite's time, which is what passed from the
+    first to the last, is less than their sum.  A chapter that cannot be run is a case in error.
     """
     failed = {line.partition(":")[0]: line for line in surprises}
     suite = ET.Element("testsuite", name="symhaptic verify")
@@ -127,17 +168,16 @@ def junit(
         failures += 1
         case = ET.SubElement(suite, "testcase", name=id, classname="missing")
         ET.SubElement(case, "failure", message=failed[id])
-    for line in errors:
-        place, _, message = line.partition(": ")
-        case = ET.SubElement(suite, "testcase", name=place, classname="derivation")
-        ET.SubElement(case, "error", message=message)
-    seconds = sum(e.seconds for e in entries) if elapsed is None else elapsed
+    for wrong in bad:
+        case = ET.SubElement(suite, "testcase", name=wrong.path.stem, classname=str(wrong.path))
+        ET.SubElement(case, "error", message=str(wrong))
+    total = sum(entry.seconds for entry in entries) if seconds is None else seconds
     suite.attrib |= {
         "tests": str(len(suite)),
         "failures": str(failures),
         "skipped": str(skipped),
-        "errors": str(len(errors)),
-        "time": f"{seconds:.3f}",
+        "errors": str(len(bad)),
+        "time": f"{total:.3f}",
     }
     ET.indent(suite)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, "unicode") + "\n"

@@ -9,15 +9,15 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
 
+from symhaptic import parallel
 from symhaptic.claims import changes_of
-from symhaptic.library import Chapter, run
+from symhaptic.library import BadChapter, Chapter, run
 from symhaptic.proof.change import Change
 from symhaptic.proof.changes import changes
 from symhaptic.proof.checks import Check, Sign, confirmed
@@ -109,11 +109,15 @@ def _tried(path: Path) -> Trial:
 
 def trials(paths: list[Path], workers: int = 1) -> Iterator[Trial]:
     """The trials of chapters, in their order."""
-    if workers == 1:
-        yield from map(_tried, paths)
-        return
-    with ProcessPoolExecutor(workers) as pool:
-        yield from pool.map(_tried, paths)
+    ended: dict[int, Trial] = {}
+    next_ = 0
+    for number, result in parallel.each(_tried, paths, workers):
+        if isinstance(result, BadChapter):
+            raise result
+        ended[number] = result
+        while next_ in ended:
+            yield ended.pop(next_)
+            next_ += 1
 
 
 def committed(found: Iterable[Trial]) -> str:

@@ -1,30 +1,35 @@
-"""Derivations side by side, each in a process of its own: nothing that one does reaches another."""
+"""Derivations side by side, each in a process of its own that has run nothing else before.
+
+What one chapter changes in the package, the next does not see.  Where processes can be forked, a
+chapter's is a copy of one that has only imported the package; elsewhere it starts from nothing.
+"""
 
 from __future__ import annotations
 
+import ast
+import importlib
 import multiprocessing
 import os
+import signal
 import sys
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
 from multiprocessing.connection import Connection, wait
+from multiprocessing.context import BaseContext
+from multiprocessing.process import BaseProcess
 from pathlib import Path
-from typing import Any
+from typing import NoReturn, TypeVar
 
 from symhaptic.ledger import Entry, of_derivation
-from symhaptic.library import BadChapter
+from symhaptic.library import BadChapter, untouched
 
 MOST = 4
 """Workers unless told otherwise: each has a computer algebra system in memory."""
 
+PAUSE = 0.5
+"""Seconds after which who waits is told again what is under way."""
 
-@dataclass
-class Outcome:
-    """What became of one derivation: its statements, or why there are none."""
-
-    path: Path
-    entries: list[Entry] = field(default_factory=list)
-    error: str | None = None
+Result = TypeVar("Result")
+Told = Callable[[int, Path], None]
 
 
 def workers() -> int:
@@ -32,63 +37,117 @@ def workers() -> int:
     return min(MOST, os.cpu_count() or 1)
 
 
+def _raised(wrong: BadChapter) -> NoReturn:
+    raise wrong
+
+
 def settled(
     paths: Sequence[Path],
     workers: int,
-    told: Callable[[int, Path], None] = lambda done, path: None,
-) -> list[Outcome]:
-    """What the derivations settle, in their order.
+    told: Told = lambda done, path: None,
+    failed: Callable[[BadChapter], None] = _raised,
+) -> list[Entry]:
+    """The statements that the derivations settle, in the order of the derivations.
 
-    ``told`` hears how many are done and which one is under way.  What goes wrong in one is said in
-    its outcome; the others go on.
+    ``told`` hears how many are done and which one is under way, ``failed`` at once of one that
+    cannot be run; the others are run all the same, unless ``failed`` raises, as it does if not
+    given.
     """
-    # a child that is forked has the package in memory, and no chapter that ran before
-    forked = sys.platform.startswith("linux")
-    context: Any = multiprocessing.get_context("fork" if forked else "spawn")
-    outcomes = [Outcome(path) for path in paths]
-    waiting = list(range(len(paths)))
-    active: dict[Connection, tuple[int, multiprocessing.process.BaseProcess]] = {}
-    try:
-        while waiting or active:
-            while waiting and len(active) < workers:
-                i = waiting.pop(0)
-                ours, theirs = context.Pipe(duplex=False)
-                child = context.Process(target=_settle, args=(paths[i], theirs), daemon=True)
-                child.start()
-                theirs.close()
-                active[ours] = (i, child)
-            done = len(paths) - len(waiting) - len(active)
-            told(done, paths[min(i for i, _ in active.values())])
-            for ready in wait(list(active)):
-                assert isinstance(ready, Connection)
-                i, child = active.pop(ready)
-                _received(outcomes[i], ready, child)
-    finally:
-        for _, child in active.values():
-            child.terminate()
-    return outcomes
-
-
-def _received(
-    outcome: Outcome, ready: Connection, child: multiprocessing.process.BaseProcess
-) -> None:
-    """What a child has to say; one that ended without a word is told of."""
-    try:
-        found = ready.recv()
-        if isinstance(found, str):
-            outcome.error = found
+    found: dict[int, list[Entry]] = {}
+    for i, result in each(of_derivation, paths, workers, told):
+        if isinstance(result, BadChapter):
+            failed(result)
         else:
-            outcome.entries = found
-    except EOFError:
-        child.join()
-        outcome.error = f"{outcome.path}: its process ended with status {child.exitcode}"
-    ready.close()
-    child.join()
+            found[i] = result
+    return [entry for i in sorted(found) for entry in found[i]]
 
 
-def _settle(path: Path, out: Connection) -> None:
+def each(
+    work: Callable[[Path], Result],
+    paths: Sequence[Path],
+    workers: int,
+    told: Told = lambda done, path: None,
+) -> Iterator[tuple[int, Result | BadChapter]]:
+    """What becomes of each derivation, with its number, as they end; they begin in their order."""
+    context = _context()
+    if context.get_start_method() == "fork":
+        _import_for(paths)
+    begun, done, running = 0, 0, dict[Connection, tuple[int, BaseProcess]]()
     try:
-        out.send(of_derivation(path))
+        while done < len(paths):
+            while begun < len(paths) and len(running) < workers:
+                connection, process = _begin(context, work, paths[begun])
+                running[connection] = begun, process
+                begun += 1
+            told(done, paths[min(number for number, _ in running.values())])
+            for ready in wait(list(running), PAUSE):
+                assert isinstance(ready, Connection)
+                number, process = running[ready]
+                result: Result | BadChapter = _result(ready, process, paths[number])
+                del running[ready]
+                done += 1
+                yield number, result
+    finally:
+        for connection, (_, process) in running.items():
+            process.kill()
+            process.join()
+            connection.close()
+
+
+def _context() -> BaseContext:
+    """Forked where that is safe and nothing was left behind by a chapter; spawned elsewhere."""
+    fork = sys.platform.startswith("linux") and untouched()
+    return multiprocessing.get_context("fork" if fork else "spawn")
+
+
+def _import_for(paths: Sequence[Path]) -> None:
+    """Import once what the chapters take from the package, and nothing of their own."""
+    for path in paths:
+        try:
+            tree = ast.parse(path.read_bytes())
+        except (OSError, SyntaxError, ValueError):
+            continue  # told when it is run
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
+                try:
+                    importlib.import_module(str(node.module))
+                except ImportError:
+                    continue  # the same
+
+
+def _begin(
+    context: BaseContext, work: Callable[[Path], Result], path: Path
+) -> tuple[Connection, BaseProcess]:
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(target=_child, args=(work, path, theirs), daemon=True)  # type: ignore[attr-defined]
+    process.start()
+    theirs.close()
+    return ours, process
+
+
+def _child(work: Callable[[Path], Result], path: Path, connection: Connection) -> None:
+    """What the process of a derivation does; who started it ends it when interrupted."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    result: Result | BadChapter
+    try:
+        result = work(path)
     except BadChapter as wrong:
-        out.send(str(wrong))
-    out.close()
+        result = BadChapter(*wrong.args)
+    sys.stderr.flush()
+    connection.send(result)
+
+
+def _result(connection: Connection, process: BaseProcess, path: Path) -> Result | BadChapter:
+    result: Result | BadChapter
+    try:
+        result = connection.recv()
+    except EOFError:
+        process.join()
+        what = f"its process ended without a result (exit status {process.exitcode})"
+        result = BadChapter(path, what)
+    connection.close()
+    process.join(PAUSE)
+    if process.is_alive():
+        process.kill()
+        process.join()
+    return result

@@ -14,11 +14,11 @@ def number(name: str, value: Any, unit: str, least: str = "") -> float:
     Raises :class:`ValueError` for what is no finite number, or less than ``least`` says
     (``">= 0"``, ``"> 0"`` or nothing), and for units that cannot be converted.
     """
+    if getattr(value, "ndim", None) == 0 and not hasattr(value, "units"):
+        value = value[()]
     given = value
     if type(value).__module__.split(".")[0] == "pint":
         value = _converted(name, value, unit)
-    if getattr(value, "ndim", None) == 0:
-        value = value.item()
     real = isinstance(value, Real) and not isinstance(value, bool)
     found = _float64(value) if real else math.nan
     low = (least and found < 0) or (least == "> 0" and found == 0)
@@ -53,6 +53,8 @@ def dimensionless(name: str, quantity: Any) -> Any:
 
 def shown(value: object) -> str:
     """The value on one line that fits a message."""
+    if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):
+        value = value.item()
     try:
         text = " ".join(repr(value).split())
     except ValueError:  # too many digits

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
@@ -15,6 +17,7 @@ from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.checks import Check, Limit, Same
 from symhaptic.proof.decide import Form, compare, parts
+from symhaptic.proof.seal import Sealed
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.sign import Fact, facts_below
@@ -25,12 +28,25 @@ class FalseStep(ValueError):
     """A step that is not true, or that could not be proved."""
 
 
+def line_at_work() -> int:
+    """The line of the chapter that is at work: of the innermost frame outside the package."""
+    package, chapters = str(Path(__file__).parent), str(Path(__file__).parent / "derivations")
+    frame = sys._getframe(1)
+    while frame.f_back is not None:
+        file = frame.f_code.co_filename
+        if not file.startswith(package) or file.startswith(chapters):
+            break
+        frame = frame.f_back
+    return frame.f_lineno
+
+
 @dataclass(frozen=True)
-class Evidence:
+class Evidence(Sealed):
     """An exact proof of something said in words."""
 
     method: str
     checks: tuple[Check, ...] = ()
+    key: InitVar[object] = None
 
 
 @dataclass(frozen=True)
@@ -81,19 +97,31 @@ class Record:
     """Of the balls that the chapter rests on; they are checked again when it has been run."""
     checks: list[tuple[str, Check]] = field(default_factory=list)
     """What was asked and confirmed, under its title, to be asked again with something changed."""
+    definitions: list[tuple[Expr, Expr]] = field(default_factory=list)
+    """What a symbol or a function stands for on this page."""
+    supposed: frozenset[tuple[Expr, bool]] = frozenset()
+    """The domains of the signs that the page shows, as what the facts rest on."""
+    _lines: dict[tuple[str, str], int] = field(default_factory=dict)
+    """Where each id was stated and where it was settled."""
     _count: int = 0
     _since: float = field(default_factory=time.perf_counter)
 
     def _record(
         self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
     ) -> Verdict:
-        if statement.id in self.settled:
-            raise FalseStep(f"{statement.id} is settled twice")
         verdict = settlement.decide(statement.printed)
+        self._once("settled", statement.id)
         now = time.perf_counter()
         seconds, self._since = now - self._since, now
         self.settled[statement.id] = Settled(statement, settlement, verdict, seconds, grounds)
         return verdict
+
+    def _once(self, what: str, id: str) -> None:
+        """An id is stated once and settled once."""
+        line, first = line_at_work(), self._lines.get((what, id))
+        if first is not None:
+            raise FalseStep(f"{id!r} is {what} twice, in lines {first} and {line}")
+        self._lines[what, id] = line
 
     def _keep(self, fact: Fact) -> None:
         """The certificates of all that a fact was made from."""

@@ -18,9 +18,11 @@ from symhaptic.model import boundary, plant
 from symhaptic.notation import a, e, n_0, n_1, phi, t
 from symhaptic.proof import box
 from symhaptic.proof.ball import ball
-from symhaptic.proof.certificate import Known, Zero
+from symhaptic.proof.certificate import Certificate, Known, Zero
+from symhaptic.proof.enclosed import Enclosed, Source, value
 from symhaptic.proof.recheck import confirm
 from symhaptic.proof.roots import BITS, NoSuchRoot, zero
+from symhaptic.proof.seal import KEY
 from symhaptic.tracer.extremes import max_stable_stiffness
 
 DEVICE = plant.Sampled(n_1, n_0, a, e)
@@ -34,10 +36,11 @@ _TOP, _BOTTOM = sp.symbols("top bottom")
 
 @dataclass(frozen=True)
 class Peak:
-    """The largest value of a function on an interval, and where it is."""
+    """The largest value of a function on an interval, where it is, and what shows it."""
 
     at: arb
     value: arb
+    certificates: tuple[Certificate, ...] = ()
 
 
 @cache
@@ -47,23 +50,23 @@ def numbers(stiffness: Expr, damping: Expr) -> dict[Expr, arb]:
     return {name: ball(value, None, BITS).real for name, value in exact.items()}
 
 
-def undelayed(stiffness: Expr, damping: Expr) -> arb:
+def undelayed(stiffness: Expr, damping: Expr) -> Enclosed:
     """The largest stable alpha without delay.
 
-    >>> print(undelayed(sp.S.Zero, sp.Rational(1, 50)).str(20, radius=False))
+    >>> print(undelayed(sp.S.Zero, sp.Rational(1, 50)).ball.str(20, radius=False))
     0.71320631852136363205
     """
-    largest = boundary.largest_undelayed(DEVICE)
-    return ball(largest, numbers(stiffness, damping), BITS).real
+    exact = plant.numbers(sp.sympify(stiffness), sp.sympify(damping))
+    return value(boundary.largest_undelayed(DEVICE), exact)
 
 
-def over(one: Expr | arb, other: Expr | arb) -> arb:
-    """The ratio of two numbers, exact or in balls.
+def over(one: Source, other: Source) -> Enclosed:
+    """The ratio of two numbers.
 
-    >>> print(over(sp.S.One, arb(3)).str(20, radius=False))
+    >>> print(over(sp.S.One, sp.Integer(3)).ball.str(20, radius=False))
     0.33333333333333333333
     """
-    return ball(_TOP / _BOTTOM, {_TOP: one, _BOTTOM: other}, BITS).real
+    return value(_TOP / _BOTTOM, {_TOP: one, _BOTTOM: other})
 
 
 def passive(damping: Expr, delay: int) -> Expr:
@@ -72,16 +75,17 @@ def passive(damping: Expr, delay: int) -> Expr:
 
 
 @cache
-def most(stiffness: Expr, damping: Expr, delay: int) -> arb:
+def most(stiffness: Expr, damping: Expr, delay: int) -> Enclosed:
     """The largest stable alpha for one gamma, delta and whole delay.
 
-    >>> print(most(sp.S.Zero, sp.Rational(1, 50), 122).str(20, radius=False))
+    >>> print(most(sp.S.Zero, sp.Rational(1, 50), 122).ball.str(20, radius=False))
     0.00025542115172973515845
     """
     if delay == 0:
         return undelayed(stiffness, damping)
     tip = max_stable_stiffness(float(stiffness), float(damping), delay)
-    return largest(stiffness, damping, delay, float(tip.theta) * (delay + 1)).value
+    peak = largest(stiffness, damping, delay, float(tip.theta) * (delay + 1))
+    return Enclosed(peak.value, peak.certificates, KEY)
 
 
 def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
@@ -99,9 +103,9 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
     slope = sp.diff(alpha, phi)
     low, high, turn = _turning(slope, near, known)
     angle = turn.ball
-    value = ball(alpha, {**known, phi: angle}, BITS).real
+    height = ball(alpha, {**known, phi: angle}, BITS).real
     confirm([turn])
-    given = Known(known | {_TOP: value})
+    given = Known(known | {_TOP: height})
     facts = [
         box.positive(sign * slope, {phi: (side[0], side[1])}, given)
         for sign, side in ((1, low), (-1, high))
@@ -111,9 +115,10 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
         box.positive(_TOP - alpha, {phi: side}, given)
         for side in ((sp.S.Zero, low[0]), (high[1], end))
     ]
-    confirm(c for fact in facts for c in fact.certificates)
+    shown = tuple(c for fact in facts for c in fact.certificates)
+    confirm(shown)
     with ctx.workprec(BITS):
-        return Peak(angle / int(whole), value)
+        return Peak(angle / int(whole), height, (turn, *shown))
 
 
 Side: TypeAlias = tuple[Expr, Expr]

@@ -37,8 +37,7 @@ def settled(chapter, statement):
 def counterexample(chapter, statement):
     """The point at which a statement was shown to fail, by names."""
     settlement = page(chapter).settled[statement].settlement
-    judged = settlement.judged
-    unless = settlement.unless if judged is None else judged.unless[0].values
+    unless = settlement.judged.unless[0].values if settlement.judged else settlement.unless
     return {symbol.name: float(sp.N(number)) for symbol, number in unless.items()}
 
 

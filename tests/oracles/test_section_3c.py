@@ -55,7 +55,7 @@ def test_walls_on_the_straight_part_are_just_passive(d):
     only(agrees, *(e.rhs for e in settled("s3c_linear_part", "eq8")), by=0.1, kept=("y", "d"))
 
 
-@guards("s3c_linear_part_decides")
+@guards("s3c_linear_part_condition")
 def test_damping_over_delay_is_the_limit_of_low_frequencies():
     def agrees(stiffness):
         for d, B in ((0, -0.3), (1, 0.1), (6.5, 0.25)):
@@ -63,7 +63,7 @@ def test_damping_over_delay_is_the_limit_of_low_frequencies():
             # rounding of K/theta^2 at theta = 1e-4, and the next term, of order (d+1)^3 theta^2
             assert energy.need(K, B, d, np.array([1e-4]))[0] == pytest.approx(1, abs=1e-5)
 
-    only(agrees, shown("s3c_linear_part_decides", "Damping over delay"), kept=("T",))
+    only(agrees, shown("s3c_linear_part_condition", "Damping over delay"), kept=("T",))
 
 
 def best(d):

@@ -169,7 +169,7 @@ def test_a_device_swings_with_the_frequency_that_is_said():
             assert (number(limit.lhs, **at) <= number(limit.rhs)) == holds
 
 
-@guards("s5c_nyquist")
+@guards("s5c_nyquist_pole")
 def test_the_polynomial_at_half_a_swing_per_period():
     def agrees(polynomial):
         for alpha, beta, d in ((0.7, 0.2, 0), (-1.0, 0.4, 2)):
@@ -179,7 +179,7 @@ def test_the_polynomial_at_half_a_swing_per_period():
                 found = np.polyval(roots, z)
                 assert complex(value(polynomial, **at)) == pytest.approx(found, abs=1e-12)
 
-    only(agrees, shown("s5c_nyquist", "The polynomial at $\\gamma=\\pi^2$, $\\delta=0$"))
+    only(agrees, shown("s5c_nyquist_pole", "The polynomial at $\\gamma=\\pi^2$, $\\delta=0$"))
 
 
 @guards("s5c_robust")

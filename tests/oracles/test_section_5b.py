@@ -37,8 +37,8 @@ def test_a_share_of_the_stiffness_of_a_passive_wall():
 @guards("s5b_soft_contacts")
 def test_walls_that_only_their_stiffness_keeps_stable():
     soft = counterexample(SOFT, "s5b-soft-contacts")
-    assert soft["alpha"] == 0
-    walls = [(2e-4, *(soft[n] for n in ("beta", "gamma", "delta")), int(soft["d"]))]
+    assert soft["y"] == 0
+    walls = [(*(soft[n] for n in ("alpha", "beta", "gamma", "delta")), int(soft["d"]))]
     walls.append((0.3, 0.47, 3, 0.02, 2))
     for alpha, *rest in walls:
         assert oracle.certified(alpha, *rest) == 0

@@ -8,7 +8,7 @@ from oracles.guarding import guards
 from oracles.search import edge
 from oracles.subject import counterexample, number, only, page, settled, shown, value
 
-NUMBERS, REGION = "s5c_nyquist_numbers", "s5c_nyquist_region"
+NUMBERS, ARMS, REGION = "s5c_nyquist_numbers", "s5c_nyquist_arms", "s5c_nyquist_region"
 
 
 def half_swing(m, b, T):
@@ -57,7 +57,7 @@ def test_the_share_of_the_damping():
     assert number(share, delta=0.02) < 1.02e-5
 
 
-@guards("s5c_nyquist_numbers")
+@guards("s5c_nyquist_arms")
 def test_against_the_stiffness_of_an_arm():
     arm, device = (half_swing(m, 0.0, 1e-3) / 568 for m in (0.8, 0.1))
 
@@ -65,10 +65,10 @@ def test_against_the_stiffness_of_an_arm():
         assert number(hogan) == pytest.approx(arm, rel=1e-9)
         assert number(example) == pytest.approx(device, rel=1e-9)
 
-    only(agrees, *(shown(NUMBERS, t) for t in ("Hogan's arm", "The device against that arm")))
-    (limit,) = page(NUMBERS).settled["s5c-human-10000"].settlement.values
+    only(agrees, *(shown(ARMS, t) for t in ("Hogan's arm", "The device against that arm")))
+    (limit,) = page(ARMS).settled["s5c-human-10000"].settlement.values
     assert number(limit) == pytest.approx(half_swing(1.0, 0.0, 1.0) / 1e-3, rel=1e-9)
-    point = counterexample(NUMBERS, "s6-human-10000")
+    point = counterexample(ARMS, "s6-human-10000")
     assert half_swing(point["m"], 0.0, point["T"]) < 5000 * point["k_H"]
     assert half_swing(point["m"], 0.0, point["T"]) > 1700 * point["k_H"]
 

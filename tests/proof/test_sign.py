@@ -6,7 +6,6 @@ from sympy import Rational, S, cos, pi, sin
 
 from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.sign import (
-    Fact,
     Interval,
     NotShown,
     assume,
@@ -171,7 +170,7 @@ def test_held_assumption_is_allowed():
 
 
 def test_slope_that_may_vanish_gives_no_strict_sign():
-    fact = integrated(x, ABOVE_ZERO, Fact(S.One, strict=False))
+    fact = integrated(x, ABOVE_ZERO, combined(S.One, [assume(S.One, strict=False)]))
     assert not fact.strict
 
 

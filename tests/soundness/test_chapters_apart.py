@@ -1,143 +1,218 @@
-"""Chapters cannot hide a verdict, reach each other, or forge a theorem for the ledger."""
-
-from __future__ import annotations
+"""Chapters leave nothing behind, nothing is settled twice, and what fails says where."""
 
 import json
-from pathlib import Path
-from xml.etree import ElementTree as ET
+import subprocess
+import sys
+from xml.etree import ElementTree
 
 import pytest
-from typer.testing import CliRunner
 
-from symhaptic.cli import app
-from symhaptic.commands.shared import Unusable
-from symhaptic.library import BadChapter, looked_at, run
-from symhaptic.parallel import settled
+HEAD = '''r"""A title.
 
-JSON = ("--format", "json")
-HEAD = '"""A title\n\nAn introduction.\n"""\n'
+Words.
+"""
+from sympy import Eq, cos, sin
+from symhaptic.notation import theta, x
 
 
-def chapter(folder: Path, name: str, body: str) -> Path:
+def derive(page):
+    page.step("A step", sin(theta) ** 2, 1 - cos(theta) ** 2)
+'''
+STATED = '    page.state("{id}", "doubling", r"x = 2\\sin(\\theta)\\cos(\\theta)")\n'
+RIGHT = '    page.settle("{id}", Eq(x, sin(2 * theta)))\n'
+WRONG = '    page.settle("{id}", Eq(x, sin(3 * theta)))\n'
+
+
+def verify(*arguments):
+    return subprocess.run(
+        [sys.executable, "-m", "symhaptic", "verify", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+
+
+def chapter(folder, name, *lines, id="my-own"):
     path = folder / f"{name}.py"
-    path.write_text(HEAD + body, encoding="utf-8")
+    path.write_text(HEAD + "".join(lines).replace("{id}", id), encoding="utf-8")
     return path
 
 
-RIGHT = """
-from sympy import sin, cos, symbols
-def derive(page):
-    x = symbols("x")
-    page.state("{id}", "a formula", r"\\sin 2x = 2 \\sin x \\cos x")
-    page.settle("{id}", __import__("sympy").Eq(sin(2*x), 2*sin(x)*cos(x)))
-"""
-
-WRONG = RIGHT.replace("= 2 ", "= 3 ")
-
-
-def test_the_same_id_twice_in_one_chapter_is_an_error(tmp_path: Path) -> None:
-    body = RIGHT.format(id="mine")
-    path = chapter(tmp_path, "twice", body + body.split("def derive(page):")[1])
-    with pytest.raises(BadChapter, match=r"twice\.py:\d+: mine is stated twice"):
-        run(path)
-
-
-def test_the_same_id_in_two_chapters_is_told(tmp_path: Path) -> None:
-    one = chapter(tmp_path, "one", WRONG.format(id="mine"))
-    two = chapter(tmp_path, "two", RIGHT.format(id="mine"))
-    told = CliRunner().invoke(
-        app, ["verify", "mine", "--derivation", str(one), "--derivation", str(two)]
-    )
-    assert told.exit_code == 1
-    assert "settled twice, in one.py and two.py" in told.output
-
-
-def test_a_wrong_verdict_on_the_papers_statement_is_not_covered(tmp_path: Path) -> None:
-    body = """
-from sympy import Eq, symbols
-def derive(page):
-    K, B, T, z = symbols("K B T z")
-    page.settle("eq15", *[Eq(s, 2*s) for s in symbols("c_1 c_2 c_3")])
-"""
-    path = chapter(tmp_path, "again", body)
-    told = CliRunner().invoke(app, ["verify", "eq15", "--derivation", str(path)])
-    assert told.exit_code == 1
-
-
-def test_an_error_names_its_line_and_leaves_a_file(tmp_path: Path) -> None:
-    path = chapter(tmp_path, "bad", "def derive(page):\n    raise KeyError('boo')\n")
-    out = tmp_path / "out.xml"
-    told = CliRunner().invoke(
-        app,
-        ["verify", "eq5", "--derivation", str(path), "--format", "junit", "-o", str(out)],
-    )
-    assert isinstance(told.exception, Unusable)
-    suite = ET.parse(out).getroot()
-    assert suite.get("errors") == "1"
-    assert [case.get("name") for case in suite if case.find("error") is not None] == [f"{path}:6"]
-    assert "eq5" in {case.get("name") for case in suite}
-
-
-def test_given_files_are_looked_at_before_anything_is_run(tmp_path: Path) -> None:
-    for name, body, wrong in (
-        ("syntax", "def derive(page:\n", r"syntax\.py:5"),
-        ("without", "x = 1\n", "no function derive"),
-    ):
-        with pytest.raises(BadChapter, match=wrong):
-            looked_at(chapter(tmp_path, name, body))
-
-
-def test_one_chapter_does_not_patch_the_package_for_the_next(tmp_path: Path) -> None:
-    patch = """
-import symhaptic.proof.decide as decide
-import symhaptic.record as record
-from symhaptic.proof.decide import Comparison
-yes = lambda left, right: Comparison(True, "patched")
-decide.compare = record.compare = yes
-"""
-    first = chapter(tmp_path, "first", patch + RIGHT.format(id="first"))
-    second = chapter(
-        tmp_path,
-        "second",
-        "from sympy import symbols\ndef derive(page):\n    x = symbols('x')\n"
-        "    page.step('false', x, 2*x)\n",
-    )
-    outcomes = settled([first, second], 1)
-    assert outcomes[0].error is None
-    assert "is false" in (outcomes[1].error or "")
-
-
-def test_a_process_that_dies_is_told_of(tmp_path: Path) -> None:
-    path = chapter(tmp_path, "gone", "import os\ndef derive(page):\n    os._exit(3)\n")
-    [outcome] = settled([path], 2)
-    assert "ended with status 3" in (outcome.error or "")
-
-
-FORGED = """
-import symhaptic.proof.theorems.kernel as kernel
-from symhaptic.notation.proposition import TRUE
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper import STATEMENTS
-def derive(page):
-    claim = CLAIMED["s5a-proportional"](())
-    forged = object.__new__(kernel.Theorem)
-    object.__setattr__(forged, "hypotheses", frozenset())
-    object.__setattr__(forged, "conclusion", claim)
-    object.__setattr__(forged, "_rule", "assume")
-    object.__setattr__(forged, "_given", ((claim,), ()))
-    from symhaptic.proof.theorems.judge import Judged
-    Judged._check_example = lambda self, conclusion: None
-    page.settle("s5a-proportional", forged)
+# It makes every comparison come out as equal, and every settlement a proof.
+PATCH = """
+    import symhaptic.proof.settle as settle
+    import symhaptic.chapter as package
+    from symhaptic.proof.verdict import Kind, Verdict
+    settle.Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "because I say so")
 """
 
 
-def test_a_forged_theorem_is_found_where_it_arrives(tmp_path: Path) -> None:
-    """The chapter patches its judge and builds a theorem; the ledger derives and judges again."""
-    path = chapter(tmp_path, "forged", FORGED)
-    out = tmp_path / "out.json"
-    told = CliRunner().invoke(
-        app,
-        ["verify", "s5a-proportional", "--derivation", str(path), "-o", str(out), *JSON],
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_chapter_cannot_patch_the_package_for_the_next(workers, tmp_path):
+    first = chapter(tmp_path, "first", PATCH)
+    second = chapter(tmp_path, "second", STATED, WRONG)
+    run = verify("my-own", "--derivation", first, "--derivation", second, "--workers", workers)
+    assert run.returncode == 1, run.stdout
+    assert "misprint" in run.stdout
+
+
+def test_a_process_that_ran_a_chapter_is_not_the_parent_of_one(tmp_path):
+    """What ran here may have patched the package; so the next begins from nothing."""
+    first = chapter(tmp_path, "first", PATCH)
+    second = chapter(tmp_path, "second", STATED, WRONG)
+    program = f"""
+from pathlib import Path
+from symhaptic.library import run
+from symhaptic.parallel import settled
+if __name__ == "__main__":
+    run(Path({str(first)!r}))
+    (entry,) = settled([Path({str(second)!r})], 1)
+    print(entry.verdict.kind)
+"""
+    script = tmp_path / "program.py"
+    script.write_text(program)
+    run = subprocess.run(
+        [sys.executable, script], capture_output=True, text=True, check=False, timeout=300
     )
-    assert told.exit_code == 1
-    assert json.loads(out.read_text())["statements"]
+    assert run.stdout == "misprint\n", run.stderr
+
+
+@pytest.mark.parametrize("order", [(WRONG, RIGHT), (RIGHT, RIGHT)])
+def test_an_id_is_settled_once_in_a_chapter(order, tmp_path):
+    path = chapter(tmp_path, "my", STATED, *order)
+    run = verify("my-own", "--derivation", path)
+    assert run.returncode == 2
+    assert "1 proved" not in run.stdout
+    # HEAD has ten lines, the statement is stated in the eleventh
+    assert f"{path}:13: 'my-own' is settled twice, in lines 12 and 13" in run.stderr
+
+
+def test_an_id_is_stated_once_in_a_chapter(tmp_path):
+    path = chapter(tmp_path, "my", STATED, STATED, RIGHT)
+    run = verify("my-own", "--derivation", path)
+    assert run.returncode == 2
+    assert "'my-own' is stated twice, in lines 11 and 12" in run.stderr
+
+
+@pytest.mark.parametrize("last", [RIGHT, ""])
+def test_an_id_is_settled_in_one_chapter(last, tmp_path):
+    first = chapter(tmp_path, "first", STATED, WRONG)
+    second = chapter(tmp_path, "second", STATED, last)
+    for one, other in ((first, second), (second, first)):
+        run = verify("my-own", "--derivation", one, "--derivation", other)
+        assert run.returncode == 2
+        assert "proved" not in run.stdout
+        (line,) = run.stderr.splitlines()
+        assert "'my-own'" in line
+        assert "first.py" in line
+        assert "second.py" in line
+
+
+@pytest.mark.parametrize("id", ["eq11", "counting-ignores-delay"])
+def test_an_id_of_ours_is_not_settled_by_somebody_else(id, tmp_path):
+    stated = "" if id == "eq11" else STATED
+    path = chapter(tmp_path, "my", stated, '    page.settle("{id}", Eq(x, x + 0))\n', id=id)
+    run = verify("eq1", "--derivation", path)
+    assert run.returncode == 2
+    (line,) = run.stderr.splitlines()
+    assert str(path) in line
+    assert "derivations/s" in line
+    assert id in line
+
+
+FAILS = '    wrong = 1 / (len("") * 2)\n'
+
+
+def test_a_chapter_that_raises_says_in_which_line(tmp_path):
+    path = chapter(tmp_path, "my", "    helper()\n\n\ndef helper():\n", FAILS)
+    run = verify("eq1", "--derivation", path)
+    assert run.returncode == 2
+    assert f"--derivation {path}:15: ZeroDivisionError: division by zero" in run.stderr
+    assert run.stderr.count("\n") == 1
+    assert run.stdout.startswith("eq1  definition")
+
+
+def test_junit_and_json_have_an_error_for_a_chapter_that_raises(tmp_path):
+    path, target = chapter(tmp_path, "my", FAILS), tmp_path / "out"
+    run = verify("eq1", "--derivation", path, "--format", "junit", "-o", target)
+    assert run.returncode == 2
+    suite = ElementTree.parse(target).getroot()
+    assert (suite.get("tests"), suite.get("errors")) == ("2", "1")
+    cases = {case.get("name"): case for case in suite.iter("testcase")}
+    assert f"{path}:11: ZeroDivisionError" in cases["my"].find("error").get("message")
+    assert cases["eq1"].find("error") is None
+    run = verify("eq1", "--derivation", path, "--format", "json", "-o", target)
+    assert run.returncode == 2
+    found = json.loads(target.read_text())
+    assert [r["verdict"] for r in found["statements"]] == ["definition"]
+    (error,) = found["errors"]
+    assert (error["derivation"], error["line"]) == (str(path), 11)
+
+
+def test_a_chapter_whose_process_dies_is_told(tmp_path):
+    path = chapter(tmp_path, "my", "    import os\n    os._exit(0)\n")
+    run = verify("eq1", "--derivation", path)
+    assert run.returncode == 2
+    assert "its process ended without a result (exit status 0)" in run.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ('"""A title."""\n\n\ndef derive(page)\n    pass\n', ":4: SyntaxError: expected ':'"),
+        ("def derive(page):\n    pass\n", "has no docstring"),
+        ('"""A title."""\n', "has no function derive"),
+    ],
+)
+def test_a_given_file_is_looked_at_before_anything_is_run(text, said, tmp_path, monkeypatch):
+    from symhaptic import cli, parallel
+
+    path = tmp_path / "my.py"
+    path.write_text(text)
+    monkeypatch.setattr(parallel, "settled", lambda *_: pytest.fail("something was run"))
+    monkeypatch.setattr(sys, "argv", ["symhaptic", "verify", "--derivation", str(path)])
+    said_ = []
+    monkeypatch.setattr(cli.typer, "echo", lambda line, **_: said_.append(line))
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    assert left.value.code == 2
+    assert said in said_[0]
+    assert str(path) in said_[0]
+
+
+def test_the_given_chapters_are_run_first(tmp_path, monkeypatch):
+    from symhaptic import cli, parallel
+
+    asked = []
+    monkeypatch.setattr(parallel, "settled", lambda paths, *_: asked.extend(paths) or [])
+    path = chapter(tmp_path, "my", STATED, RIGHT)
+    monkeypatch.setattr(sys, "argv", ["symhaptic", "verify", "--derivation", str(path)])
+    with pytest.raises(SystemExit):
+        cli.main()
+    assert asked[0] == path
+    assert len(asked) > 50  # the paper's come behind
+
+
+def test_the_time_of_the_suite_is_the_one_that_passed():
+    from symhaptic import ledger, listing
+
+    entries = ledger.ledger([])
+    suite = ElementTree.fromstring(listing.junit(entries, [], False, (), 1.5))
+    assert suite.get("time") == "1.500"
+
+
+def test_list_names_the_statements_and_runs_nothing(monkeypatch, capsys):
+    from symhaptic import cli, parallel
+
+    monkeypatch.setattr(parallel, "settled", lambda *_: pytest.fail("something was run"))
+    monkeypatch.setattr("symhaptic.library.run", lambda *_: pytest.fail("something was run"))
+    monkeypatch.setattr(sys, "argv", ["symhaptic", "verify", "--list", "--format", "json"])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    assert left.value.code == 0
+    records = {r["id"]: r for r in json.loads(capsys.readouterr().out)["statements"]}
+    assert records["eq11"]["location"] == "Sec. III-C"
+    assert records["s3a-mass-free"]["says"]
+    assert "counting-ignores-delay" in records
+    assert verify("--list", "eq11").stdout.startswith("eq11  Sec. III-C  ")

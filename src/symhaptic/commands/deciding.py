@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -20,6 +19,7 @@ from symhaptic.suggest import suggested
 
 if TYPE_CHECKING:
     from symhaptic.ledger import Entry
+    from symhaptic.library import BadChapter
 
 
 class ListFormat(StrEnum):
@@ -38,22 +38,30 @@ Derivations = Annotated[
 ]
 
 
-def settled(paths: list[Path], workers: int) -> tuple[list[Entry], list[str]]:
-    """The statements that derivations settle, and what went wrong."""
+def settled(paths: list[Path], workers: int, own: list[Path], bad: list[BadChapter]) -> list[Entry]:
+    """The statements that derivations settle; those that cannot be run are told at once."""
     from symhaptic import parallel
 
+    def failed(wrong: BadChapter) -> None:
+        bad.append(wrong)
+        told_bad(wrong, own)
+
     with progress(len(paths)) as told:
-        outcomes = parallel.settled(paths, workers, told)
-    errors = [outcome.error for outcome in outcomes if outcome.error is not None]
-    return [entry for outcome in outcomes for entry in outcome.entries], errors
+        return parallel.settled(paths, workers, told, failed)
+
+
+def told_bad(wrong: BadChapter, own: list[Path]) -> None:
+    """One line on what is wrong with a chapter."""
+    given = "--derivation " if wrong.path in own else ""
+    typer.echo(f"symhaptic: error: {given}{wrong}", err=True)
 
 
 def own_chapters(paths: list[Path] | None) -> list[Path]:
-    """A user's chapters, which are looked at before any is run."""
-    from symhaptic.library import BadChapter, looked_at
+    """A user's chapters, which are looked at before anything is run."""
+    from symhaptic.library import BadChapter, readable
 
     try:
-        return [looked_at(path) for path in paths or []]
+        return list({path.resolve(): readable(path) for path in paths or []}.values())
     except BadChapter as wrong:
         refuse(f"--derivation {wrong}")
 
@@ -75,54 +83,82 @@ def verify(
         int | None,
         typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
     ] = None,
-    names_only: Annotated[bool, typer.Option("--list", help="Print the statements' ids.")] = False,
     derivation: Derivations = None,
+    listed: Annotated[
+        bool,
+        typer.Option("--list", help="Name the statements, where each stands and what it says."),
+    ] = False,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one."""
+    from time import perf_counter
+
     from symhaptic import ledger, library, listing, parallel
 
     writable(output)
+    if listed:
+        name_statements(ids or [], format, output, derivation)
+        return
     own = own_chapters(derivation)
     wanted = ids or []
     known = ledger.expected(library.expected_ledger())
-    if names_only:
-        typer.echo("\n".join(known))
-        return
     for id in wanted if not own else []:
         if id not in known:
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
-    begin = time.perf_counter()
-    paths = own + listing.needed(wanted, library.shipped())
-    raw, errors = settled(paths, workers or parallel.workers())
-    raw.sort(key=lambda entry: (entry.derivation or "").startswith("derivations/"), reverse=True)
-    entries = ledger.ledger(raw)
+    given = {path.resolve() for path in own}
+    shipped = [p for p in listing.needed(wanted, library.shipped()) if p.resolve() not in given]
+    bad: list[BadChapter] = []
+    begin = perf_counter()
+    found = settled(own + shipped, workers or parallel.workers(), own, bad)
+    found, several = ledger.once(found, ledger.places(library.expected_ledger()))
+    for id, files in several.items():
+        path = next(p for p in (*reversed(own), *shipped) if library.source(p) in files)
+        bad.append(library.BadChapter(path, ledger.twice(id, files)))
+        told_bad(bad[-1], own)
+    entries = ledger.ledger(found)
     if wanted:
-        if errors and set(wanted) - {e.statement.id for e in entries}:
-            refuse(f"--derivation {errors[0]}")
         names = {e.statement.id: e for e in entries}
         for id in wanted:
-            if id not in names:
+            if id not in names and not bad:
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
-        entries = [names[id] for id in dict.fromkeys(wanted)]
-    surprises = ledger.twice(raw)
-    surprises += filter(None, map(ledger.judged_again, raw))
-    surprises += ledger.surprises([*entries, *ledger.covered(raw, entries)], known, not wanted)
+        entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
+    surprises = ledger.surprises(entries, known, whole=not wanted)
+    surprises += filter(None, map(ledger.judged_again, found))
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     text = {
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,
         ListFormat.junit: listing.junit,
-    }[format](entries, surprises, strict, errors, time.perf_counter() - begin)
-    # a machine that reads the outcome is told of an error in it, a person on one line
-    if output is not None and not (errors and format is ListFormat.text):
-        write(listing.replace, output, text)
-    elif output is None and not errors:
+    }[format](entries, surprises, strict, bad, perf_counter() - begin)
+    if output is None:
         typer.echo(text, nl=False)
-    if errors:
-        more = f"; and {len(errors) - 1} more" if errors[1:] else ""
-        refuse(f"--derivation {errors[0]}{more}")
+    elif not (bad and format is ListFormat.text):
+        write(listing.replace, output, text)
+    if bad:
+        raise typer.Exit(2)
     if surprises or (strict and undecided):
         raise typer.Exit(1)
+
+
+def name_statements(
+    ids: list[str], format: ListFormat, output: Path | None, derivation: list[Path] | None
+) -> None:
+    """Print what there is to verify."""
+    from symhaptic import listing
+
+    if format is ListFormat.junit:
+        refuse("--format junit: nothing is run with --list; allowed are text and json")
+    if derivation:
+        refuse(f"--derivation {derivation[0]}: a chapter is not run with --list; leave one out")
+    records = {record["id"]: record for record in listing.statements()}
+    for id in ids:
+        if id not in records:
+            refuse(f"ID: {id!r} is not a statement; {suggested(id, records, LISTED)}")
+    chosen = [records[id] for id in dict.fromkeys(ids or records)]
+    text = listing.names(chosen, format is ListFormat.json)
+    if output is None:
+        typer.echo(text, nl=False)
+    else:
+        write(listing.replace, output, text)
 
 
 @app.command()

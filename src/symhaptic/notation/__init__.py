@@ -88,6 +88,8 @@ _TABLE = [
     ("v", "v", "m/s", "real", "velocity"),
     ("F", "F", "N", "real", "force of the virtual wall"),
     ("F_E", "F_E", "N", "real", "external force"),
+    ("X", "X", "m/N", "complex", "answer of the device: a held force z^k moves it to X z^k"),
+    ("X_d", "X_d", "m/N", "complex", "its answer to a force that comes d periods late"),
     # transforms and frequencies
     ("s", "s", "1/s", "complex", "Laplace variable"),
     ("z", "z", "1", "complex", "variable of the z-transform"),

@@ -62,6 +62,11 @@ def term(of: Any) -> Expr:
     return expr
 
 
+def without_value(number: Expr) -> bool:
+    """Whether SymPy met a division by zero; to be asked of numbers, since 0^x may have a value."""
+    return bool(number.has(sp.zoo, sp.nan, sp.oo, -sp.oo))
+
+
 def is_complex(symbol: Expr) -> bool:
     """Whether a symbol stands for a complex number."""
     known = SYMBOLS.get(symbol.name)
@@ -157,8 +162,10 @@ class Relation(Proposition):
         """Its two sides."""
         return self.left, self.right
 
-    def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Relation:
-        """The same sign between other terms."""
+    def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Proposition:
+        """The same sign between other terms; false between numbers of which one has no value."""
+        if not any(t.free_symbols for t in terms) and any(without_value(t) for t in terms):
+            return FALSE
         return Relation(terms[0], self.sign, terms[1])
 
 
@@ -244,11 +251,36 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "as the paper has it: every zero of the characteristic polynomial lies inside the unit "
         "circle, for a delay of d = p/q periods that of the polynomial in w that z = w^q makes",
     ),
+    "pole": (
+        *(0, 6),
+        r"{5}\ \text{{is a pole of}}_{{(18)}}({0},{1},{2},{3},{4})",
+        "as the paper has it: a zero of the characteristic polynomial, for a delay of d = p/q "
+        "periods w^q for a zero w of the polynomial in w that z = w^q makes",
+    ),
+    "swings": (
+        *(0, 4),
+        r"{0}\ddot x+{1}\dot x+{2}x=0\ \text{{swings with}}\ {3}",
+        "m x'' + b x' + k x = 0 has a motion x = exp(sigma t) sin(omega t) with a real sigma",
+    ),
+    "degree": (
+        *(1, 2),
+        r"{0}\ \text{{has degree }}{1}\text{{ in }}{s}",
+        "a polynomial in z whose highest power, with a coefficient that is not zero, is this one",
+    ),
+    "answers": (
+        *(1, 4),
+        r"{0}\ \text{{answers }}{1}^k\text{{, held every }}{3}\text{{, by }}{2}\,{1}^k",
+        "a force z^k that is held during period k, of length T, acts through a device with this "
+        "transfer function of s; of the motions that turn by z from period to period there is just "
+        "one, and its position at sample k is X z^k, for all k, negative ones included (terms: "
+        "transfer function, z, X, T, all of which have a value)",
+    ),
     "device": (
         *(0, 6),
         r"\frac{{{2}z+{3}}}{{z^2-{4}z+{5}}}\ \text{{samples the device}}\ ({0},{1})",
-        "x_(k+2) - a x_(k+1) + e x_k = n1 F_(k+1) + n0 F_k holds for the samples of every motion "
-        "x'' + delta x' + gamma x = F whose force is held, in units of mass and period",
+        "a = tr Phi, e = det Phi, n1 = Gamma_1 and n0 = Phi_12 Gamma_2 - Phi_22 Gamma_1, where Phi "
+        "and Gamma take the state (x, v) and a held force to the state one period later, of "
+        "x'' + delta x' + gamma x = F, in units of mass and period",
     ),
 }
 """Each predicate: how many symbols it binds, how many terms it has, its LaTeX and its meaning."""
@@ -346,6 +378,23 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
     if not isinstance(of, And):
         return (of,)
     return tuple(c for part in of.parts for c in conjuncts(part))
+
+
+def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
+    """A claim that is made of what is printed: each printed relation stands in it.
+
+    Raises :class:`ValueError` where one does not.
+    """
+    inside: set[Proposition] = set()
+    stack = [claim]
+    while stack:
+        part = stack.pop()
+        inside.add(part)
+        stack += part.parts
+    for relation in printed:
+        if proposition(relation) not in inside:
+            raise ValueError(f"the print {relation} is not in the claim")
+    return claim
 
 
 def both(parts: Iterable[Any]) -> Proposition:

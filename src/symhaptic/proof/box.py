@@ -21,6 +21,7 @@ from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.points import Point
 from symhaptic.proof.recheck import recheck
+from symhaptic.proof.seal import KEY
 from symhaptic.proof.sign import Fact, NotShown, rule
 
 _BITS = 96
@@ -99,7 +100,7 @@ def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
     rests = frozenset((sp.sympify(end, strict=True), False) for pair in domain for end in pair)
     plural = "piece" if found.pieces == 1 else "pieces"
     reason = f"ball arithmetic on {found.pieces} {plural}"
-    return Fact(found.expr, True, reason, rests, certificates=(found,))
+    return Fact(found.expr, True, reason, rests, certificates=(found,), key=KEY)
 
 
 def search(

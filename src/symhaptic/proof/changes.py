@@ -18,6 +18,7 @@ from symhaptic.notation import T, d, z
 from symhaptic.proof import second
 from symhaptic.proof.change import WIDER, Change, because
 from symhaptic.proof.checks import (
+    AllZeros,
     Check,
     Decimals,
     Different,
@@ -113,6 +114,15 @@ def _roots(check: Roots) -> Iterator[Change]:
             what = f"{symbol} = {', '.join(map(str, moved))} for {value}"
             side = "all roots inside" if check.inside else "a root outside"
             yield Change(kind, what, None, because(f"{side} there, too"))
+
+
+@changes.register
+def _all_zeros(check: AllZeros) -> Iterator[Change]:
+    for i in range(len(check.zeros)):
+        fewer = (*check.zeros[:i], *check.zeros[i + 1 :])
+        yield Change("grounds", f"without zero {i + 1}", replace(check, zeros=fewer))
+    more = (*check.zeros, check.between[1])
+    yield Change("grounds", "one more zero", replace(check, zeros=more))
 
 
 @changes.register

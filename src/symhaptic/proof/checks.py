@@ -21,7 +21,7 @@ from symhaptic.proof.decide import compare, equal
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.points import Point, points
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.roots import BITS, Algebraic, NoSuchRoot, rational_polynomial
+from symhaptic.proof.roots import BITS, Algebraic, NoSuchRoot, rational_polynomial, real_roots
 from symhaptic.proof.series import limit
 from symhaptic.proof.sign import Fact, NotShown
 from symhaptic.proof.units import UnitError, dimension_of
@@ -91,17 +91,23 @@ class Limit:
 
 @dataclass(frozen=True)
 class Free:
-    """An expression does not change with a symbol, or does."""
+    """An expression that contains a symbol does not change with it, or does."""
 
     expr: Expr
     symbol: sp.Symbol
     free: bool = True
 
     def holds(self) -> bool:
-        """By the derivative."""
-        slope = sp.diff(self.expr, self.symbol)
+        """By the normal form of the difference at two values; not by the derivative.
+
+        That is zero for floor(x) and for atan(x) + atan(1/x), too, which jump.
+        """
+        if self.symbol not in self.expr.free_symbols:
+            return False
         if self.free:
-            return is_zero(slope)
+            other = sp.Dummy(self.symbol.name, **self.symbol.assumptions0)
+            return is_zero(self.expr - self.expr.xreplace({self.symbol: other}))
+        slope = sp.diff(self.expr, self.symbol)
         tried = itertools.islice(points(slope), 9)
         return any(differs_from_zero(slope, point) for point in tried)
 
@@ -129,6 +135,24 @@ class Roots:
     def holds(self) -> bool:
         """By balls around the roots."""
         return bool(self.largest() < 1 if self.inside else self.largest() > 1)
+
+
+@dataclass(frozen=True)
+class AllZeros:
+    """The real zeros of a polynomial in an interval are these, one in each ball, and no other."""
+
+    coefficients: tuple[arb, ...]
+    """The lowest first."""
+    between: tuple[arb, arb]
+    zeros: tuple[arb, ...]
+
+    def holds(self) -> bool:
+        """By balls around all of its roots."""
+        low, high = self.between
+        found = [y for y in real_roots(self.coefficients) if not (y < low or y > high)]
+        return len(found) == len(self.zeros) and all(
+            one.overlaps(other) for one, other in zip(found, self.zeros, strict=True)
+        )
 
 
 @dataclass(frozen=True)

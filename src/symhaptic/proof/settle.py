@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import InitVar, dataclass, field, replace
 from typing import TypeAlias
 
 import sympy as sp
@@ -22,6 +22,7 @@ from symhaptic.proof.constants import decimals, holds, measured, rounding
 from symhaptic.proof.decide import compare, equal, named
 from symhaptic.proof.points import Point
 from symhaptic.proof.refute import differ
+from symhaptic.proof.seal import Sealed
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.theorems.judge import Judged
@@ -39,12 +40,13 @@ WRONG = frozenset({Kind.MISPRINT, Kind.REFUTED})
 
 
 @dataclass(frozen=True)
-class Witness:
+class Witness(Sealed):
     """Something that a statement in words excludes was proved to happen at a point."""
 
     at: Mapping[Expr, Expr]
     method: str
     check: Check | None = None
+    key: InitVar[object] = None
 
 
 Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | Witness | None
@@ -124,7 +126,7 @@ class Settlement:
             raise Unfounded("nothing formal is claimed by the statement")
         right = None
         try:
-            if self.judged.corrected is not None:
+            if self.judged.corrected is not None and self.judged.instead is None:
                 lines = tuple(p for line in self.judged.corrected for p in read(line))
                 right = self.claim(lines)
             claim = self.claim(printed)

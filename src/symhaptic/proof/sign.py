@@ -17,7 +17,7 @@ Nothing here samples.  A certificate that does not add up raises :class:`NotShow
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import InitVar, dataclass, field, replace
 from functools import wraps
 from typing import Any, ParamSpec
 
@@ -28,6 +28,7 @@ from symhaptic.proof.ball import sign
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import conjugated
+from symhaptic.proof.seal import KEY, Sealed
 from symhaptic.proof.series import limit
 
 
@@ -36,7 +37,7 @@ class NotShown(ValueError):
 
 
 @dataclass(frozen=True)
-class Fact:
+class Fact(Sealed):
     """``expr > 0`` (or ``>= 0``) wherever the assumptions that it ``rests`` on hold."""
 
     expr: Expr
@@ -46,6 +47,7 @@ class Fact:
     certificates: tuple[Certificate, ...] = field(default=(), compare=False, repr=False)
     """Of the balls that show it, where balls do."""
     made: Made | None = field(default=None, compare=False, repr=False)
+    key: InitVar[object] = None
 
     @property
     def relation(self) -> Expr:
@@ -91,7 +93,7 @@ def rule(build: Callable[_P, Fact]) -> Callable[_P, Fact]:
 
     @wraps(build)
     def making(*args: _P.args, **named: _P.kwargs) -> Fact:
-        return replace(build(*args, **named), made=Made(making, args, named))
+        return replace(build(*args, **named), made=Made(making, args, named), key=KEY)
 
     return making
 
@@ -99,7 +101,7 @@ def rule(build: Callable[_P, Fact]) -> Callable[_P, Fact]:
 def assume(expr: Expr, strict: bool = True) -> Fact:
     """An assumption: part of the domain, not a claim."""
     known = sp.sympify(expr, strict=True)
-    return Fact(known, strict, "assumed", frozenset([(known, strict)]))
+    return Fact(known, strict, "assumed", frozenset([(known, strict)]), key=KEY)
 
 
 @rule
@@ -107,7 +109,7 @@ def number(expr: Expr) -> Fact:
     """A positive number, shown by a ball."""
     if sign(expr) != 1:
         raise NotShown(f"{expr} is not positive")
-    return Fact(sp.sympify(expr, strict=True), True, "a positive number")
+    return Fact(sp.sympify(expr, strict=True), True, "a positive number", key=KEY)
 
 
 class Interval:
@@ -162,7 +164,9 @@ def combined(expr: Expr, *products: Product) -> Fact:
         strict = strict or positive
     if not is_zero(sp.sympify(expr, strict=True) - total):
         raise NotShown(f"{expr} is not {total}")
-    return Fact(sp.sympify(expr, strict=True), strict, "a sum of products of positive terms", rests)
+    return Fact(
+        sp.sympify(expr, strict=True), strict, "a sum of products of positive terms", rests, key=KEY
+    )
 
 
 @rule
@@ -173,7 +177,7 @@ def quotient(expr: Expr, numerator: Fact, denominator: Fact) -> Fact:
     if not is_zero(expr - numerator.expr / denominator.expr):
         raise NotShown(f"{expr} is not ({numerator.expr})/({denominator.expr})")
     rests = numerator.rests | denominator.rests
-    return Fact(expr, numerator.strict, "a quotient of positive terms", rests)
+    return Fact(expr, numerator.strict, "a quotient of positive terms", rests, key=KEY)
 
 
 @rule
@@ -182,7 +186,7 @@ def sine(angle: Fact, complement: Fact) -> Fact:
     if not is_zero(angle.expr + complement.expr - sp.pi):
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi")
     strict, rests = angle.strict and complement.strict, angle.rests | complement.rests
-    return Fact(sp.sin(angle.expr), strict, "the sine of (0, pi)", rests)
+    return Fact(sp.sin(angle.expr), strict, "the sine of (0, pi)", rests, key=KEY)
 
 
 @rule
@@ -191,7 +195,7 @@ def cosine(angle: Fact, complement: Fact) -> Fact:
     if not is_zero(angle.expr + complement.expr - sp.pi / 2):
         raise NotShown(f"{angle.expr} and {complement.expr} do not add up to pi/2")
     rests = angle.rests | complement.rests
-    return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests)
+    return Fact(sp.cos(angle.expr), complement.strict, "the cosine of [0, pi/2)", rests, key=KEY)
 
 
 @rule
@@ -208,7 +212,7 @@ def chord(lower: Fact, upper: Fact, gap: Fact) -> Fact:
     larger, smaller = sp.pi / 2 - upper.expr, lower.expr - sp.pi / 2
     rests = lower.rests | upper.rests | gap.rests
     expr = sp.sin(larger) - sp.sin(smaller)
-    return Fact(expr, gap.strict, "the sine rises", rests)
+    return Fact(expr, gap.strict, "the sine rises", rests, key=KEY)
 
 
 @rule
@@ -216,7 +220,7 @@ def exponential(exponent: Expr) -> Fact:
     """exp x > 0 for a real x."""
     if not is_zero(conjugated(exponent) - exponent):
         raise NotShown(f"{exponent} is not real")
-    return Fact(sp.exp(exponent), True, "an exponential")
+    return Fact(sp.exp(exponent), True, "an exponential", key=KEY)
 
 
 @rule
@@ -239,7 +243,7 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
     if not is_zero(sp.diff(expr, over.variable) - slope.expr):
         raise NotShown(f"the derivative of {expr} is not {slope.expr}")
     rests = slope.rests | over.rests
-    return Fact(expr, slope.strict, "rises from zero", rests)
+    return Fact(expr, slope.strict, "rises from zero", rests, key=KEY)
 
 
 @rule
@@ -255,4 +259,4 @@ def either(first: Fact, second: Fact, split: Expr) -> Fact:
     if not is_zero(first.expr - second.expr):
         raise NotShown(f"{first.expr} and {second.expr} are two different things")
     rests = (first.rests - {(split, True)}) | (second.rests - {(-split, False)})
-    return Fact(first.expr, first.strict and second.strict, "two cases", rests)
+    return Fact(first.expr, first.strict and second.strict, "two cases", rests, key=KEY)

@@ -16,6 +16,7 @@ from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Box, Given
 from symhaptic.proof.change import WIDER, Change, because, inexcusable
 from symhaptic.proof.checks import Sign
+from symhaptic.proof.seal import KEY
 from symhaptic.proof.sign import Fact, Interval, NotShown
 
 _BUSY = 100
@@ -28,7 +29,7 @@ def remade(fact: Fact, place: int, new: Any, **otherwise: Any) -> Sign:
     """A fact made again with one argument changed."""
     assert fact.made is not None
     args = (*fact.made.args[:place], new, *fact.made.args[place + 1 :])
-    return Sign(replace(fact, made=replace(fact.made, args=args), **otherwise))
+    return Sign(replace(fact, made=replace(fact.made, args=args), key=KEY, **otherwise))
 
 
 @dataclass(frozen=True)
@@ -69,16 +70,22 @@ def weaker_parts(arg: Any, alone: bool = True) -> Iterator[Part]:
 def _weaker(fact: Fact, alone: bool) -> Iterator[Part]:
     """A fact that says less: x > -1 for x > 0, or x >= 0 where that matters."""
     assumed = fact.made is None and fact.rests == {(fact.expr, fact.strict)}
-    others = [(replace(fact, expr=fact.expr + 1), f"{fact.expr} > -1 for > 0", inexcusable)]
+    others = [
+        (replace(fact, expr=fact.expr + 1, key=KEY), f"{fact.expr} > -1 for > 0", inexcusable)
+    ]
     if fact.strict and (alone or assumed):
         what = f"{fact.expr} >= 0 for > 0"
         others.append(
-            (replace(fact, strict=False), what, because("holds there, too: another term is strict"))
+            (
+                replace(fact, strict=False, key=KEY),
+                what,
+                because("holds there, too: another term is strict"),
+            )
         )
     for other, what, excuse in others:
         if assumed:
             old, new = (fact.expr, fact.strict), (other.expr, other.strict)
-            weaker = replace(other, rests=frozenset({new}))
+            weaker = replace(other, rests=frozenset({new}), key=KEY)
             yield Part("domain", what, weaker, (old, new), excuse)
         else:
             yield Part("formula", what, other, None, excuse)
@@ -119,7 +126,7 @@ def _tried(fact: Fact, box: Box, given: Given | None) -> Sign:
     ends = [end for s, (low, high) in box.items() for end in (s - low, high - s)]
     rests = frozenset((sp.sympify(end), False) for end in ends)
     made = replace(fact.made, args=(fact.expr, box, busy), named={})
-    return Sign(replace(fact, made=made, rests=rests))
+    return Sign(replace(fact, made=made, rests=rests, key=KEY))
 
 
 def _seen_wrong(expr: Expr, box: Box, given: Given | None) -> dict[sp.Symbol, Expr] | None:

@@ -94,13 +94,16 @@ def unstable(point: Mapping[Expr, Expr]) -> Theorem:
 
 
 def damped(below: Proposition) -> Theorem:
-    """0 < delta, from (5) at theta = pi/(2(d+1)), where the virtual damping does nothing."""
+    """0 < delta, from (5) at theta = pi/(2(d+1)), where the virtual damping does nothing.
+
+    For 0 <= alpha.
+    """
     angle = pi / (2 * (d + 1))
     more = positive(d + 1 > 0, d >= 0, [S.One])
     share = over(angle > 0, number(Relation(S.Zero, "<", pi / 2)), more)
     rest = over(pi - angle > 0, positive(pi * (2 * d + 1) / 2 > 0, [PI, d >= 0], [HALF, PI]), more)
     inside = share, positive(angle < pi, [rest])
-    met = at(margins(below), {theta: angle}, *inside)
+    met = at(assume(below), {omega: angle}, *inside)
     turn = (d + HALF) * angle
     low = over(
         turn > 0, positive((d + HALF) * pi / 2 > 0, [HALF, PI, d >= 0], [HALF / 2, PI]), more
@@ -113,9 +116,10 @@ def damped(below: Proposition) -> Theorem:
     lifts = closed(sign_of(sin, turn), low, positive(turn < pi, [high]))
     half = closed(sine_of_half(angle), *inside)
     need = over(
-        alpha * sin(turn) / (2 * sin(angle / 2)) > 0,
-        positive(alpha * sin(turn) > 0, [assume(alpha > 0), lifts]),
+        alpha * sin(turn) / (2 * sin(angle / 2)) >= 0,
+        positive(alpha * sin(turn) >= 0, [alpha >= 0, lifts]),
         positive(2 * sin(angle / 2) > 0, [2, half]),
     )
+    turned = closed(divisors(angle)[0], *inside)
     apart = positive(Ne(d + 1, 0), [more]), positive(Ne(2 * d + 2, 0), [2, more]), not_zero(half)
-    return closed(positive(delta > 0, [met], [need]), *apart)
+    return closed(positive(delta > 0, [met], [need]), turned, *apart)

@@ -8,11 +8,13 @@ T, m > 0, b, k, d >= 0, and K and B real.  One file a section of the paper.
 from __future__ import annotations
 
 from symhaptic.paper.propositions import (
+    arm,
     comparison,
     conclusion,
     device,
     linear,
     passivity,
+    slips,
     stability,
 )
 from symhaptic.paper.propositions.registry import CLAIMED, Claim
@@ -20,10 +22,12 @@ from symhaptic.paper.propositions.registry import CLAIMED, Claim
 __all__ = [
     "CLAIMED",
     "Claim",
+    "arm",
     "comparison",
     "conclusion",
     "device",
     "linear",
     "passivity",
+    "slips",
     "stability",
 ]

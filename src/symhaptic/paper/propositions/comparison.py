@@ -9,14 +9,25 @@ from __future__ import annotations
 
 import sympy as sp
 
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, y
-from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, implied
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, l, m, omega, y
+from symhaptic.notation.proposition import (
+    ForAll,
+    Iff,
+    Not,
+    Predicate,
+    Proposition,
+    both,
+    implied,
+    proposition,
+)
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.passivity import at_every_frequency
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
+from symhaptic.proof.theorems.kernel import whole
 
 LOOP = (alpha, beta, gamma, delta, d)
+q = sp.Symbol("q")
 STABLE = Predicate("stable_substituted", (), LOOP)
 
 
@@ -46,3 +57,121 @@ def _passive_region_scales(printed: Printed) -> Proposition:
     """With y times the damping, the walls that are y times as large are passive."""
     walls = (alpha, beta, delta, d, y)
     return ForAll(walls, implied([delta >= 0, d >= 0, y > 0], Iff((passive(), passive(y)))))
+
+
+@claims("s5b-soft-contacts")
+def _stiffness_turned_down(printed: Printed) -> Proposition:
+    """A stable wall that does not pull is stable with any share y of its stiffness.
+
+    Its damping is kept.  Said of whole delays, for which (18) is a polynomial.
+    """
+    given = [gamma >= 0, delta >= 0, whole(d), alpha >= 0, y >= 0, y <= 1, STABLE]
+    return ForAll((*LOOP, y), implied(given, STABLE.at({alpha: y * alpha})))
+
+
+# -- springs up to the Nyquist frequency ------------------------------------------------
+
+DEVICE = (m, b, k, omega)
+SWINGS = Predicate("swings", (), DEVICE)
+"""The device m x'' + b x' + k x = 0 swings with omega."""
+
+
+def transcribed(id: str) -> Printed:
+    """An equation of the paper, as it is printed."""
+    return next(s for s in EQUATIONS if s.id == id).printed
+
+
+@claims("eq28")
+def _frequency(printed: Printed) -> Proposition:
+    """A device that swings does it with this omega, and with no other."""
+    given = [m > 0, b >= 0, k > b**2 / (4 * m), omega > 0]
+    return ForAll(DEVICE, implied(given, Iff((both(printed), SWINGS))))
+
+
+@claims("eq29")
+def _frequency_in_units(printed: Printed) -> Proposition:
+    """The same with delta and gamma of Table I, b = delta m/T and k = gamma m/T^2."""
+    given = [m > 0, T > 0, delta >= 0, gamma > delta**2 / 4, omega > 0]
+    device = SWINGS.at({b: delta * m / T, k: gamma * m / T**2})
+    return ForAll((m, T, gamma, delta, omega), implied(given, Iff((both(printed), device))))
+
+
+@claims("eq30")
+def _up_to_nyquist(printed: Printed) -> Proposition:
+    """The frequency (29), where it is real, is at most Nyquist's where this holds, and only there.
+
+    Without an oscillation, for gamma < delta^2/4, it holds, too.
+    """
+    given = [T > 0, delta >= 0, gamma >= 0]
+    swings = [gamma >= delta**2 / 4, *transcribed("eq29")]
+    same = implied(swings, Iff((both(printed), proposition(omega <= sp.pi / T))))
+    calm = implied([gamma < delta**2 / 4], both(printed))
+    return ForAll((T, gamma, delta, omega), implied(given, both([same, calm])))
+
+
+@claims("eq31")
+def _spring_of_nyquist(printed: Printed) -> Proposition:
+    """Just this spring makes the device swing with the Nyquist frequency."""
+    there = SWINGS.at({omega: sp.pi / T})
+    given = [m > 0, b >= 0, T > 0]
+    return ForAll((m, b, k, T), implied(given, Iff((both(printed), there))))
+
+
+LATE = l / q
+"""A delay of l/q periods, for which z = w^q makes a polynomial of (18)."""
+MIRROR = -sp.exp(-delta / 2)
+"""Where a pole lies at the Nyquist frequency, at -1 without damping."""
+
+
+def at_nyquist(of: Proposition) -> Proposition:
+    """Of a loop whose spring is that of (30) as an equation, l/q periods late."""
+    return of.at({gamma: sp.pi**2 + delta**2 / 4, d: LATE})
+
+
+@claims("s5c-undamped-limit")
+def _limit_stable_at_best(printed: Printed) -> Proposition:
+    """A pole lies at -1, whatever wall and delay: no loop is more than stable in the limit."""
+    pole = Predicate("pole", (), (*LOOP, -sp.S.One))
+    both_ = both([pole, Not((STABLE,))])
+    given = [whole(l), whole(q), q > 0]
+    return ForAll((alpha, beta, l, q), implied(given, at_nyquist(both_).at({delta: sp.S.Zero})))
+
+
+@claims("s5c-pole-inside")
+def _mirrored_pole(printed: Printed) -> Proposition:
+    """The pole at -exp(-delta/2), whatever wall and delay, is inside."""
+    pole = at_nyquist(Predicate("pole", (), (*LOOP, MIRROR)))
+    inside = [proposition(MIRROR > -1), proposition(MIRROR < 1)]
+    given = [delta > 0, whole(l), whole(q), q > 0]
+    return ForAll((alpha, beta, delta, l, q), implied(given, both([pole, *inside])))
+
+
+EXAMPLE = {m: sp.Rational(1, 10), T: sp.Rational(1, 1000)}
+"""Example 5.1, in kg and s."""
+DAMPED = tuple(r.subs(delta, b * T / m) for r in transcribed("eq23") if delta in r.free_symbols)
+"""The damper is within (23)."""
+[SPRING] = (r.rhs for r in transcribed("eq31"))
+STIFFEST = next(r.rhs for r in transcribed("eq23") if r.lhs == gamma)
+"""The largest gamma of (23)."""
+ABOUT = sp.Rational(95, 100), sp.Rational(105, 100)
+"""What is 1 to a digit and a half: 9500 and 10500 are about 10000."""
+
+
+@claims("s5c-marginal-b")
+def _damping_hardly_matters(printed: Printed) -> Proposition:
+    """The damper adds 1.02 10^-5 of the stiffness at most, and leaves 987 000 N/m as it is."""
+    free = SPRING.subs(b, 0)
+    share = proposition(SPRING - free <= sp.Rational(102, 10**7) * free)
+    rounds = both([SPRING > 986500, SPRING < 987500])
+    example = [sp.Eq(symbol, number) for symbol, number in EXAMPLE.items()]
+    given = [m > 0, T > 0, *DAMPED]
+    return ForAll((m, b, T), implied(given, both([share, implied(example, rounds)])))
+
+
+@claims("s5c-human-10000")
+def _far_stiffer_than_an_arm(printed: Printed) -> Proposition:
+    """Where (30) is an equation gamma is about 10000 times the largest of (23), and less."""
+    [limit] = transcribed("eq30")
+    damped = [r for r in transcribed("eq23") if delta in r.free_symbols]
+    near = [ABOUT[0] * 10000 * STIFFEST <= gamma, gamma < 10000 * STIFFEST]
+    return ForAll((gamma, delta), implied([*damped, sp.Eq(*limit.args)], both(near)))

@@ -1,1 +1,289 @@
-"""The claims of Sec. II and IV-A to IV-C: wall, delay, device and arm."""
+"""The claims of Sec. II and IV-A to IV-C: wall, delay, device and arm.
+
+What (12) calls the discrete equivalent is said of every z: a force z^k that is held during period
+k moves the device at sample k to X z^k, and X is the equivalent at z.  Poles are left out by that:
+there is no such X.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+from sympy import Expr, Symbol
+
+from symhaptic.notation import (
+    F_E,
+    B,
+    K,
+    T,
+    T_s,
+    X,
+    X_d,
+    a,
+    alpha,
+    b,
+    b_D,
+    b_H,
+    beta,
+    c_1,
+    c_2,
+    c_3,
+    d,
+    d_1,
+    d_2,
+    delta,
+    e,
+    function,
+    gamma,
+    k,
+    k_H,
+    m,
+    m_D,
+    m_H,
+    n_0,
+    n_1,
+    s,
+    t_d,
+    z,
+)
+from symhaptic.notation.proposition import (
+    ForAll,
+    Iff,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.equations import EQUATIONS
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.reading import Printed
+from symhaptic.paper.tables import TABLES
+
+DEVICE = (m, b, k, T)
+GIVEN = (T > 0, m > 0, b >= 0, k >= 0)
+NUMBERS = (c_1, c_2, c_3)
+q = Symbol("q")
+
+
+def whole(value: Expr) -> Predicate:
+    """``value`` is a whole number, zero included."""
+    return Predicate("whole", (), (value,))
+
+
+def transcribed(id: str) -> Printed:
+    """Another equation of the paper, as it is printed."""
+    return next(e.printed for e in (*EQUATIONS, *TABLES) if e.id == id)
+
+
+TABLE = {rule.lhs: rule for rule in transcribed("tab1")}
+"""The rules of Table I."""
+WALL = transcribed("eq1")[0].rhs
+"""H(z) of (1)."""
+PLANT = transcribed("eq12")[0].lhs
+"""1/(m s^2 + b s + k)."""
+
+
+def answers(response: Expr, answer: Expr, period: Expr = T) -> Predicate:
+    """``answer`` is what a device with this transfer function answers to a held force z^k."""
+    return Predicate("answers", (s,), (response, z, answer, period))
+
+
+def normalised(*symbols: Symbol) -> list[Expr]:
+    """The rules of Table I for these symbols."""
+    return [TABLE[symbol] for symbol in symbols]
+
+
+def held(symbols: Sequence[Symbol], given: Sequence[object], then: object) -> Proposition:
+    """For every device, period and z, and X the answer of the device."""
+    over = (*DEVICE, *symbols, z, X)
+    return ForAll(over, implied([*GIVEN, *given, answers(PLANT, X)], then))
+
+
+# -- Sec. IV-A and IV-B: the sampled device and the loop --------------------------------------
+
+
+@claims("eq12")
+def _sampled_device(printed: Printed) -> Proposition:
+    """With (13) the right side is the answer of the device on the left."""
+    [line] = printed
+    then = Relation(X, "=", line.rhs)
+    given = [*GIVEN, *transcribed("eq13"), answers(line.lhs, X)]
+    return ForAll((*DEVICE, *NUMBERS, z, X), implied(given, then))
+
+
+@claims("eq14")
+def _sampled_device_in_units(printed: Printed) -> Proposition:
+    """The same with Table I and (15)."""
+    [line] = printed
+    given = [*GIVEN, *normalised(gamma, delta), *transcribed("eq15"), answers(line.lhs, X)]
+    over = (*DEVICE, gamma, delta, *NUMBERS, z, X)
+    return ForAll(over, implied(given, Relation(X, "=", line.rhs)))
+
+
+@claims("eq15")
+def _abbreviations(printed: Printed) -> Proposition:
+    """With Table I the numbers of (13) are these."""
+    given = [*GIVEN, *normalised(gamma, delta), *transcribed("eq13")]
+    over = (*DEVICE, gamma, delta, *NUMBERS)
+    return ForAll(over, implied(given, both(printed)))
+
+
+@claims("s4a-delay-equivalent")
+def _sampled_delay(printed: Printed) -> Proposition:
+    """Before the device, the left side is the right side before its samples; T_s is a length."""
+    [line] = printed
+    given = [d >= 0, T_s > 0, answers(line.lhs * PLANT, X_d)]
+    return held((d, T_s, X_d), given, Relation(X_d, "=", line.rhs * X))
+
+
+@claims("s2c-rational-delay")
+def _rational_delay(printed: Printed) -> Proposition:
+    """Of a delay d, q times which is whole, the answer is z^-d times that without delay.
+
+    With z = w^q this is a whole power of w.
+    """
+    given = [d >= 0, q > 0, whole(q), whole(q * d), answers(delayed(PLANT), X_d)]
+    return held((d, q, X_d), given, Relation(X_d, "=", z**-d * X))
+
+
+@claims("s4a-exact-instants")
+def _exact_at_the_samples(printed: Printed) -> Proposition:
+    """The loop with the delay answers a held external force as that with z^-d in its place."""
+    real, replaced = 1 + X_d * WALL, 1 + z**-d * X * WALL
+    apart = [Relation(gain, "!=", sp.S.Zero) for gain in (real, replaced)]
+    given = [d >= 0, answers(delayed(PLANT), X_d), *apart]
+    return held((K, B, d, X_d), given, Relation(X / real, "=", X / replaced))
+
+
+def delayed(response: Expr, late: Expr = d * T) -> Expr:
+    """The transfer function behind a delay."""
+    return sp.exp(-late * s) * response
+
+
+def closed_loop(transfer: Expr, top: Expr, bottom: Expr, late: Expr = d) -> Proposition:
+    """G_x is X/(1 + X_d H): position over the external force, which is held like the wall's.
+
+    X_d is the answer to the force of the wall, which comes d periods late.
+    """
+    n, p = (function(name)(z) for name in ("n", "p"))
+    form = transfer.xreplace({n: top, p: bottom}).xreplace({d: late})
+    symbols = (K, B, *([d] if late == d else []), *TABLE_SYMBOLS, *NUMBERS, X_d)
+    gain = 1 + X_d * WALL
+    given = [
+        *([d >= 0] if late == d else []),
+        *normalised(*TABLE_SYMBOLS),
+        *transcribed("eq15"),
+        answers(delayed(PLANT, late * T), X_d),
+        Relation(gain, "!=", sp.S.Zero),
+    ]
+    return held(symbols, given, Relation(X / gain, "=", form))
+
+
+TABLE_SYMBOLS = (alpha, beta, gamma, delta)
+
+
+def _side(id: str) -> Expr:
+    return transcribed(id)[0].rhs
+
+
+@claims("eq16")
+def _closed_loop(printed: Printed) -> Proposition:
+    """With n of (17) and p of (18)."""
+    return closed_loop(printed[0].rhs, _side("eq17"), _side("eq18"))
+
+
+@claims("eq17")
+def _numerator(printed: Printed) -> Proposition:
+    """n is the numerator of (16).  It does not hold the delay: (16) is read without one."""
+    return closed_loop(_side("eq16"), printed[0].rhs, _side("eq18"), sp.S.Zero)
+
+
+@claims("eq18")
+def _characteristic_polynomial(printed: Printed) -> Proposition:
+    """p is the denominator of (16)."""
+    return closed_loop(_side("eq16"), _side("eq17"), printed[0].rhs)
+
+
+# -- what the loop depends on --------------------------------------------------------------
+
+
+@claims("s2c-delays-lump")
+def _delays_add_up(printed: Printed) -> Proposition:
+    """Delays of d_1 and d_2 make the polynomial of (18) for their sum.
+
+    A device (n_1 z + n_0)/(z^2 - a z + e) and the wall in the units of Table I, cleared of their
+    divisors.
+    """
+    below, above = z**2 - a * z + e, n_1 * z + n_0
+    push = (alpha + beta * (z - 1) / z) * z**-d_1
+    total = d_1 + d_2
+    two = (below + above * z**-d_2 * push) * z ** (total + 1)
+    one = below * z ** (total + 1) + above * ((alpha + beta) * z - beta)
+    given = [d_1 >= 0, d_2 >= 0, Relation(z, "!=", sp.S.Zero)]
+    over = (a, e, n_1, n_0, alpha, beta, d_1, d_2, z)
+    return ForAll(over, implied(given, Relation(two, "=", one)))
+
+
+@claims("s2d-arm-in-force")
+def _arm_in_the_force(printed: Printed) -> Proposition:
+    """The motion of (2) under F_E is that of (3) under F_E less what the arm needs, at every s."""
+    held, free = ({line.lhs: line.rhs for line in transcribed(id)} for id in ("eq2", "eq3"))
+    need = m * s**2 + b * s + k
+    arm = (m_H * s**2 + b_H * s + k_H) * X
+    given = [m_D > 0, *(part >= 0 for part in (b_D, m_H, b_H, k_H))]
+    both_ways = Iff(
+        (
+            Relation(need.xreplace(held) * X, "=", F_E),
+            Relation(need.xreplace(free) * X, "=", F_E - arm),
+        )
+    )
+    return ForAll((m_D, b_D, m_H, b_H, k_H, F_E, s, X), implied(given, both_ways))
+
+
+UNIT_PLANT = 1 / (s**2 + delta * s + gamma)
+"""The device in units of its mass and of the period."""
+
+
+@claims("s4b-seven-to-five")
+def _seven_to_five(printed: Printed) -> Proposition:
+    """A loop answers as the one of mass and period 1 with the five numbers of Table I, in units.
+
+    The wall is in units of m/T^2, and so is 1/X.
+    """
+    unit = alpha + beta * (z - 1) / z
+    scaled = answers(delayed(UNIT_PLANT, d), m / T**2 * X, sp.S.One)
+    same = Iff((answers(delayed(PLANT, t_d), X), scaled))
+    wall = Relation(WALL * T**2 / m, "=", unit)
+    table = normalised(d, *TABLE_SYMBOLS)
+    over = (*DEVICE, K, B, t_d, d, *TABLE_SYMBOLS, z, X)
+    given = [*GIVEN, t_d >= 0, *table, Relation(z, "!=", sp.S.Zero)]
+    return ForAll(over, implied(given, both([same, wall])))
+
+
+SECOND = {v: Symbol(f"{v.name}_2") for v in (*DEVICE, K, B, t_d)} | {X: X_d}
+"""Another loop."""
+
+
+@claims("s4b-five-parameters")
+def _five_parameters(printed: Printed) -> Proposition:
+    """Two loops with the same five numbers have the same product of device, delay and wall.
+
+    p(z) vanishes where that is -1.
+    """
+    table = normalised(d, *TABLE_SYMBOLS)
+    sides = [*GIVEN, t_d >= 0, *table, answers(delayed(PLANT, t_d), X)]
+    others = [proposition(g).at(SECOND) for g in sides]
+    here, there = X * WALL, (X * WALL).xreplace(SECOND)
+    over = (*SECOND, *SECOND.values(), d, *TABLE_SYMBOLS, z)
+    return ForAll(over, implied([*sides, *others], Relation(here, "=", there)))
+
+
+@claims("s4d-degree")
+def _degree(printed: Printed) -> Proposition:
+    """p of (18), for every device and delay."""
+    given = [gamma >= 0, delta >= 0, d >= 0, *transcribed("eq15")]
+    degree = Predicate("degree", (z,), (_side("eq18"), d + 3))
+    return ForAll((alpha, beta, gamma, delta, d, *NUMBERS), implied(given, degree))

@@ -1,1 +1,181 @@
-"""The claims of Sec. IV-D: stability."""
+"""The claims of Sec. IV-D: stability.
+
+Stable is what the paper calls so, every zero of (18) inside the circle, with z = w^q for a delay of
+d = p/q periods.  A region is larger than another where it holds all of its walls.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr, I, S, Symbol, cos, exp, pi, sin
+
+from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, k, m, n_0, n_1, theta
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    ForAll,
+    Iff,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.propositions.comparison import LOOP, STABLE
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.reading import Printed
+
+PLANT = (gamma >= 0, delta >= 0)
+LATER = Symbol("d'")
+
+NUMBERS = (n_1, n_0, a, e)
+DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
+
+
+SQUARE = n_1**2 + n_0**2 + 2 * n_1 * n_0 * cos(theta)
+"""|N|^2 at z = exp(j theta)."""
+
+TERMS = {2: n_0, 1: n_1 - a * n_0, 0: e * n_0 - a * n_1, -1: e * n_1}
+"""A times the conjugate of N, by powers of z."""
+
+
+def stiffness(delay: Expr = d) -> Expr:
+    """alpha(theta) |N|^2 cos(theta/2), with a zero of the loop at exp(j theta)."""
+    return -sp.Add(*(c * cos((delay + k + S.Half) * theta) for k, c in TERMS.items()))
+
+
+def damping(delay: Expr = d) -> Expr:
+    """beta(theta) |N|^2 sin(theta)."""
+    return -sp.Add(*(c * sin((delay + k) * theta) for k, c in TERMS.items()))
+
+
+def on_boundary(delay: Expr = d) -> Proposition:
+    """alpha = alpha(theta) and beta = beta(theta)."""
+    return And(
+        (
+            Relation(alpha, "=", stiffness(delay) / (cos(theta / 2) * SQUARE)),
+            Relation(beta, "=", damping(delay) / (sin(theta) * SQUARE)),
+        )
+    )
+
+
+def at_angle() -> Proposition:
+    """The loop has a zero at exp(j theta), for real delays on the principal sheet."""
+    turn = exp(I * theta)
+    plant, numerator = turn**2 - a * turn + e, n_1 * turn + n_0
+    wall = (alpha + beta) * turn - beta
+    return Relation(exp(I * (d + 1) * theta) * plant + numerator * wall, "=", S.Zero)
+
+
+def explicit() -> Proposition:
+    """At each angle the walls with a zero there are those of the formulas."""
+    inside = [theta > 0, theta < pi, Relation(SQUARE, "!=", S.Zero)]
+    walls = (alpha, beta, *NUMBERS, theta)
+    return ForAll(walls, implied([DEVICE, *inside], Iff((at_angle(), on_boundary()))))
+
+
+@claims("s4d-explicit-only-undelayed")
+def _explicit_without_delay_and_spring_only(printed: Printed) -> Proposition:
+    """A boundary is explicit, as this one, for d = 0 and gamma = 0 only."""
+    alone = both([Relation(d, "=", S.Zero), Relation(gamma, "=", S.Zero)])
+    return ForAll((gamma, delta, d), implied([*PLANT, d >= 0, explicit()], alone))
+
+
+@claims("s4d-delay-shrinks")
+def _delay_shrinks_the_region(printed: Printed) -> Proposition:
+    """What is stable with a larger delay is stable with a smaller one."""
+    given = [*PLANT, d >= 0, d <= LATER, STABLE.at({d: LATER})]
+    return ForAll((*LOOP, LATER), implied(given, STABLE))
+
+
+PHYSICAL = (K, B, T, m, b, k, d)
+MORE = tuple(Symbol(f"{s}'") for s in (m, b, k))
+"""Mass, damper and spring of another arm."""
+
+LOOPS = (T > 0, m > 0, b >= 0, k >= 0, d >= 0)
+
+
+def in_units(
+    stiffness: Expr, damping: Expr, period: Expr, mass: Expr, damper: Expr, spring: Expr
+) -> Proposition:
+    """A loop in SI units is stable, by Table I."""
+    units = {
+        alpha: stiffness * period**2 / mass,
+        beta: damping * period / mass,
+        gamma: spring * period**2 / mass,
+        delta: damper * period / mass,
+    }
+    return STABLE.at(units)
+
+
+@claims("s4d-all-stabilising")
+def _more_of_each_part_is_stable(printed: Printed) -> Proposition:
+    """A wall that is stable stays so with more mass, more damping and a stiffer spring."""
+    mass, damper, spring = MORE
+    before, after = in_units(K, B, T, m, b, k), in_units(K, B, T, mass, damper, spring)
+    more = [mass >= m, damper >= b, spring >= k]
+    return ForAll((*PHYSICAL, *MORE), implied([*LOOPS, *more, before], after))
+
+
+MOST, AFTER = Symbol("x"), Symbol("beta_1")
+
+
+@claims("s4d-too-much-damping")
+def _damping_is_bounded_and_can_destabilise(printed: Printed) -> Proposition:
+    """For each arm and delay one bound of beta for all walls; and a wall that more beta loses."""
+    bounded = Exists((MOST,), ForAll((alpha, beta), implied([STABLE], beta < MOST)))
+    always = ForAll((gamma, delta, d), implied([*PLANT, d >= 0], bounded))
+    return both([always, lost_by_damping()])
+
+
+def lost_by_damping() -> Exists:
+    """Some wall is stable, and is not with more virtual damping."""
+    wall = [*PLANT, d >= 0, beta >= 0, beta < AFTER]
+    return Exists((*LOOP, AFTER), both([*wall, STABLE, Not((STABLE.at({beta: AFTER}),))]))
+
+
+SOON, HEAVY, DAMPER, SPRING = Symbol("T'"), *MORE
+"""Period, mass, damper and spring of another loop."""
+
+
+@claims("s4d-quadratic-in-period")
+def _four_times_the_stiffness_at_twice_the_rate(printed: Printed) -> Proposition:
+    """Some B makes K stable at T where some B makes 4 K stable at T/2, and only there.
+
+    The paper does not say what becomes of the operator: its damper and spring may change.
+    """
+    before = Exists((B,), in_units(K, B, T, m, b, k))
+    after = Exists((B,), in_units(4 * K, B, T / 2, m, DAMPER, SPRING))
+    given = [*LOOPS, DAMPER >= 0, SPRING >= 0]
+    return ForAll((K, T, m, b, k, d, DAMPER, SPRING), implied(given, Iff((before, after))))
+
+
+@claims("s4d-damping-bound")
+def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
+    """Beside some K a damping B is stable where B (m'/T')/(m/T) is, for another m' and T'."""
+    before = Exists((K,), in_units(K, B, T, m, b, k))
+    scaled = B * (HEAVY / SOON) / (m / T)
+    after = Exists((K,), in_units(K, scaled, SOON, HEAVY, DAMPER, SPRING))
+    given = [*LOOPS, SOON > 0, HEAVY > 0, DAMPER >= 0, SPRING >= 0]
+    symbols = (B, T, m, b, k, d, SOON, HEAVY, DAMPER, SPRING)
+    return ForAll(symbols, implied(given, Iff((before, after))))
+
+
+OTHER = Symbol("alpha_1")
+
+
+@claims("s4d-left-bound")
+def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
+    """On the printed line: no wall to its left or on it is stable, and some as near as one likes.
+
+    For every spring, damper and delay.
+    """
+    [line] = map(proposition, printed)
+    stable = STABLE.at({alpha: OTHER})
+    right = ForAll((OTHER, beta), implied([stable], alpha < OTHER))
+    near = Exists((OTHER, beta), both([alpha + MOST > OTHER, stable]))
+    reached = ForAll((MOST,), implied([MOST > 0], near))
+    given = [*PLANT, d >= 0, line]
+    return ForAll((alpha, gamma, delta, d), implied(given, both([right, reached])))

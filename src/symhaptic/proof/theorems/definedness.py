@@ -6,10 +6,10 @@ become hypotheses of a theorem until they are shown.  Roots and powers are princ
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from symhaptic.notation.proposition import Proposition, Relation, is_complex
 from symhaptic.proof.ball import differs_from_zero
@@ -21,8 +21,10 @@ _REAL = (sp.exp, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.a
 _ALWAYS_REAL = (sp.Abs, sp.re, sp.im)
 
 
-def conditions(*exprs: Expr) -> frozenset[Proposition]:
+def conditions(*exprs: Expr, at: Mapping[Symbol, Expr] | None = None) -> frozenset[Proposition]:
     """Relations that together are sufficient for all the expressions to have a value.
+
+    ``at`` are values of symbols: a power that is not negative there asks for nothing.
 
     >>> x = sp.Symbol("x")
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
@@ -31,15 +33,17 @@ def conditions(*exprs: Expr) -> frozenset[Proposition]:
     found: set[Proposition] = set()
     for expr in exprs:
         for part in sp.preorder_traversal(expr):
-            for divisor in _divisors(part):
+            for divisor in _divisors(part, at or {}):
                 if not differs(divisor):
                     found.add(Relation(divisor, "!=", sp.S.Zero))
     return frozenset(found)
 
 
-def _divisors(part: Expr) -> Iterable[Expr]:
-    if part.is_Pow and not (part.exp.is_Rational and part.exp >= 0):
-        yield part.base
+def _divisors(part: Expr, at: Mapping[Symbol, Expr]) -> Iterable[Expr]:
+    if part.is_Pow:
+        power = part.exp.xreplace(dict(at)) if at else part.exp
+        if not (power.is_Rational and power >= 0):
+            yield part.base
     elif part.func in _DIVISORS:
         yield _DIVISORS[part.func](part.args[0])
     elif isinstance(part, sp.log):

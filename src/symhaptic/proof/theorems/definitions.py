@@ -14,6 +14,7 @@ from symhaptic.notation.proposition import (
     And,
     Exists,
     Iff,
+    Implies,
     Not,
     Predicate,
     Proposition,
@@ -58,14 +59,16 @@ def loop(
 
 
 def loop_polynomial(
-    values: Sequence[Any], variable: Symbol, share: int, stiffness: bool, damping: bool
+    values: Sequence[Any], variable: Symbol, share: Any, stiffness: bool, damping: bool
 ) -> tuple[set[Proposition], Predicate]:
     """A loop's polynomial in w, with z = w^share, has its zeros inside; and its divisors."""
     found = [term(v) for v in values]
     if any(variable in t.free_symbols for t in found):
         raise NotShown(f"{variable} is bound")
-    if (not stiffness and found[2] != 0) or (not damping and found[3] != 0) or share < 1:
+    if (not stiffness and found[2] != 0) or (not damping and found[3] != 0):
         raise NotShown("a part that is not modelled is zero")
+    if term(share).is_number and not (term(share).is_Integer and share >= 1):
+        raise NotShown(f"{share} is no share of a period")
     polynomial = characteristic(Parts(stiffness=stiffness, damping=damping))
     names = dict(zip((alpha, beta, gamma, delta, d), found, strict=True))
     placed = polynomial.xreplace({s: v for s, v in names.items() if s != v})
@@ -75,7 +78,7 @@ def loop_polynomial(
     return divisors, Predicate("stable", (variable,), (powers,))
 
 
-def _raised(expr: Expr, variable: Symbol, share: int) -> Expr:
+def _raised(expr: Expr, variable: Symbol, share: Any) -> Expr:
     """With variable^share for z."""
     if expr == z or (expr.is_Pow and expr.args[0] == z):
         return variable ** (share * expr.as_base_exp()[1])
@@ -106,8 +109,8 @@ def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     """A motion at constant speeds, (time in periods, displacement) piece by piece, gains energy.
 
     Times and ways are rational, K, B and b real numbers: over each piece the damper burns
-    b p^2/(duration T), and the wall takes F p with the force that is held then, K x + B (x - x')/T
-    of the sample d periods before.
+    b p^2/(duration T), and the wall takes F p with the force that is held then,
+    K x + B (x - x')/T of the sample d periods before.
     """
     K, B, b, T, late = (term(t) for t in wall)
     pieces = [(sp.Rational(duration), sp.Rational(way)) for duration, way in motion]
@@ -169,6 +172,41 @@ def loop_of_device(numbers: Sequence[Any], values: Sequence[Any], variable: Symb
 
 
 @rule
+def loop_late(
+    numbers: Sequence[Any], values: Sequence[Any], variable: Symbol, names: Sequence[Symbol]
+) -> Judgement:
+    """A loop that is stable as the paper reads it has a delay d = p/(s+1), p and s whole.
+
+    Then all zeros of z^(d+1) A + N W with z = w^(s+1) lie inside; for 0 <= d.
+    """
+    found = [term(v) for v in values]
+    n1, n0, a_, e_ = (term(v) for v in numbers)
+    used = {s for t in (*found, n1, n0, a_, e_) for s in t.free_symbols}
+    if len(set(names)) != 2 or {variable, *names} & used or variable in names:
+        raise NotShown("two new names, and a variable that is not bound, are wanted")
+    stiffness, damping, spring, damper, late = found
+    over, less = names
+    w = variable ** (less + 1)
+    polynomial = (
+        variable ** (over + 3 * (less + 1))
+        - a_ * variable ** (over + 2 * (less + 1))
+        + e_ * variable ** (over + less + 1)
+        + (n1 * w + n0) * ((stiffness + damping) * w - damping)
+    )
+    body = And(
+        (
+            whole(over),
+            whole(less),
+            Relation(late * (less + 1), "=", over),
+            Predicate("stable", (variable,), (polynomial,)),
+        )
+    )
+    device = Predicate("device", (), (spring, damper, n1, n0, a_, e_))
+    reading = Predicate("stable_substituted", (), tuple(found))
+    return {device, Relation(sp.S.Zero, "<=", late)}, Implies((reading, Exists(tuple(names), body)))
+
+
+@rule
 def device_exists(spring: Any, damper: Any, names: Sequence[Symbol]) -> Judgement:
     """A device x'' + delta x' + gamma x = F has its four numbers, for all real gamma and delta."""
     gamma_, delta_ = term(spring), term(damper)
@@ -199,6 +237,13 @@ def device_at_rest(device: Theorem) -> Judgement:
 
 
 @rule
+def device_static(device: Theorem) -> Judgement:
+    """1 - a + e = gamma (n1 + n0), of every device: under the force gamma it stays at x = 1."""
+    gamma_, _, n1, n0, a_, e_ = device_numbers(device)
+    return device.hypotheses, Relation(1 - a_ + e_, "=", gamma_ * (n1 + n0))
+
+
+@rule
 def device_comes_to_rest(device: Theorem, variable: Symbol) -> Judgement:
     """A device with damper and spring forgets its state: all zeros of A lie inside.
 
@@ -218,3 +263,21 @@ def device_numbers(device: Theorem) -> tuple[Expr, ...]:
     if not (isinstance(claim, Predicate) and claim.name == "device"):
         raise NotShown(f"{claim} is about no device")
     return claim.of
+
+
+@rule
+def swinging(device: Sequence[Any], rate: Symbol) -> Judgement:
+    """x = exp(sigma t) sin(omega t) obeys Newton's law where both its parts vanish.
+
+    ``device`` is m, b, k and omega; m x'' + b x' + k x is exp(sigma t) times a sine and a cosine.
+    """
+    mass, damping, stiffness, frequency = found = tuple(term(t) for t in device)
+    if not all(map(real, found)) or any(rate in t.free_symbols for t in found):
+        raise NotShown(f"four real terms without {rate} are wanted")
+    sine = mass * (rate**2 - frequency**2) + damping * rate + stiffness
+    cosine = 2 * mass * rate * frequency + damping * frequency
+    parts = And((Relation(sine, "=", sp.S.Zero), Relation(cosine, "=", sp.S.Zero)))
+    apart = Relation(frequency, "!=", sp.S.Zero)
+    return conditions(*found) | {apart}, Iff(
+        (Predicate("swings", (), found), Exists((rate,), parts))
+    )

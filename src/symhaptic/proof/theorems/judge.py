@@ -14,6 +14,8 @@ from dataclasses import dataclass, replace
 from sympy import Symbol
 
 from symhaptic.notation.proposition import (
+    FALSE,
+    TRUE,
     And,
     Exists,
     ForAll,
@@ -30,6 +32,7 @@ from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
     absurd,
+    anything,
     applied,
     assume,
     instance,
@@ -66,6 +69,10 @@ class Case:
             if isinstance(denial.conclusion, Implies):
                 given, _ = denial.conclusion.of
                 denial = applied(denial, part(self.theorem, given))
+            if FALSE in conjuncts(denial.conclusion):  # a side of a relation has no value there
+                never = part(denial, FALSE)
+                contrary = anything(never, TRUE), anything(never, Not((TRUE,)))
+                return not absurd(*contrary, claim).hypotheses
             for known in conjuncts(self.theorem.conclusion):
                 if _opposed(known, denial.conclusion):
                     return not absurd(denial, part(self.theorem, known), claim).hypotheses
@@ -95,7 +102,10 @@ class Judged:
     corrected: tuple[str, ...] | None = None
     """LaTeX of the right form; the theorem is then that of the corrected claim."""
     instead: Proposition | None = None
-    """What holds instead of a false statement in words; the theorem is then of this."""
+    """What holds instead of a false statement in words; the theorem is then of this.
+
+    ``corrected`` is then what a reader sees of it, short.
+    """
     misprint: bool = True
     enclosed: bool = False
     shows: str | None = None
@@ -177,7 +187,10 @@ def _extra(claim: Proposition, shown: Proposition) -> tuple[Proposition, ...]:
     others, more, same = taken_apart(shown)
     if symbols != others or then != same or not set(given) <= set(more):
         raise Unfounded(f"the theorem says {written(shown)}, the statement {written(claim)}")
-    return tuple(p for p in more if p not in given)
+    extra = tuple(p for p in more if p not in given)
+    if set(conjuncts(then)) & set(extra):
+        raise Unfounded("the condition is what is claimed")
+    return extra
 
 
 def _violates(

@@ -16,7 +16,7 @@ from functools import wraps
 from importlib import import_module
 from typing import Any, ParamSpec, TypeAlias
 
-from sympy import Expr, Symbol
+from sympy import Expr, Mul, S, Symbol
 from sympy.core.relational import Relational
 
 from symhaptic.notation.proposition import (
@@ -37,6 +37,7 @@ from symhaptic.notation.proposition import (
     negated,
     proposition,
     term,
+    without_value,
 )
 from symhaptic.proof.theorems.definedness import conditions, differs, real
 
@@ -91,7 +92,7 @@ class Theorem:
 
 
 _RULES: dict[str, Callable[..., Judgement]] = {}
-MODULES = ("kernel", "leaves", "analysis", "energy", "roots", "definitions")
+MODULES = ("kernel", "leaves", "analysis", "energy", "roots", "samples", "definitions")
 """The modules of rules, all that has to be believed beside the deciders."""
 
 _HOMES = tuple(f"symhaptic.proof.theorems.{name}" for name in MODULES)
@@ -425,9 +426,13 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
         here = {s: term(v) for s, v in values.items() if s not in bound}
         for old in current.terms:
             new = old.xreplace(here)
-            for condition in conditions(old):
+            if not new.free_symbols and without_value(new):
+                continue  # the relation is false there, whatever it divides by
+            for condition in conditions(old, at=here):
                 moved = condition.at(here)
-                if moved not in conditions(new) and not differs(_divisor(moved)):
+                if not isinstance(moved, Relation):
+                    found.add(moved)  # a divisor has no value there
+                elif not _kept(moved.left, conditions(new)):
                     if moved.free & bound:
                         raise NotShown(f"a divisor of {old} is lost under its quantifier")
                     found.add(moved)
@@ -435,9 +440,14 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
     return found
 
 
-def _divisor(condition: Proposition) -> Expr:
-    assert isinstance(condition, Relation)
-    return condition.left
+def _kept(divisor: Expr, known: frozenset[Proposition]) -> bool:
+    """Whether a divisor is a product of powers of what is not zero, such as s^2 of s."""
+    for factor in Mul.make_args(divisor):
+        base, power = factor.as_base_exp()
+        base = base if power.is_Rational and power > 0 else factor
+        if Relation(base, "!=", S.Zero) not in known and not differs(base):
+            return False
+    return True
 
 
 @rule

@@ -28,7 +28,7 @@ from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term
-from symhaptic.proof.theorems.definedness import conditions, mirrors, real
+from symhaptic.proof.theorems.definedness import conditions, differs, mirrors, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 _ZERO = sp.S.Zero
@@ -56,6 +56,8 @@ def number(claim: Any) -> Judgement:
     claim = proposition(claim)
     if not isinstance(claim, Relation) or claim.free:
         raise NotShown(f"{claim} is no relation between numbers")
+    if claim.sign == "!=" and differs(claim.right - claim.left):
+        return conditions(claim.left, claim.right), claim
     found = sign(claim.right - claim.left)
     holds = {"=": (0,), "!=": (1, -1), "<": (1,), "<=": (0, 1)}[claim.sign]
     if found not in holds or not (claim.sign in ("=", "!=") or real(claim.left)):

@@ -6,15 +6,25 @@ has to be believed beside logic and the deciders.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Not, Predicate, Proposition, Relation, term
+from symhaptic.model.jury import half_planes, inner
+from symhaptic.notation.proposition import (
+    And,
+    Iff,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    term,
+)
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definedness import conditions, differs, real
+from symhaptic.proof.theorems.definitions import loop_polynomial
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 SOURCES = {
@@ -25,6 +35,13 @@ SOURCES = {
     "zero_beyond": "a real polynomial that is not positive at 1 and grows has a zero there or "
     "beyond: intermediate value theorem; Rudin, 4.23",
     "zero_on_circle": "definition of a zero",
+    "last_coefficient": "it is, up to its sign, the product of the zeros: Vieta",
+    "jury": "half of Jury's inner determinants, and half planes, are enough; Anderson and Jury, "
+    "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
+    "pole_at": "definition of a pole",
+    "held_by_a_pole": "definition of stability",
+    "degree": "definition of the degree",
+    "not_of_degree": "different powers are linearly independent",
 }
 """Each rule of this module with its source."""
 
@@ -101,6 +118,47 @@ def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
 
 
 @rule
+def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
+    """Of a monic z^m f with its zeros inside, -1 < f(0) < 1: up to its sign, their product.
+
+    f is real and of degree 1 at least; ``power`` is m.  That exponents are whole is a hypothesis.
+    """
+    claim, lowest = inside.conclusion, sp.expand(term(power))
+    if not (isinstance(claim, Predicate) and claim.name == "stable"):
+        raise NotShown(f"{claim} does not say that zeros lie inside")
+    [polynomial], [variable] = claim.of, claim.over
+    powers = _powers(polynomial, variable)
+    last = powers.get(lowest, _ZERO)
+    hypotheses = _monic_above(polynomial, variable**lowest, variable)
+    for exponent in powers:
+        if exponent != lowest and not _seen_whole(sp.expand(exponent - lowest - 1)):
+            raise NotShown(f"the exponent {exponent} may not be above {lowest}")
+        hypotheses |= {whole(s) for s in exponent.free_symbols}
+    return inside.hypotheses | hypotheses, And(
+        (Relation(-sp.S.One, "<", last), Relation(last, "<", sp.S.One))
+    )
+
+
+@rule
+def jury(polynomial: Any, variable: Symbol) -> Judgement:
+    """All zeros of a monic real polynomial lie inside <=> n + 1 expressions are positive.
+
+    They are the coefficients c_0 and c_n, c_(n-2), ... of (1 - s)^n p((1 + s)/(1 - s)), and
+    Jury's inner determinants |X - Y| of orders n-1, n-3, ...; the degree n is a number.
+    """
+    polynomial = term(polynomial)
+    falling = _coefficients(polynomial, variable)
+    degree = len(falling) - 1
+    if falling[0] != 1 or degree < 1 or not all(real(c) for c in falling):
+        raise NotShown(f"{polynomial} is not monic and real by its form")
+    inners = [inner(falling, order) for order in range(1 + degree % 2, degree, 2)]
+    positive = [*half_planes(falling[::-1]), *(m.det(method="berkowitz") for m in inners)]
+    wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
+    zeros = Predicate("stable", (variable,), (polynomial,))
+    return conditions(*falling), Iff((zeros, wanted))
+
+
+@rule
 def roots_stay(
     start: Any,
     change: Any,
@@ -163,6 +221,85 @@ def roots_stay(
     return hypotheses, Predicate("stable", (variable,), (f + g,))
 
 
+@rule
+def pole_at(
+    values: Sequence[Any],
+    variable: Symbol,
+    share: Any,
+    exponent: Any,
+    zero: Theorem,
+    stiffness: bool = True,
+    damping: bool = True,
+) -> Judgement:
+    """exp(s) is a pole of (18) if exp(s/q) is a zero of its polynomial in w, with z = w^q.
+
+    ``share`` is q, whole and positive, ``exponent`` is s; ``zero`` concludes that the polynomial
+    vanishes there, its powers written exp(s n/q).
+    """
+    share, exponent = term(share), term(exponent)
+    divisors, zeros = loop_polynomial(values, variable, share, stiffness, damping)
+    if variable in share.free_symbols | exponent.free_symbols or not real(share):
+        raise NotShown(f"{variable} is bound")
+    powers = _powers(zeros.of[0], variable, real_only=False)
+    there = sp.Add(*(c * sp.exp(exponent * n / share) for n, c in powers.items()))
+    claim = zero.conclusion
+    if not (isinstance(claim, Relation) and (claim.sign, claim.right) == ("=", _ZERO)):
+        raise NotShown(f"{claim} is no zero")
+    if not is_zero(claim.left - there):
+        raise NotShown(f"{claim.left} is not the value of the polynomial there")
+    found = tuple(term(v) for v in values)
+    hypotheses = zero.hypotheses | divisors | conditions(exponent)
+    hypotheses |= _whole([*powers, share, sp.expand(share * found[4])])
+    if not share.is_number:
+        hypotheses |= {Relation(_ZERO, "<", share)}
+    return hypotheses, Predicate("pole", (), (*found, sp.exp(exponent)))
+
+
+@rule
+def held_by_a_pole(pole: Theorem, outside: Theorem) -> Judgement:
+    """A real pole z with 1 <= z^2 is not inside: as the paper has it, the loop is not stable."""
+    claim = pole.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "pole"):
+        raise NotShown(f"{claim} names no pole")
+    *loop_, place = claim.of
+    if not real(place) or outside.conclusion != Relation(sp.S.One, "<=", place**2):
+        raise NotShown(f"{outside.conclusion} does not say that {place} is not inside")
+    return pole.hypotheses | outside.hypotheses, Not(
+        (Predicate("stable_substituted", (), tuple(loop_)),)
+    )
+
+
+@rule
+def degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
+    """A polynomial has this degree: larger than all other powers, by whole numbers.
+
+    That exponents are whole, and the coefficient not zero, are hypotheses.
+    """
+    polynomial, power = term(polynomial), sp.expand(term(power))
+    powers = _powers(polynomial, variable, real_only=False)
+    gaps = [sp.expand(power - e - 1) for e in powers if e != power]
+    if power not in powers or not all(_seen_whole(gap) for gap in gaps):
+        raise NotShown(f"{power} is not seen to be the highest power")
+    hypotheses = _whole(powers) | {whole(s) for gap in gaps for s in gap.free_symbols}
+    hypotheses |= {Relation(powers[power], "!=", _ZERO), *conditions(*powers.values())}
+    return hypotheses, Predicate("degree", (variable,), (polynomial, power))
+
+
+@rule
+def not_of_degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
+    """Of a sum of powers in numbers: one of them is not whole, or this power is not in it."""
+    polynomial, power = term(polynomial), term(power)
+    powers = _powers(polynomial, variable, real_only=False)
+    if any(e.free_symbols or not e.is_Rational for e in (*powers, power)):
+        raise NotShown(f"{polynomial} has powers that are no rational numbers")
+    broken = [c for e, c in powers.items() if not (e.is_Integer and e >= 0)]
+    lead = powers.get(power, _ZERO)
+    if not any(differs(c) for c in broken) and not (not lead.free_symbols and is_zero(lead)):
+        raise NotShown(f"{polynomial} may have the degree {power}")
+    wrong = Predicate("degree", (variable,), (polynomial, power))
+    return conditions(*powers.values()), Not((wrong,))
+
+
 def _stable(theorem: Theorem, variable: Symbol) -> Expr:
     """The polynomial of which a theorem says that all its zeros lie inside."""
     claim = theorem.conclusion
@@ -172,15 +309,16 @@ def _stable(theorem: Theorem, variable: Symbol) -> Expr:
     return polynomial.xreplace({claim.over[0]: variable})
 
 
-def _powers(polynomial: Expr, variable: Symbol) -> dict[Expr, Expr]:
+def _powers(polynomial: Expr, variable: Symbol, real_only: bool = True) -> dict[Expr, Expr]:
     """Exponents of a polynomial, which may hold symbols, with their coefficients."""
     found: dict[Expr, Expr] = {}
-    for summand in sp.Add.make_args(sp.expand(polynomial)):
+    whole_sum = sp.expand(polynomial)
+    for summand in sp.Add.make_args(whole_sum) if whole_sum != 0 else ():
         coefficient, powers = summand.as_independent(variable, as_Add=False)
         factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
         if any(base != variable or variable in e.free_symbols for base, e in factors):
             raise NotShown(f"{summand} is no multiple of a power of {variable}")
-        if not real(coefficient):
+        if real_only and not real(coefficient):
             raise NotShown(f"{coefficient} is not real by its form")
         exponent = sp.expand(sp.Add(*(e for _, e in factors)))
         found[exponent] = found.get(exponent, _ZERO) + coefficient

@@ -16,12 +16,14 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     Terms,
+    conjuncts,
     implied,
     negated,
     proposition,
 )
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
+    NotShown,
     Theorem,
     absurd,
     applied,
@@ -34,6 +36,7 @@ from symhaptic.proof.theorems.kernel import (
     equivalent,
     general,
     instance,
+    part,
     reductio,
 )
 from symhaptic.proof.theorems.leaves import (
@@ -136,8 +139,9 @@ def counterexample(
     values = {s: sp.sympify(v) for s, v in values.items()}
     _, given, then = taken_apart(claim)
     extra = [] if but is None else [_denial(proposition(but).at(values))]
-    if isinstance(then, Relation) and not then.at(values).free:
-        extra.append(_denial(then.at(values)))
+    there = then.at(values)
+    if isinstance(there, Relation) and not there.free:
+        extra.append(_denial(there))
     return example(values, [*given, *map(proposition, holds), *extra], *theorems)
 
 
@@ -178,3 +182,14 @@ def denied_by(equivalence: Theorem, denial: Theorem) -> Theorem:
     """not p, from p <=> q and not q."""
     claim = equivalence.conclusion.of[0]  # type: ignore[attr-defined]
     return absurd(applied(equivalence, assume(claim)), denial, claim)
+
+
+def not_all(claim: Proposition, denial: Theorem) -> Theorem:
+    """not (p and q), from not p."""
+    parts = (part(assume(claim), p) for p in conjuncts(claim))
+    for known in parts:
+        try:
+            return absurd(known, denial, claim)
+        except NotShown:
+            continue
+    raise NotShown(f"{denial.conclusion} denies no part of {claim}")

@@ -1,39 +1,47 @@
-r"""Is damping over delay the whole condition?
+r"""For which walls is damping over delay the limit of the stiffness?
 
-Solved for the stiffness the line of low frequencies is a quotient: all damping over all delay. We
-ask for which walls this is enough, and for which it is needed.
+Solved for the stiffness, the straight line of the lower part is the ratio of all damping to all
+delay, half a period of hold included. We ask for which damping this decides whether a wall is
+passive.
 """
 
 from sympy import Ne, Rational, S
 
-from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
+from symhaptic.book.lemmas.linear_part import (
+    LOW,
+    decides,
+    on_line,
+)
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
 from symhaptic.book.lemmas.passivity import PASSIVE
-from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, theta
+from symhaptic.notation import B, K, T, b, d, y
 from symhaptic.notation.proposition import negated, proposition
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, weakened, whole
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    part,
+    placed,
+    weakened,
+    whole,
+)
 from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import counterexample, either_way, example, for_all
+from symhaptic.proof.theorems.tactics import (
+    closed,
+    counterexample,
+    either_way,
+    example,
+    fact,
+    for_all,
+)
 
 
 def derive(page):
-    line = page.limit(
-        "The line of low frequencies",
-        passivity.margin(),
-        theta,
-        S.Zero,
-        b + B - K * T * (d + Rational(1, 2)),
-        name="F",
-    )
-    page.say(
-        "Solved for the stiffness this is the ratio of all damping to all delay, half a period of "
-        "hold included:"
-    )
+    line = b + B - K * T * (d + Rational(1, 2))
     limit_of_k = page.step(
         "Damping over delay",
         (b + B) / (T * (d + Rational(1, 2))),
@@ -114,7 +122,15 @@ def not_alike(same, point, motion):
     there = same.at(point)
     nine, passive = there.of
     if motion is None:
-        held = applied(assume(there), at_corner(STATEMENTS["eq8"].printed, point))
+        held = applied(assume(there), at_corner(point))
         return absurd(held, number(negated(nine)), there)
     met = number(nine)
     return absurd(applied(assume(there), met), gains(list(passive.of), motion), there)
+
+
+def at_corner(point):
+    """The wall of a point is passive, since it is the corner."""
+    claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
+    found = part(on_line(*map(assume, taken_apart(claim)[1][-2:])), PASSIVE)
+    there = placed(found, point | {y: S.One})
+    return closed(there, *map(fact, there.hypotheses))

@@ -1,0 +1,139 @@
+r"""Is the limit of the spring ten thousand times the stiffness of an arm?
+
+Against the arms of Table II the limit is a large factor, but which one?
+"""
+
+from sympy import Eq, I, Rational, S, pi
+
+from symhaptic.book.lemmas.arm_ranges import (
+    SHARE,
+    above,
+    damped,
+    divisors,
+    scale,
+    weak,
+)
+from symhaptic.book.lemmas.swing import spring_of_nyquist
+from symhaptic.model import plant
+from symhaptic.notation import T, b, delta, gamma, k, k_H, m
+from symhaptic.notation.proposition import negated
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    placed,
+    weakened,
+)
+from symhaptic.proof.theorems.leaves import combined, number, square
+from symhaptic.proof.theorems.tactics import (
+    closed,
+    counterexample,
+    example,
+    fact,
+    for_all,
+    one,
+    over,
+)
+
+DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
+"""Example 5.1, in kg and s."""
+
+HOGAN = {m: Rational(8, 10), k_H: S(568), T: Rational(1, 1000)}
+"""The stiffest arm for its mass in Table II, of those that the paper keeps."""
+
+
+def derive(page):
+    arms(page)
+    human(page)
+
+
+def arms(page):
+    """Against arms, in units of mass and period."""
+    page.say(
+        "In units of mass and period the limit is $\\gamma=\\pi^2$ to $\\pi^2+0.0001$. The range "
+        "(23) ends at $\\gamma=0.001$:"
+    )
+    symbols, given, near = taken_apart(CLAIMED["s5c-human-10000"](()))
+    low, high = near.of
+    limit = assume(given[-1])
+    lower = combined(low, [above(pi**2, Rational(19, 2))], [square(delta), S.One / 4], [limit, -1])
+    upper = combined(
+        high,
+        [above(10 - Rational(1, 10000), pi**2)],
+        [S.One / 4, weak()],
+        [limit, S.One],
+    )
+    page.settle(
+        "s5c-human-10000",
+        for_all(symbols, given, weakened(conjoined(lower, upper), *given)),
+        example=example({gamma: pi**2, delta: S.Zero}, given),
+        enclosed=True,
+        value=1000 * pi**2,
+        note=r"$T=1$ ms. (23) was extended: the $710\,\mathrm{s}^{-2}$ of (21) give "
+        r"$\pi^2/0.00071=13\,900$, and faster sampling more in proportion to $1/T^2$",
+    )
+    frequency = plant.Plant(damping=None).poles()[0]
+    page.same("without damping", (frequency.subs(k, spring_of(m)) / I) ** 2, (pi / T) ** 2)
+
+
+def human(page):
+    """Against arms, as stiffnesses."""
+    page.say(
+        "These are stiffnesses per moving mass. As stiffnesses they compare only if the mass is "
+        "that of the arm: Hogan's arm, 0.8 kg and 568 N/m, would need $k=\\pi^2m/T^2$, and the "
+        "device of Example 5.1 alone, 0.1 kg, much less:"
+    )
+    for title, mass in (("Hogan's arm", HOGAN[m]), ("The device against that arm", DEVICE[m])):
+        limit = spring_of(mass).subs(T, HOGAN[T]) / HOGAN[k_H]
+        page.step(title, limit, mass * 10**6 * pi**2 / 568, name=r"\frac{\pi^2m}{T^2k_H}")
+    claim = CLAIMED["s6-human-10000"](())
+    symbols, given, about = taken_apart(claim)
+    alike = Eq(k_H * T**2 / m, Rational(1, 1000))
+    low, high = about.of
+    arm, spring = assume(alike), applied(spring_of_nyquist(), assume(given[-1]))
+    lower = combined(
+        low,
+        [scale(), above(pi**2, Rational(19, 2))],
+        [over(1 / m > 0, one(), m > 0), square(b), S.One / 4],
+        [arm, 9500 * m / T**2],
+        [spring, -1],
+    )
+    upper = combined(
+        high,
+        [scale(), above(Rational(21, 2) - Rational(1, 10000), pi**2)],
+        [scale(), weak(SHARE), S.One / 4],
+        [arm, -10500 * m / T**2],
+        [spring, S.One],
+    )
+    found = closed(conjoined(lower, upper), *divisors(), damped())
+    point = {**DEVICE, b: S.Zero, k: spring_of(m).subs(DEVICE), k_H: HOGAN[k_H]}
+    same = point | {k_H: S(100)}
+    page.settle(
+        "s6-human-10000",
+        for_all(symbols, [*given, alike], weakened(found, *given)),
+        example=example(same, [*given, alike], swung(same)),
+        unless=[counterexample(claim, point, swung(point), soft(about.at(point)), but=alike)],
+        shows=r"the 987\,000 N/m of Example 5.1 are 1740 times the stiffness of an arm of 568 N/m",
+        note=r"at $T=1$ ms, with the stiffness per mass of (21) it is 13\,900 times, of (23) 9870",
+    )
+
+
+def swung(point):
+    """The device of a point swings with the Nyquist frequency."""
+    there = placed(spring_of_nyquist(), {s: point[s] for s in (m, b, k, T)})
+    return applied(closed(there, *map(fact, there.hypotheses)), fact(there.conclusion.of[0]))
+
+
+def soft(about):
+    """A spring is not that stiff: less than 9500 times."""
+    low = about.of[0]
+    return absurd(part(assume(about), low), number(negated(low)), about)
+
+
+def spring_of(mass):
+    """Stiffness that brings an undamped mass to the Nyquist frequency."""
+    return pi**2 * mass / T**2

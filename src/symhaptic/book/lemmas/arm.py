@@ -1,0 +1,153 @@
+"""Bounds of gamma and delta by what arm and device have on their own."""
+
+from __future__ import annotations
+
+from sympy import Eq, Expr, Ne, S, Symbol
+
+from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
+from symhaptic.notation.proposition import Or, Proposition, Relation, Terms
+from symhaptic.paper.propositions.arm import x, y
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    conjoined,
+    ordered,
+    substituted,
+    widened,
+)
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, fact, one, over, positive
+
+PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}
+"""An arm and a device in ones."""
+SPRING, DAMPER = T**2 * k_H / (m_D + m_H), T * (b_D + b_H) / (m_D + m_H)
+"""gamma and delta of (19)."""
+
+
+def total() -> tuple[Theorem, ...]:
+    """0 < m_D + m_H, and the masses are not zero."""
+    mass = positive(m_D + m_H > 0, m_D > 0, m_H > 0)
+    apart = positive(Ne(m_D, 0), m_D > 0), positive(Ne(m_H, 0), m_H > 0)
+    return mass, positive(Ne(m_D + m_H, 0), [mass]), *apart
+
+
+def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:
+    """The parts of a claim on gamma and delta from those on (19)."""
+    _, given, then = taken_apart(claim)
+    rules = [p for p in given if getattr(p, "left", None) in (gamma, delta)]
+    return [
+        closed(positive(wanted, [found], [assume(rule), S.One]), *total())
+        for wanted, found, rule in zip(then.parts, above, rules, strict=True)
+    ]
+
+
+def bounds(claim: Proposition) -> list[Theorem]:
+    """gamma < T^2 k_H/m_H and delta < T (b_D/m_D + b_H/m_H), if k_H and b_D + b_H > 0."""
+    mass, *_ = total()
+    pulled = positive(T**2 * k_H * m_D > 0, [T > 0, T > 0, k_H > 0, m_D > 0])
+    softer = over(
+        T**2 * k_H / m_H - SPRING > 0, pulled, positive(m_H * (m_D + m_H) > 0, [m_H > 0, mass])
+    )
+    loss = T * (b_D * m_H**2 + b_H * m_D**2)
+
+    def burnt(device: Expr, arm: Expr) -> Theorem:
+        return positive(loss > 0, [T > 0, device, m_H > 0, m_H > 0], [T > 0, arm, m_D > 0, m_D > 0])
+
+    arm_alone = closed(burnt(b_D >= 0, b_H > 0), positive(b_H > 0, b_D + b_H > 0, b_D <= 0))
+    brakes = by_cases(ordered(0, b_D), burnt(b_D > 0, b_H >= 0), arm_alone)
+    below = positive(m_D * m_H * (m_D + m_H) > 0, [m_D > 0, m_H > 0, mass])
+    calmer = over(T * (b_D / m_D + b_H / m_H) - DAMPER > 0, brakes, below)
+    return _named(claim, [softer, calmer])
+
+
+def limits(claim: Proposition) -> list[Theorem]:
+    """gamma <= T^2 x and delta <= T y from limits x and y of stiffness and damping per mass."""
+    mass, *_ = total()
+    soft = k_H / m_H <= x
+    ratio = over(k_H / m_H >= 0, k_H >= 0, m_H > 0)
+    reach = positive(x >= 0, soft, [ratio])
+    room = positive(
+        T**2 * (x * (m_D + m_H) - k_H) >= 0,
+        [T > 0, T > 0, soft, m_H > 0],
+        [T > 0, T > 0, reach, m_D > 0],
+    )
+    calm = positive(
+        T * (y * (m_D + m_H) - b_D - b_H) >= 0,
+        [T > 0, b_D / m_D <= y, m_D > 0],
+        [T > 0, b_H / m_H <= y, m_H > 0],
+    )
+    spring = over(T**2 * x - SPRING >= 0, room, mass)
+    return _named(claim, [spring, over(T * y - DAMPER >= 0, calm, mass)])
+
+
+def in_seconds(claim: Proposition) -> Theorem:
+    """A relation between numbers over powers of the second, or one of several."""
+    if isinstance(claim, Or):
+        case = next(p for p in claim.of if _difference(p)[0] > 0)
+        return widened(in_seconds(case), claim)
+    share, power = _difference(claim)
+    rate = over(1 / second > 0, one(), second > 0)
+    steps = [[share, *[rate] * power]] if share else []
+    return closed(positive(claim, *steps), positive(Ne(second, 0), second > 0))
+
+
+def _difference(claim: Proposition) -> tuple[Expr, int]:
+    """q and n, where the sides of a relation differ by q/s^n."""
+    assert isinstance(claim, Relation)
+    share, rate = (claim.right - claim.left).as_independent(second, as_Add=False)
+    return share, int(-rate.as_base_exp()[1]) if share else 0
+
+
+def in_numbers(claim: Proposition, at: Terms) -> Theorem:
+    """Relations that hold in numbers, where symbols equal these."""
+    found = []
+    for wanted in claim.parts:
+        known = fact(wanted.at(at))
+        for name, value in at.items():
+            place = Symbol("q")
+            turned = combined(Relation(value, "=", name), [assume(Eq(name, value)), -S.One])
+            known = substituted(wanted.at({name: place}), place, known, turned)
+        found.append(known)
+    return conjoined(*found)
+
+
+def within(spring: Expr, damper: Expr, device: Expr) -> list[Theorem]:
+    """0 <= gamma < T^2 spring/s^2 and 0 <= delta < T (damper + device)/s, of (19).
+
+    From limits in units of a second: of the arm's stiffness and damping per mass, and of the
+    device's damping per mass.
+    """
+    mass, *apart = total()
+    rate = over(1 / second > 0, one(), second > 0)
+    stiff, both = spring / second**2, (damper + device) / second
+    soft, calm, light = (
+        k_H / m_H <= stiff,
+        b_H / m_H <= damper / second,
+        b_D / m_D < device / second,
+    )
+    above = positive(
+        T**2 * (stiff * (m_D + m_H) - k_H) > 0,
+        [T > 0, T > 0, soft, m_H > 0],
+        [spring, T > 0, T > 0, rate, rate, m_D > 0],
+    )
+    slower = positive(
+        T * (both * (m_D + m_H) - b_D - b_H) > 0,
+        [T > 0, light, m_D > 0],
+        [T > 0, calm, m_H > 0],
+        [damper, T > 0, rate, m_D > 0],
+        [device, T > 0, rate, m_H > 0],
+    )
+    parts = [
+        over(SPRING >= 0, positive(T**2 * k_H >= 0, [T > 0, T > 0, k_H >= 0]), mass),
+        positive(T**2 * stiff > SPRING, over(T**2 * stiff - SPRING > 0, above, mass)),
+        over(
+            DAMPER >= 0,
+            positive(T * (b_D + b_H) >= 0, [T > 0, b_D >= 0], [T > 0, b_H >= 0]),
+            mass,
+        ),
+        positive(T * both > DAMPER, over(T * both - DAMPER > 0, slower, mass)),
+    ]
+    clock = positive(Ne(second, 0), second > 0)
+    return [closed(found, mass, *apart, clock) for found in parts]

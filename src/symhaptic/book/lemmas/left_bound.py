@@ -1,0 +1,172 @@
+"""Stable walls lie to the right of alpha = -gamma, and passive ones of damped arms come near it."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy import Eq, Expr, Ne, S, cos, pi
+
+from symhaptic.book.lemmas.boundary import at_rest
+from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
+from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, z
+from symhaptic.notation.proposition import And, Exists, Or, Proposition, Relation, proposition
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.paper.propositions.stability import OTHER
+from symhaptic.proof.theorems.definitions import device_exists, loop_of_device, loop_substituted
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    assume,
+    by_cases,
+    chosen,
+    conjoined,
+    ordered,
+    part,
+    placed,
+    substituted,
+    whole,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import bounded, combined, identity, is_whole, square
+from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    denied_by,
+    fact,
+    for_all,
+    over,
+    positive,
+    sine_of_half,
+)
+
+LINE = proposition(Eq(alpha, -gamma))
+NONE, ONE = (Relation(d, "=", n) for n in (S.Zero, S.One))
+SOFT = Or(
+    (
+        And((proposition(delta > 0), NONE)),
+        And((proposition(delta > 0), ONE, proposition(gamma <= 2 * delta))),
+    )
+)
+"""A damper, and no delay, or one of a period beside a spring that is not too stiff."""
+
+STEP = delta * x / (delta + 2 * x)
+"""Less than x and delta/2."""
+
+
+@cache
+def right_of_the_line(delay: Expr) -> Theorem:
+    """A stable wall has alpha < alpha', on the line, for a damped device and a whole delay."""
+    late = Relation(d, "=", delay)
+    static, pushed = at_rest()
+    readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay), z)
+    loop = part(readings, readings.conclusion.parts[1])
+    zeros = loop.conclusion.parts[1].terms[0]
+    left = positive(-gamma - OTHER >= 0, -gamma >= OTHER)
+    value = combined(zeros.subs(z, 1) <= 0, [pushed, left], [static, 1])
+    never = chosen(
+        device_exists(gamma, delta, NUMBERS),
+        closed(denied_by(loop, zero_beyond(zeros, z, value)), fact(whole(delay))),
+    )
+    place = sp.Symbol("q")
+    stable = STABLE.at({alpha: OTHER})
+    here = substituted(STABLE.at({alpha: OTHER, d: place}), place, assume(stable), assume(late))
+    wanted = Relation(alpha, "<", OTHER)
+    inside = combined(wanted, [assume(-gamma < OTHER)], [assume(LINE), 1])
+    found = by_cases(ordered(-gamma, OTHER), inside, anything(absurd(here, never), wanted))
+    return for_all((OTHER, beta), [stable], found)
+
+
+@cache
+def near_the_line(delay: Expr) -> Theorem:
+    """The wall STEP to the right of the line, without virtual damping, is passive and stable."""
+    late, free = Relation(d, "=", delay), Relation(beta, "=", S.Zero)
+    place = sp.Symbol("q")
+    pattern = Relation(S.Zero, "<=", MARGIN.xreplace({d: place}))
+    there = pattern.at({place: delay})
+    less, more = _turns()
+    room: tuple[list[Any], ...]
+    if delay == 0:
+        room = ([S.Half, assume(2 * delta - alpha >= 0)],)
+    else:
+        back, front = (assume(p) for p in (2 * delta + alpha >= 0, 2 * delta - 3 * alpha >= 0))
+        room = [S.Half / 2, less, back], [S.Half / 2, more, front]
+    turned = cos((delay + 1) * theta)
+    bare = combined(there, *room, [assume(free), -turned])
+    equal = combined(Relation(delay, "=", d), [assume(late), -S.One])
+    apart = positive(Ne(sp.sin(theta / 2), 0), [sine_of_half(theta)])
+    margins = for_all([theta], INSIDE, closed(substituted(pattern, place, bare, equal), apart))
+    counted = substituted(whole(place), place, is_whole(delay), equal)
+    stable = closed(part(passive_is_stable(), STABLE), margins, counted)
+    return _placed(stable)
+
+
+def _turns() -> tuple[Theorem, ...]:
+    """0 <= 1 - cos(theta) and 0 <= 1 + cos(theta)."""
+    below = [S.Half, bounded(cos, theta)]
+    sides = 1 - cos(theta), 1 + cos(theta)
+    return tuple(combined(side >= 0, [S.Half, square(side)], below) for side in sides)
+
+
+def _placed(stable: Theorem) -> Theorem:
+    """With alpha = -gamma + STEP and no virtual damping, for every x."""
+    under = positive(delta + 2 * x > 0, delta > 0, [2, proposition(x > 0)])
+    step = over(STEP > 0, positive(delta * x > 0, [delta > 0, x > 0]), under)
+    small = over(
+        delta / 2 - STEP > 0, positive(delta**2 / 2 > 0, [S.Half, delta > 0, delta > 0]), under
+    )
+    near = over(x - STEP > 0, positive(2 * x**2 > 0, [2, x > 0, x > 0]), under)
+    apart = positive(Ne(delta + 2 * x, 0), [under])
+    rooms = (
+        positive(gamma + 2 * delta - STEP >= 0, [small], [3 * S.Half, delta > 0], gamma >= 0),
+        positive(2 * delta - gamma + STEP >= 0, gamma <= 2 * delta, [step]),
+        positive(
+            3 * gamma + 2 * delta - 3 * STEP >= 0, [3, small], [S.Half, delta > 0], [3, gamma >= 0]
+        ),
+    )
+    values = {OTHER: -gamma + STEP, beta: S.Zero}
+    where = placed(stable, {alpha: values[OTHER], beta: S.Zero})
+    zero = fact(Relation(S.Zero, "=", S.Zero))
+    where = closed(where, step, *rooms, zero, apart)
+    beside = combined(Relation(values[OTHER], "<", alpha + x), [near], [assume(LINE), -S.One])
+    both_ = conjoined(closed(beside, apart), where)
+    claim = And((Relation(OTHER, "<", alpha + x), STABLE.at({alpha: OTHER})))
+    some = closed(witnessed(both_, Exists((OTHER, beta), claim), values), apart)
+    return for_all([x], [x > 0], some)
+
+
+@cache
+def left_bound() -> Theorem:
+    """Both, under SOFT."""
+    cases = (conjoined(right_of_the_line(d_), near_the_line(d_)) for d_ in (S.Zero, S.One))
+    return by_cases(assume(SOFT), *cases)
+
+
+HALF_SWING = {alpha: -(pi**2), gamma: pi**2, delta: S.Zero, d: S.Zero}
+"""An undamped spring that swings half a turn per period keeps a zero at -1 beside every wall."""
+
+
+def no_wall_near(claim: Proposition) -> Theorem:
+    """What is claimed of the left bound is false for this spring."""
+    false = claim.at(HALF_SWING)
+    reached = part(assume(false), false.parts[1])
+    near = at(reached, {x: S.One}, fact(Relation(S.Zero, "<", S.One)))
+    wall = near.conclusion.parts[0].parts[1]
+    loop = closed(loop_substituted(wall.terms, z, 1, damping=False), fact(whole(S.Zero)))
+    zeros = loop.conclusion.parts[1].terms[0]
+    zero = identity(zeros.subs(z, -1), S.Zero)
+    none = denied_by(loop, zero_on_circle(zeros, z, pi, zero))
+    wrong = anything(absurd(assume(wall), none), Relation(S.One, "<", S.Zero))
+    return absurd(chosen(near, wrong), fact(Relation(S.Zero, "<=", S.One)), false)
+
+
+def not_soft() -> Theorem:
+    """Nor has it a damper."""
+    claim = SOFT.at(HALF_SWING)
+    strict = Relation(S.Zero, "<", S.Zero)
+    damped = by_cases(assume(claim), *(part(assume(case), strict) for case in claim.parts))
+    return absurd(damped, fact(Relation(S.Zero, "<=", S.Zero)), claim)

@@ -1,0 +1,135 @@
+"""Loops that differ in their units only, and walls that no other part of theirs can make stable."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy import Eq, Expr, Ne, Rational, S, Symbol
+
+from symhaptic.notation import B, K, T, b, k, m, z
+from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, in_units
+from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    chosen,
+    part,
+    substituted,
+    whole,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import combined, identity, number, square
+from symhaptic.proof.theorems.roots import jury, last_coefficient, zero_on_circle
+from symhaptic.proof.theorems.tactics import closed, either_way, fact, positive
+
+RATE = [Eq(DAMPER, 2 * b), Eq(SPRING, 4 * k)]
+"""b T/m and k T^2/m are kept at half the period."""
+
+KEPT = [Eq(DAMPER * SOON / HEAVY, b * T / m), Eq(SPRING * SOON**2 / HEAVY, k * T**2 / m)]
+"""The same for another period and another mass."""
+
+APART = [positive(Ne(s, 0), s > 0) for s in (T, m, SOON, HEAVY)]
+
+
+@cache
+def at_twice_the_rate() -> Theorem:
+    """K has a stable B at T <=> 4 K has one at T/2, under RATE."""
+    before = in_units(K, B, T, m, b, k)
+    after = in_units(4 * K, B, T / 2, m, DAMPER, SPRING)
+    return _same(B, before, after, 2 * B, B / 2, RATE)
+
+
+@cache
+def for_another_mass_and_rate() -> Theorem:
+    """B has a stable K <=> B (m'/T')/(m/T) has one for m' and T', under KEPT."""
+    before = in_units(K, B, T, m, b, k)
+    after = in_units(K, B * (HEAVY / SOON) / (m / T), SOON, HEAVY, DAMPER, SPRING)
+    more = HEAVY * T**2 / (m * SOON**2)
+    return _same(K, before, after, K * more, K / more, KEPT)
+
+
+def _same(
+    free: Symbol, before: Proposition, after: Proposition, up: Expr, down: Expr, kept: list[Any]
+) -> Theorem:
+    there = _carried(free, before, after, up, kept)
+    here = _carried(free, after, before, down, kept)
+    found = either_way(there, here, Exists((free,), before), Exists((free,), after))
+    return closed(found, *APART)
+
+
+def _carried(
+    free: Symbol, before: Proposition, after: Proposition, value: Expr, kept: list[Any]
+) -> Theorem:
+    """There is a value for which ``after`` is stable, if there is one for ``before``."""
+    other, place = Symbol(f"{free}'"), Symbol("q")
+    named = Relation(other, "=", value)
+    known = [assume(p) for p in (named, named, kept[1], kept[0])]
+    found, wanted = assume(before), after.at({free: other}).terms
+    for i, equation in enumerate(known):
+        terms = list(found.conclusion.terms)
+        left, right = equation.conclusion.terms
+        difference = wanted[i] - terms[i]
+        if difference != 0:
+            share = sp.cancel(difference / (right - left))
+            moved = combined(Relation(terms[i], "=", wanted[i]), [equation, share])
+            terms[i] = place
+            found = substituted(Predicate(STABLE.name, (), tuple(terms)), place, found, moved)
+    some = witnessed(found, Exists((free,), after), {free: other})
+    there_is = witnessed(identity(value, value), Exists((other,), named), {other: value})
+    return chosen(assume(Exists((free,), before)), chosen(there_is, some))
+
+
+# -- walls that cannot be made stable ----------------------------------------------------
+
+
+def never(free: Symbol, wall: Proposition) -> Theorem:
+    """No value of a symbol makes a loop without delay stable."""
+    values = wall.terms
+    parts = {"stiffness": values[2] != 0, "damping": values[3] != 0}
+    loop = closed(loop_substituted(values, z, 1, **parts), fact(whole(values[4])))
+    inside: Any = loop.conclusion.parts[1]
+    found = applied(loop, assume(wall))
+    if inside.of[0].subs(z, 1) == 0:
+        denial = zero_on_circle(inside.of[0], z, S.Zero, identity(S.Zero, S.Zero))
+        contrary = absurd(found, denial)
+    elif free == K:
+        contrary = _too_damped(found)
+    else:
+        contrary = _too_stiff(found, free)
+    some = Exists((free,), wall)
+    wrong = chosen(assume(some), anything(contrary, Relation(S.One, "<", S.Zero)))
+    return absurd(wrong, number(Relation(S.Zero, "<=", S.One)), some)
+
+
+def _too_damped(inside: Theorem) -> Theorem:
+    """The product of the zeros is not below 1."""
+    product = last_coefficient(inside)
+    above = part(product, product.conclusion.parts[0])
+    last = above.conclusion.terms[1]
+    return absurd(above, number(Relation(last, "<=", -S.One)))
+
+
+def _too_stiff(inside: Theorem, free: Symbol) -> Theorem:
+    """The last minor is not positive where the second half plane, u > 0, is.
+
+    With u for the damping it is -A u^2 - D u - C, and -A (u - r)^2 - (D + 2 A r) u - (C - A r^2).
+    """
+    criterion = applied(jury(inside.conclusion.terms[0], z), inside)
+    _, plane, _, minor = (part(criterion, p) for p in criterion.conclusion.parts)
+    u = plane.conclusion.terms[1]
+    slope, place = u.coeff(free, 1), Symbol("u")
+    least = minor.conclusion.terms[1]
+    turned = -least.subs(free, (place - u.coeff(free, 0)) / slope)
+    high, low, last = sp.Poly(turned, place).all_coeffs()
+    r = Rational(int(1000 * sp.sqrt(last / high).n(30)), 1000)
+    sizes = high, low + 2 * high * r, last - high * r**2
+    signs = [number(Relation(S.Zero, "<", size)) for size in sizes]
+    sums = [signs[0], square(u - r)], [signs[1], plane], [signs[2]]
+    return absurd(minor, combined(Relation(least, "<=", S.Zero), *sums))

@@ -1,0 +1,51 @@
+"""Loops that are stable, and loops that are not: at a point, and by Jury's inequalities."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, Symbol
+
+from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.notation import alpha, beta, d, delta, gamma, z
+from symhaptic.proof.theorems.definitions import loop_of_device, loop_substituted
+from symhaptic.proof.theorems.kernel import Theorem, applied, part, whole
+from symhaptic.proof.theorems.leaves import root_outside, roots_inside
+from symhaptic.proof.theorems.roots import jury
+from symhaptic.proof.theorems.tactics import chained, closed, denied_by, fact
+
+
+def polynomial_at(point: Mapping[Symbol, Expr]) -> Theorem:
+    """stable <=> all zeros inside, of the loop of a point; a part that is zero is not there."""
+    values = [point[s] for s in (alpha, beta, gamma, delta, d)]
+    parts = {"stiffness": point[gamma] != 0, "damping": point[delta] != 0}
+    share = sp.Rational(point[d]).q
+    found = loop_substituted(values, z, share, **parts)
+    return closed(found, fact(whole(share * point[d])))
+
+
+def stable_at(point: Mapping[Symbol, Expr]) -> Theorem:
+    """That a loop is stable, by balls around its zeros."""
+    loop = polynomial_at(point)
+    zeros: Any = loop.conclusion.of[1]  # type: ignore[attr-defined]
+    return applied(loop, roots_inside(zeros.of[0], z, {}))
+
+
+def unstable_at(point: Mapping[Symbol, Expr]) -> Theorem:
+    """That it is not, by a ball around a zero outside."""
+    loop = polynomial_at(point)
+    zeros: Any = loop.conclusion.of[1]  # type: ignore[attr-defined]
+    return denied_by(loop, root_outside(zeros.of[0], z))
+
+
+@cache
+def by_inequalities(delay: int) -> Theorem:
+    """stable <=> Jury's inequalities, in the four numbers of the device, for a whole delay."""
+    late = sp.Integer(delay)
+    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late), z)
+    loop = part(readings, readings.conclusion.parts[1])
+    zeros: Any = loop.conclusion.parts[1]
+    return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))

@@ -1,0 +1,154 @@
+"""The claims of Sec. IV-C: the arm that holds the device, Table II and the ranges made of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+from sympy import Expr, Rational, Symbol
+
+from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
+from symhaptic.notation.proposition import (
+    ForAll,
+    Or,
+    Proposition,
+    Relation,
+    both,
+    implied,
+    negated,
+    proposition,
+)
+from symhaptic.paper import tables
+from symhaptic.paper.propositions.device import transcribed
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.reading import Printed
+
+ARM = (T, m_D, m_H, b_D, b_H, k_H)
+GIVEN = (T > 0, m_D > 0, m_H > 0, b_D >= 0, b_H >= 0, k_H >= 0)
+"""Arms and devices with masses; without one, (20) divides by zero."""
+LONGEST = Rational(1, 1000)
+"""The longest sampling period of the paper, in s."""
+x, y, k_1, k_2 = sp.symbols("x y k_1 k_2")
+
+
+def combined_numbers() -> list[Expr]:
+    """gamma and delta of Table I for the arm and the device of (2)."""
+    both_of_them = {line.lhs: line.rhs for line in transcribed("eq2")}
+    rules = [rule for rule in transcribed("tab1") if rule.lhs in (gamma, delta)]
+    return [rule.xreplace(both_of_them) for rule in rules]
+
+
+def of_arms(given: list[object], then: Proposition) -> Proposition:
+    """For every arm and device, and gamma and delta of both."""
+    return ForAll((*ARM, gamma, delta), implied([*GIVEN, *given], then))
+
+
+@claims("eq19")
+def _numbers_of_the_arm(printed: Printed) -> Proposition:
+    """What Table I makes of (2)."""
+    return of_arms(list(combined_numbers()), both(printed))
+
+
+@claims("eq20")
+def _bounds_of_the_numbers(printed: Printed) -> Proposition:
+    """Of the numbers of (19)."""
+    return of_arms(list(transcribed("eq19")), both(printed))
+
+
+@claims("s4c-independent-limits")
+def _limits_on_their_own(printed: Printed) -> Proposition:
+    """x limits the arm's stiffness per mass, y its damping per mass and that of the device."""
+    given = [*GIVEN, *transcribed("eq19"), k_H / m_H <= x, b_D / m_D <= y, b_H / m_H <= y]
+    then = both([gamma <= T**2 * x, delta <= T * y])
+    return ForAll((*ARM, gamma, delta, x, y), implied(given, then))
+
+
+@claims("s4c-series")
+def _joints_in_series(printed: Printed) -> Proposition:
+    """Two springs, under the same force, of which the ways add up to that of one spring k."""
+    k = Symbol("k")
+    given = [k_1 > 0, k_2 > 0, k > 0, sp.Eq(1 / k, 1 / k_1 + 1 / k_2)]
+    return ForAll((k, k_1, k_2), implied(given, both([k < k_1, k < k_2])))
+
+
+# -- Table II -------------------------------------------------------------------------------
+
+
+def rows(excluded: bool = False) -> Iterator[dict[Symbol, Expr]]:
+    """The arms of Table II in units of kg and s: without the row that is left out, or just it."""
+    for row in tables.TABLE_II:
+        if (row.authors == tables.EXCLUDED) is excluded:
+            numbers = [Rational(n) for n in (row.mass, row.stiffness, row.damping)]
+            yield {m_H: numbers[0], k_H: numbers[1] / second**2, b_H: numbers[2] / second}
+
+
+RATIOS = (k_H / m_H, b_H / m_H)
+
+
+@claims("eq21")
+def _largest_ratios(printed: Printed) -> Proposition:
+    """Each row but the one that is left out meets it, and one of them to the last digit."""
+    stiff, slow = (proposition(line) for line in printed)
+    bounds = [line.at(row) for row in rows() for line in (stiff, slow)]
+    closest = [
+        Or(tuple(proposition(row_ratio > line.rhs - unit) for row_ratio in ratios))
+        for line, unit, ratios in zip(
+            printed,
+            (1 / second**2, Rational(1, 10) / second),
+            ([r.xreplace(row) for row in rows()] for r in RATIOS),
+            strict=True,
+        )
+    ]
+    return ForAll((second,), implied([second > 0], both([*bounds, *closest])))
+
+
+def compared(times: Expr = sp.S.One) -> Iterator[tuple[Expr, Expr]]:
+    """Stiffness and damping per mass of each other arm, ``times`` so much, beside the excluded."""
+    [hand] = rows(excluded=True)
+    for row in rows():
+        for ratio in RATIOS:
+            yield (
+                (times * ratio).xreplace(row).subs(second, 1),
+                ratio.xreplace(hand).subs(second, 1),
+            )
+
+
+@claims("s4c-outlier")
+def _far_above(printed: Printed) -> Proposition:
+    """Far above is taken as three times."""
+    return both(sp.StrictLessThan(low, high, evaluate=False) for low, high in compared(sp.S(3)))
+
+
+def in_range(row: dict[Symbol, Expr]) -> list[Expr]:
+    """gamma and delta of an arm alone, at the longest period, beside the upper ends of (23)."""
+    _, spring, _, damper = transcribed("eq23")
+    at = {second: sp.S.One}
+    numbers = [ratio.xreplace(row).xreplace(at) for ratio in RATIOS]
+    return [
+        end.func(LONGEST**power * number, end.rhs, evaluate=False)
+        for end, power, number in zip((spring, damper), (2, 1), numbers, strict=True)
+    ]
+
+
+@claims("fig6")
+def _arms_in_the_plane(printed: Printed) -> Proposition:
+    """Of the arms of Table II those of (21) lie in the ranges (23) at 1 ms, the other outside."""
+    [hand] = rows(excluded=True)
+    outside = [negated(p) for p in in_range(hand) if isinstance(p, Relation)]
+    return both([*(p for row in rows() for p in in_range(row)), *outside])
+
+
+def extended(stiffer: tuple[str, str], slower: tuple[str, str]) -> Proposition:
+    """The ends of (23) over those of (22) at the longest period, between these numbers."""
+    limits = [line.rhs.xreplace({second: sp.S.One}) for line in transcribed("eq22")[1::2]]
+    ends = [line.rhs for line in transcribed("eq23")[1::2]]
+    parts = []
+    for end, limit, (low, high) in zip(ends, limits, (stiffer, slower), strict=True):
+        parts += [Rational(low) <= end / limit, end / limit < Rational(high)]
+    return ForAll((T,), implied([sp.Eq(T, LONGEST)], both(parts)))
+
+
+@claims("s4c-extension-30")
+def _wider_by_thirty(printed: Printed) -> Proposition:
+    """30 %, roughly: to the nearest ten."""
+    return extended(("1.25", "1.35"), ("1.25", "1.35"))

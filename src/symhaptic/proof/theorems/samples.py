@@ -1,0 +1,234 @@
+"""What a device does at the sampling instants when a force is held from one to the next.
+
+The rules are applied and not proved: with those of ``analysis``, ``energy`` and ``roots`` they are
+the list of what has to be believed beside logic and the deciders.  All are about the predicate
+``answers``: a force z^k in period k moves the position, at sample k, to X z^k.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, Matrix, Symbol
+from sympy.core.function import AppliedUndef
+
+from symhaptic.notation.proposition import And, Iff, Predicate, Proposition, Relation, term
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+
+SOURCES = {
+    "held_answer": "a linear differential equation has one solution from each state; Coddington "
+    "and Levinson, Theory of Ordinary Differential Equations, 1.8 and 3.1",
+    "in_units": "other units of time and force",
+}
+"""Each rule of this module with its source."""
+
+_ZERO, _ONE = sp.S.Zero, sp.S.One
+
+
+def transfer(device: Sequence[Any], late: Any, variable: Symbol) -> Expr:
+    """exp(-late s)/(m s^2 + b s + k)."""
+    mass, damping, stiffness = device
+    below = mass * variable**2 + damping * variable + stiffness
+    return sp.sympify(sp.exp(-late * variable) / below)
+
+
+def answers(response: Any, variable: Symbol, at: Any, answer: Any, period: Any) -> Predicate:
+    """A force at^k that is held in period k is answered by the position answer at^k at sample k."""
+    return Predicate("answers", (variable,), (response, at, answer, period))
+
+
+@rule
+def held_answer(
+    device: Sequence[Any],
+    delay: Sequence[Any],
+    variable: Symbol,
+    at: Any,
+    answer: Any,
+    motion: Sequence[Any],
+    time: Symbol,
+) -> Judgement:
+    r"""The answer of m x'' + b x' + k x = F to z^k, held for a period of 1, l + epsilon late.
+
+    ``motion`` is Phi (row by row) and Gamma, as functions of time: they are checked to be what the
+    differential equation makes of any state, and of a unit force from rest.  X is the one answer if
+    and only if z != 0, det(z - Phi) != 0 and, with Phi and Gamma at the times 1, epsilon and
+    1 - epsilon, X det(z - Phi) = (1, 0) adj(z - Phi) (Gamma(1 - epsilon) z^-l + Phi(1 - epsilon)
+    Gamma(epsilon) z^(-l-1)).  That l is whole and 0 <= epsilon <= 1 are hypotheses.
+    """
+    mass, damping, stiffness, z, found = (term(v) for v in (*device, at, answer))
+    periods, rest = (term(v) for v in delay)
+    if variable in Relation(z, "=", found + mass + damping + stiffness + periods + rest).free:
+        raise NotShown(f"{variable} is bound")
+    phi, held = Matrix(2, 2, [term(v) for v in motion[:4]]), Matrix([term(v) for v in motion[4:]])
+    hypotheses = _moves(mass, damping, stiffness, phi, held, time)
+    hypotheses |= {whole(periods)}
+    if rest != 0:
+        if not real(rest):
+            raise NotShown(f"{rest} is not real by its form")
+        hypotheses |= {Relation(_ZERO, "<=", rest), Relation(rest, "<=", _ONE), *conditions(rest)}
+    one = phi.xreplace({time: _ONE})
+    push = held.xreplace({time: 1 - rest}) * z**-periods
+    if rest != 0:
+        before = phi.xreplace({time: 1 - rest}) * held.xreplace({time: rest})
+        push += before * z ** (-periods - 1)
+    determinant = (z - one[0, 0]) * (z - one[1, 1]) - one[0, 1] * one[1, 0]
+    numerator = (z - one[1, 1]) * push[0] + one[0, 1] * push[1]
+    response = transfer((mass, damping, stiffness), periods + rest, variable)
+    return hypotheses, Iff(
+        (
+            answers(response, variable, z, found, _ONE),
+            And(
+                (
+                    Relation(z, "!=", _ZERO),
+                    Relation(determinant, "!=", _ZERO),
+                    Relation(found * determinant, "=", numerator),
+                )
+            ),
+        )
+    )
+
+
+def _moves(
+    mass: Expr, damping: Expr, stiffness: Expr, phi: Matrix, held: Matrix, time: Symbol
+) -> set[Proposition]:
+    """Conditions under which Phi and Gamma obey the differential equation, from their starts."""
+    forms = [*phi, *held]
+    if time in (mass + damping + stiffness).free_symbols:
+        raise NotShown(f"the device changes with {time}")
+    if any(f.has(sp.Abs, sp.re, sp.im, sp.conjugate, AppliedUndef) for f in forms):
+        raise NotShown("a motion is not differentiable by its form")
+    law = Matrix([[0, 1], [-stiffness / mass, -damping / mass]])
+    start = {time: _ZERO}
+    wrong = [
+        *(phi.diff(time) - law * phi),
+        *(phi.xreplace(start) - sp.eye(2)),
+        *(held.diff(time) - law * held - Matrix([0, 1 / mass])),
+        *held.xreplace(start),
+    ]
+    try:
+        if not all(is_zero(expr) for expr in wrong):
+            raise NotShown("the motion is another than that of the device")
+    except (Unsupported, Undefined) as why:
+        raise NotShown(str(why)) from None
+    found = set(conditions(1 / mass, damping, stiffness, *forms))
+    if any(time in c.free for c in found):
+        raise NotShown("a divisor of the motion changes with time")
+    return found
+
+
+@rule
+def in_units(
+    device: Sequence[Any],
+    late: Any,
+    variable: Symbol,
+    at: Any,
+    answer: Any,
+    period: Any,
+    units: Sequence[Any],
+) -> Judgement:
+    """The same answer in other units: of time, and of force per length.
+
+    A device m, b and k, late by t, with the period T and in units u and f, has the answer X if and
+    only if m/(u^2 f), b/(u f) and k/f, late by t/u, with the period T/u, has f X.
+    """
+    mass, damping, stiffness, delay, found, length = (
+        term(v) for v in (*device, late, answer, period)
+    )
+    z, (unit, force) = term(at), (term(v) for v in units)
+    given = Relation(z, "=", mass + damping + stiffness + delay + found + length + unit + force)
+    if variable in given.free:
+        raise NotShown(f"{variable} is bound")
+    if not (real(unit) and real(length)):
+        raise NotShown(f"{unit} or {length} is not real by its form")
+    theirs = (mass / (unit**2 * force), damping / (unit * force), stiffness / force)
+    ours = transfer((mass, damping, stiffness), delay, variable)
+    other = transfer(theirs, delay / unit, variable)
+    hypotheses: set[Proposition] = {Relation(_ZERO, "<", unit), Relation(force, "!=", _ZERO)}
+    hypotheses |= conditions(mass, damping, stiffness, delay, found, length, unit, force)
+    return hypotheses, Iff(
+        (
+            answers(ours, variable, z, found, length),
+            answers(other, variable, z, force * found, length / unit),
+        )
+    )
+
+
+@rule
+def shifted(
+    device: Sequence[Any],
+    late: Any,
+    variable: Symbol,
+    at: Any,
+    answer: Any,
+    period: Any,
+    periods: Any,
+) -> Judgement:
+    """A force that comes whole periods l later is z^-l times the same force."""
+    found, z, length, later = (term(v) for v in (answer, at, period, periods))
+    delay, parts = term(late), [term(v) for v in device]
+    if variable in Relation(z, "=", found + length + later + delay + sum(parts)).free:
+        raise NotShown(f"{variable} is bound")
+    return {whole(later)}, Iff(
+        (
+            answers(transfer(parts, delay, variable), variable, z, found, length),
+            answers(
+                transfer(parts, delay + later * length, variable),
+                variable,
+                z,
+                z**-later * found,
+                length,
+            ),
+        )
+    )
+
+
+@rule
+def turns(answered: Theorem) -> Judgement:
+    """Only a force z^k with z != 0 has an answer, for k may be negative."""
+    claim = answered.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == "answers"):
+        raise NotShown(f"{claim} is no answer")
+    return answered.hypotheses, Relation(claim.of[1], "!=", _ZERO)
+
+
+@rule
+def amplified(
+    device: Sequence[Any],
+    late: Any,
+    variable: Symbol,
+    at: Any,
+    answer: Any,
+    period: Any,
+    gain: Any,
+) -> Judgement:
+    """A gain that is not zero multiplies the answer."""
+    found, z, times = term(answer), term(at), term(gain)
+    if variable in times.free_symbols | z.free_symbols | found.free_symbols:
+        raise NotShown(f"{variable} is bound")
+    response = transfer([term(v) for v in device], term(late), variable)
+    return {Relation(times, "!=", _ZERO)} | conditions(found, times), Iff(
+        (
+            answers(response, variable, z, found, period),
+            answers(times * response, variable, z, times * found, period),
+        )
+    )
+
+
+@rule
+def one_answer(one: Theorem, other: Theorem) -> Judgement:
+    """Two answers of the same device to the same force are equal."""
+    claim, again = one.conclusion, other.conclusion
+    for p in (claim, again):
+        if not (isinstance(p, Predicate) and p.name == "answers"):
+            raise NotShown(f"{p} is no answer")
+    assert isinstance(claim, Predicate)
+    assert isinstance(again, Predicate)
+    response, at, answer, period = claim.of
+    if again != answers(response, claim.over[0], at, again.of[2], period):
+        raise NotShown(f"{again} is about another device or another force")
+    return one.hypotheses | other.hypotheses, Relation(answer, "=", again.of[2])

@@ -1,0 +1,150 @@
+"""What a chapter may not take for a ground of a verdict."""
+
+import copy
+import pickle
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+from flint import arb
+from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
+
+from symhaptic.chapter import Page
+from symhaptic.notation import B, K, T, b, m, theta, x
+from symhaptic.proof.enclosed import Enclosed, enclosed, value
+from symhaptic.proof.roots import NoSuchRoot, zero
+from symhaptic.proof.seal import NotMade
+from symhaptic.proof.settle import Witness
+from symhaptic.proof.sign import Fact, assume, combined
+from symhaptic.record import Evidence, FalseStep
+
+
+@pytest.fixture
+def page():
+    found = Page("test")
+    found.state("mine", "something in words")
+    return found
+
+
+# -- names and numbers ------------------------------------------------------------------
+
+
+def test_a_name_has_the_unit_of_what_it_stands_for(page):
+    # N/m and Ns/m, Table of symbols of the paper
+    with pytest.raises(FalseStep, match="K is in N/m, what it stands for in Ns/m"):
+        page.define("Wrong", K, B)
+    page.define("Right", K, B / T)
+    page.define("Text has no unit that could be read", r"\kappa", B)
+
+
+def test_pi_is_not_three_and_a_quarter(page):
+    with pytest.raises(TypeError, match=r"a bare ball 3\.2500 shows nothing"):
+        page.enclosed("Wrong", [(r"\pi", arb("3.25"))])
+    with pytest.raises(FalseStep, match=r"pi is not 3\.25"):
+        page.enclosed("Wrong", [(pi, Rational(13, 4))], places=2)
+    with pytest.raises(TypeError, match="bare ball"):
+        page.settle("mine", value=arb("3.25"))
+    page.enclosed("Right", [(pi, pi), ("x", zero(cos(x), x, S(1), S(2)))], places=3)
+    assert len(page.certificates) == 1  # of the zero, checked again at the end
+
+
+def test_a_value_has_no_open_symbols_and_is_real():
+    with pytest.raises(NoSuchRoot, match="without x"):
+        value(x + 1)
+    with pytest.raises(NoSuchRoot, match="real"):
+        enclosed(sp.I)
+
+
+# -- comparisons ------------------------------------------------------------------------
+
+
+def test_a_thing_compared_with_itself_is_no_ground(page):
+    with pytest.raises(FalseStep, match="0 compared with itself"):
+        page.same("nothing", 0, 0)
+    with pytest.raises(FalseStep, match=r"x \+ 1 compared with itself"):
+        page.same(
+            "nothing",
+            x + 1,
+            x + 1,
+        )
+    with pytest.raises(FalseStep, match="two sides"):
+        page.same("nothing", x)
+    told = page.same("computed", x + x, 2 * x)
+    assert told.method == "both sides evaluate to one expression"
+
+
+@pytest.mark.parametrize(
+    ("expr", "symbol"),
+    [
+        (K + B, m),  # it was never there
+        (floor(theta), theta),  # its derivative is zero almost everywhere
+        (atan(x) + atan(1 / x), x),  # pi/2 for x > 0, -pi/2 for x < 0
+        (sp.Heaviside(x), x),
+        (sp.sign(x), x),
+        (x * K, x),
+    ],
+)
+def test_not_free_of(expr, symbol, page):
+    with pytest.raises(FalseStep):
+        page.free_of("something", expr, symbol)
+
+
+def test_free_of_what_drops_out(page):
+    page.free_of("Pythagoras", K * (sin(theta) ** 2 + cos(theta) ** 2), theta)
+
+
+# -- facts ------------------------------------------------------------------------------
+
+
+def test_an_assumption_settles_nothing(page):
+    with pytest.raises(FalseStep, match="assumed, not proved"):
+        page.settle("mine", assume(b))
+    with pytest.raises(FalseStep, match="rests on itself"):
+        page.settle("mine", combined(x, [Rational(1, 2), assume(2 * x)]))
+    with pytest.raises(FalseStep, match="assumed, not proved"):
+        page.positive("Wrong", assume(x), "x>0")
+
+
+def test_what_a_fact_rests_on_is_on_the_page(page):
+    fact = combined(x**2 - x, [assume(x - 1), assume(x - 1)], [assume(x - 1)])
+    with pytest.raises(FalseStep, match="rests on x - 1 > 0, which is not on the page"):
+        page.settle("mine", fact)
+    page.positive("Beyond 1", fact, "x>1")
+    assert page.settle("mine", fact).claimed == "proved"
+
+
+def test_a_domain_of_the_notation_need_not_be_written(page):
+    # theta lies in (0, pi); x, which is real, in no interval
+    fact = combined(theta * (pi - theta), [assume(theta), assume(pi - theta)])
+    assert page.settle("mine", fact).claimed == "proved"
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: Fact(x),
+        lambda: Evidence("because"),
+        lambda: Witness({}, "because"),
+        lambda: Enclosed(arb(3)),
+        lambda: replace(assume(x), expr=-x),
+        lambda: copy.copy(assume(x)),
+        lambda: pickle.dumps(assume(x)),
+    ],
+)
+def test_what_proves_is_not_made_by_hand(make):
+    with pytest.raises(NotMade):
+        make()
+
+
+# -- what is put in ---------------------------------------------------------------------
+
+
+def test_only_definitions_are_put_in():
+    page = Page("test")
+    page.state("mine", "a force without a damper", r"x = K + B/T")
+    with pytest.raises(FalseStep, match="B = 0 restricts the statement"):
+        page.settle("mine", Eq(x, K), given={B: S.Zero})
+    with pytest.raises(FalseStep, match="K = B/T is not a definition on the page"):
+        page.settle("mine", Eq(x, 2 * B / T), given={K: B / T})
+    page.define("A wall", K, B / T)
+    assert page.settle("mine", Eq(x, 2 * B / T), given={K: B / T}).kind == "proved"
