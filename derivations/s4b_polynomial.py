@@ -11,6 +11,7 @@ from sympy import Eq, Ne, S, symbols
 from symhaptic.book.lemmas.sampled import loop_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import loop, plant, wall
+from symhaptic.model.parts import FULL
 from symhaptic.notation import (
     alpha,
     beta,
@@ -24,7 +25,6 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import WALL
 from symhaptic.proof.theorems.kernel import whole
-from symhaptic.scene import FULL
 
 
 def derive(page):

@@ -23,7 +23,7 @@ from symhaptic.notation.proposition import (
     term,
 )
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.definitions import device_numbers
+from symhaptic.proof.theorems.device import device_numbers
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 SOURCES = {
