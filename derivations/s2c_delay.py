@@ -9,6 +9,7 @@ from sympy import S
 
 from symhaptic.book.lemmas.sampled import late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
+from symhaptic.model.parts import Parts
 from symhaptic.model.plant import normalised, sampled
 from symhaptic.notation import d, d_1, d_2, function, z
 from symhaptic.paper.propositions import CLAIMED
@@ -17,7 +18,6 @@ from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import weakened, whole
 from symhaptic.proof.theorems.leaves import identity
 from symhaptic.proof.theorems.tactics import example, for_all
-from symhaptic.scene import Parts
 
 
 def derive(page):

@@ -5,26 +5,26 @@ coupled to a device whose only loss is its damping $b$. We ask for which $(K,B)$
 the device can extract energy.
 """
 
-from sympy import Ne, Rational, S, cos, pi, sin
+from sympy import Rational, S, cos, pi, sin
 
-from symhaptic.book.lemmas.passivity import INSIDE, passive_by_angle
+from symhaptic.book.lemmas.largest_damping import margins
+from symhaptic.book.lemmas.mass import no_mass_differs, of_mass
+from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
+from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
-from symhaptic.notation import B, K, T, b, d, m, omega, theta
+from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import assume, weakened, whole
 from symhaptic.proof.theorems.leaves import bounded, combined, square
 from symhaptic.proof.theorems.tactics import (
-    at,
     closed,
     counterexample,
     example,
     follows,
     for_all,
-    over,
-    positive,
 )
 
 
@@ -69,16 +69,7 @@ def derive(page):
         "displacements, and what the spring stores at the end",
         boxed=True,
     )
-    page.say(
-        "A motion at the frequency $\\omega$ gives $\\Re\\{(ms^2+bs)/s\\}$ per squared velocity "
-        "to the device, with $s=j\\omega$: the same for any two masses."
-    )
-    balance = passivity.balance()
-    page.settle(
-        "s3a-mass-free",
-        page.free_of("the energy balance", balance, m),
-        page.same("the condition", balance, b - need),
-    )
+    _mass(page)
     page.say(
         "A spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2. Half "
         "a period late, where $z^{-d}$ is not what happens, let the device move by $\\tfrac32$ in "
@@ -94,17 +85,21 @@ def derive(page):
     _settle(page, b > brackets.subs(theta, omega * T))
 
 
+def _mass(page):
+    """A mass stores what is not negative, and nothing at rest: no two masses differ."""
+    why = "its energy is paid back when the motion ends at rest, and is not negative otherwise"
+    page.lemma("A mass does not matter to passivity", of_mass(x), because=why)
+    symbols, given, _ = taken_apart(CLAIMED["s3a-mass-free"](()))
+    theorem = for_all(symbols, given, weakened(no_mass_differs(x, y), *given))
+    point = {x: S.One, y: S(2), K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
+    page.settle("s3a-mass-free", theorem, example=example(point, given))
+
+
 def _settle(page, printed):
     """(5) is sufficient for whole delays and walls that do not pull."""
     claim = CLAIMED["eq5"]((printed,))
     symbols, (*loop, frequencies), _ = taken_apart(claim)
-    angle = theta / T
-    inside = over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0)
-    meets = at(assume(frequencies), {omega: angle}, *inside)
-    apart = positive(Ne(T, 0), T > 0), *divisors(theta)
-    margin = closed(positive(passivity.margin() >= 0, [meets]), *apart)
-    always = for_all([theta], INSIDE, margin)
-    passive = follows(passive_by_angle(), assume(K >= 0), always)
+    passive = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
     given = [*loop, frequencies, whole(d), K >= 0]
     theorem = for_all(symbols, given, weakened(passive, *loop))
 
@@ -120,8 +115,6 @@ def _settle(page, printed):
 
     slow = [half, square(1 - cos(omega / 2))], [half, bounded(cos, omega / 2)]
     full = [quarter, square(1 + cos(omega))], [quarter, bounded(cos, omega)]
-    steps = [(half, Rational(3, 2)), (half, S.One)]
-    motion = 30 * steps + 30 * [(time, -way) for time, way in steps]
     page.settle(
         "eq5",
         theorem,
@@ -131,14 +124,14 @@ def _settle(page, printed):
             counterexample(
                 claim,
                 late,
-                *(holds(late, *slow, [Rational(1, 100)]), gains(list(late.values()), motion)),
+                *(holds(late, *slow, [Rational(1, 100)]), gains(list(late.values()), HALF_LATE)),
                 holds=[K >= 0],
                 but=whole(d),
             ),
             counterexample(
                 claim,
                 pulled,
-                *(holds(pulled, [Rational(3, 2)]), gains(list(pulled.values()), 4 * [(1, 1)])),
+                *(holds(pulled, [Rational(3, 2)]), gains(list(pulled.values()), STEPS)),
                 holds=[whole(d)],
                 but=K >= 0,
             ),

@@ -4,10 +4,30 @@ At one frequency the condition is a half plane in the $(K,B)$ plane, bounded by 
 frequency changes the line turns and shifts, and its neighbours cut off a curve: the envelope.
 """
 
-from sympy import Eq, S, diff, sin
+from sympy import Ne, S, diff, pi, sin
 
+from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, theta, x
+from symhaptic.notation import B, K, T, b, d, omega, theta, y
+from symhaptic.notation.proposition import negated
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.passivity import scaled
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    counterexample,
+    either_way,
+    example,
+    for_all,
+    one,
+    over,
+    positive,
+)
+
+ONE = S.One
 
 
 def derive(page):
@@ -48,13 +68,50 @@ def derive(page):
         "Both coordinates are proportional to $b$. The product $KT$ does not contain $T$: the "
         "stiffness is proportional to $1/T$, the sampling rate, and not to the period."
     )
+    _scaled(page)
+
+
+def _scaled(page):
+    """The walls of (5) scale with the damping, and their stiffness with the rate."""
+    claim, right = CLAIMED["s3b-linear-in-T"](()), scaled(T / y)
+    symbols, given, (damped, faster) = (*taken_apart(right)[:2], taken_apart(right)[2].of)
+    share, factor = over(1 / y > 0, one(), y > 0), assume(y > 0)
+    pairs = [
+        either_way(
+            _moved(*same.of, first, share_first, over_first),
+            _moved(*same.of[::-1], second, share_second, over_second),
+            *same.of,
+        )
+        for same, (first, share_first, over_first), (second, share_second, over_second) in (
+            (damped, (omega, factor, ONE), (omega, share, ONE)),
+            (faster, (omega / y, ONE, share), (omega * y, ONE, factor)),
+        )
+    ]
+    found = conjoined(*pairs)
+    found = closed(found, *(positive(Ne(e, 0), e > 0) for e in (T, y)))
+    stiff = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero, y: S(3)}
+    then = taken_apart(claim)[2].at(stiff)
+    walls, slow = then.of[1].of
+    met = combined(walls.body.of[1], [S.Half])
+    met = for_all([omega], walls.body.of[0].of, closed(met, *divisors(omega)))
+    held = applied(part(assume(then), then.of[1]), met)
+    there = at(held, {omega: pi / 6}, *map(number, slow.body.of[0].at({omega: pi / 6}).of))
+    broken = absurd(there, number(negated(there.conclusion)), then)
     page.settle(
         "s3b-linear-in-T",
-        page.free_of("stiffness times period", stiffness * T, T),
-        page.same("stiffness by damping", stiffness.subs(b, x * b), x * nice_stiffness),
-        page.same("damping by damping", damping.subs(b, x * b), x * nice_damping),
-        corrected=(r"K\propto b/T", r"B\propto b"),
-        unless={d: S.One, theta: S.One, b: S.One, T: S.One},
-        truth=Eq(nice_stiffness.subs(T, 2 * T), 2 * nice_stiffness),
-        shows="twice the period halves the stiffness",
+        for_all(symbols, given, weakened(found, *given)),
+        instead=right,
+        example=example(stiff, given),
+        unless=[counterexample(claim, stiff, broken)],
+        shows="three times the period leaves a third of the stiffness",
+        note=r"$K\propto b/T$, $B\propto b$ at each angle $\omega T$",
     )
+
+
+def _moved(known, wanted, frequency, times, stretch):
+    """(5) for one wall at every frequency, from that for another one, times a factor."""
+    low, high = wanted.body.of[0].of
+    ends = known.body.of[0].at({omega: frequency}).of
+    inside = [positive(end, [stretch, assume(p)]) for end, p in zip(ends, (low, high), strict=True)]
+    there = at(assume(known), {omega: frequency}, *inside)
+    return for_all([omega], [low, high], positive(wanted.body.of[1], [times, there]))

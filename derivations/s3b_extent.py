@@ -7,6 +7,7 @@ $\pi/(T(d+1))$ cut off nothing.
 
 from sympy import S, cos, cot, pi, sin
 
+from symhaptic.book.lemmas.region import at_every_angle
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, N, T, b, d, phi, psi, theta, u, w
 
@@ -46,4 +47,10 @@ def derive(page):
         "sine and cosine but a larger cotangent, and is stricter since $u\\ge0$. Where "
         "$\\sin N\\psi<0$, the margin is at least $1-|w|\\ge0$ by the two ends. Nothing new is cut "
         "off: only $0<N\\psi\\le\\pi$ counts, that is $0<\\omega T\\le\\pi/(d+1)$."
+    )
+    page.lemma(
+        "A margin on the first half turn is one at every angle",
+        at_every_angle(),
+        because="of $N\\psi$ full turns are taken away, as often as they go into it",
+        boxed=True,
     )

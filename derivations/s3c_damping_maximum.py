@@ -6,9 +6,21 @@ frequency decides there, and whether the boundary really ends at $K=0$.
 
 from sympy import Eq, Rational, S, cos, pi
 
+from symhaptic.book.lemmas.largest_damping import (
+    between,
+    divisors,
+    limit_points,
+    upper_frequency,
+)
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta
-from symhaptic.proof.sign import assume, combined, cosine
+from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
+from symhaptic.notation.proposition import negated
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
+from symhaptic.proof.theorems.leaves import bounded, combined, number, square
+from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
 def derive(page):
@@ -40,22 +52,7 @@ def derive(page):
         "negative stiffness, where its walls are not passive: there the printed boundaries do not "
         "end at these points, and larger damping satisfies (5)."
     )
-    beyond = {K: -S.One, T: S.One, b: S.One, B: Rational(5, 4), d: S.Zero}
-    half = cosine(assume(theta / 2), assume(pi / 2 - theta / 2))
-    holds = combined(
-        passivity.margin().subs(beyond), [Rational(1, 4)], [Rational(5, 2), half, half]
-    )
-    page.settle(
-        "s3c-limit-points",
-        Eq(K, stiffness),
-        Eq(B, damping),
-        Eq(K, S.Zero, evaluate=False),
-        Eq(B, -b),
-        provided=r"d\in\mathbb{N}_0,\ K\ge0",
-        unless=beyond,
-        truth=holds,
-        shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
-    )
+    _ends(page, Eq(K, stiffness), Eq(B, damping), Eq(K, S.Zero, evaluate=False), Eq(B, -b))
     page.say(
         "The frequency $\\omega=\\pi/(T(d+1))$ lies inside the open interval for $d>0$ only. "
         "Without delay it is the Nyquist frequency itself, and the value is a limit. (The slash "
@@ -67,12 +64,70 @@ def derive(page):
         -S.One,
         name=r"\cos(d+1)\theta",
     )
+    _frequency(page, Eq(omega, pi / (d + 1) / T), b > top)
+
+
+def _ends(page, *derived):
+    """The damping of walls that meet (5) and do not pull ends at that of the device."""
+    printed = STATEMENTS["s3c-limit-points"].printed
+    claim = CLAIMED["s3c-limit-points"](printed)
+    symbols, given, then = taken_apart(claim)
+    above, below = between(given[-1])
+    page.lemma("The damping ends above", above)
+    page.lemma("The damping ends below", below)
+    more = [*given, K >= 0]
+    beyond = {K: -S.One, T: S.One, b: S.One, B: Rational(5, 4), d: S.Zero, x: S.Zero, y: S.One}
+    soft = beyond | {K: S.Zero, B: S.Half}
+    quarter = Rational(1, 4)
+    level = square(1 + cos(omega)), bounded(cos, omega)
+    met = [
+        _met(given[-1].at(beyond), [quarter], *([Rational(5, 8), e] for e in level)),
+        _met(given[-1].at(soft), [S.Half], *([quarter, e] for e in level)),
+    ]
+    there = then.at(beyond)
+    upper = there.of[0]
+    point = conjoined(*(number(e) for e in upper.of[0].of))
+    order = upper.of[1].of[1]
+    held = part(applied(part(assume(there), upper), point), order)
+    page.settle(
+        "s3c-limit-points",
+        for_all(symbols, more, weakened(limit_points(then, given[-1]), *more)),
+        *derived,
+        example=example(soft, more, met[1]),
+        unless=[
+            counterexample(
+                claim,
+                beyond,
+                *(met[0], absurd(held, number(negated(order)), there)),
+                but=K >= 0,
+            )
+        ],
+        shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
+        note="by (5), for every real $d$; behind whole delays these are the passive walls",
+    )
+
+
+def _met(frequencies, *products):
+    """(5) at every frequency for the wall of a point."""
+    known, relation = frequencies.body.of
+    return for_all([omega], known.of, closed(combined(relation, *products), *divisors(omega)))
+
+
+def _frequency(page, *derived):
+    """At this frequency (5) is the linear condition, if there is a delay."""
+    printed = STATEMENTS["s3c-bmax-frequency"].printed
+    claim = CLAIMED["s3c-bmax-frequency"](printed)
+    symbols, given, then = taken_apart(claim)
+    more = [*given, d > 0]
+    none = {d: S.Zero, T: S.One, omega: pi, b: S(2), K: S.One, B: S.One}
+    there = then.at(none)
+    last = there.of[1]
+    outside = absurd(part(assume(there), last), number(negated(last)), there)
     page.settle(
         "s3c-bmax-frequency",
-        Eq(omega, pi / (d + 1) / T),
-        b > top,
-        provided=r"d\in\mathbb{N},\ K\ge0",
-        unless={d: S.Zero, T: S.One, omega: pi, b: S(2), K: S.One, B: S.One},
-        truth=omega < pi / T,
+        for_all(symbols, more, weakened(upper_frequency(printed[0], then), *more)),
+        *derived,
+        example=example(none | {d: S.One, omega: pi / 2}, more),
+        unless=[counterexample(claim, none, outside, but=d > 0)],
         shows=r"for $d=0$ the frequency is $\omega_N$, outside $0<\omega<\omega_N$",
     )

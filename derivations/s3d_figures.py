@@ -1,20 +1,37 @@
 r"""What do the plots of the passive walls show?
 
-Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period, and
-Fig. 5 the largest stiffness over the delay. The chapters before tell what both look like. For
-which delays are they the passive walls?
+Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. The
+chapters before tell what it looks like. For which delays are these the passive walls?
 """
 
-from sympy import Rational, S, cos, pi, sin, symbols, tan
+from sympy import Rational, S, cos, pi, sin, tan
 
+from symhaptic.book.lemmas.drawn import drawn
+from symhaptic.book.lemmas.motions import half_late
+from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, b, d, epsilon, h, l, theta, x
+from symhaptic.notation import B, K, T, b, d, epsilon, h, l, omega, theta, y
+from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
-from symhaptic.proof import box
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.series import limit
-from symhaptic.report.figures import largest_stiffness, passive_regions
+from symhaptic.proof.theorems.definitions import gains
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    weakened,
+    whole,
+    widened,
+)
+from symhaptic.proof.theorems.leaves import identity, number
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.report.figures import passive_regions
 
 UNIT = {b: 1, T: 1}
 
@@ -28,7 +45,6 @@ def derive(page):
         "In units of $b$ and $T$ a curve of Fig. 4 runs straight from $(0,-1)$ to a corner, bends "
         "to its tip, the point of largest stiffness, and ends at $(0,1)$."
     )
-    y = symbols("y")
     delay = 3 * y / (1 - 2 * y)
     dashed = page.step(
         "The dashed curve of the corners, with $y=B/b$",
@@ -37,7 +53,7 @@ def derive(page):
         name=r"\frac{KT}{b}",
         because="an arc of a hyperbola from $(2,0)$ to $(0,\\tfrac12)$",
     )
-    corners = page.same("the corner's damping", corner[1].subs(d, delay), y)
+    page.same("the corner's damping", corner[1].subs(d, delay), y)
     tips = page.step(
         "The dash-dotted curve of the tips",
         tip[0],
@@ -64,41 +80,15 @@ def derive(page):
         because="with $h=1/(d+1)$; the corners run into $(0,\\tfrac12)$",
     )
     fractions(page)
-    half = {d: S.Half, T: S.One, b: S.One}
-    wall = half | {K: tip[0].subs(d, S.Half), B: tip[1].subs(d, S.Half)}
     page.figure(
         "fig4",
         "Fig. 4 of the paper: boundaries (7) for seven delays, tips (dash-dotted) and corners "
         "(dashed). For $d=0.25$ and $0.5$ the walls inside satisfy (5) but are not all passive.",
         passive_regions,
     )
-    page.settle(
-        "fig4",
-        page.same("dashed", dashed, corner[0].subs(d, delay)),
-        corners,
-        page.same("dash-dotted", tip[0], tips),
-        provided=r"d\in\mathbb{N}_0",
-        unless=wall,
-        truth=passivity.half_late_energy(Rational(17, 10), S.One, 30) >= 0,
-        shows=r"half a period late, the tip of the curve for $d=0.5$ gives energy away",
-        note="five of the seven curves are what the caption says, the other two are (5)",
-    )
-    passive = larger(page)
-    page.figure(
-        "fig5",
-        "Fig. 5 of the paper: the largest stiffness that satisfies (5).",
-        largest_stiffness,
-    )
-    page.settle(
-        "fig5",
-        page.same("the tip", tip[0], tips),
-        passive,
-        provided=r"d\in\mathbb{N}_0",
-        unless=half,
-        truth=tips.subs(d, S.Half) >= Rational("1.17"),
-        shows=r"half a period late $KT/b=1.17$ can be passive, and the curve is at 1.1547",
-        note="with the delay rounded up the curve is always safe",
-    )
+    page.same("dashed", dashed, corner[0].subs(d, delay))
+    page.same("dash-dotted", tip[0], tips)
+    _curves(page)
 
 
 def row(text, *values):
@@ -126,22 +116,34 @@ def fractions(page):
     )
 
 
-def larger(page):
-    """A passive wall half a period late that is stiffer than the curve."""
-    exact = fractional.margin().subs({epsilon: S.Half, l: 0, b: 1, T: 1})
-    wall = {K: Rational("1.17"), B: Rational("0.32")}
-    square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
-    page.show(
-        "The wall $KT/b=1.17$, $B/b=0.32$, half a period late",
-        "D/b^2",
-        square,
-        page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),
-        because="with $x=\\cos^2\\frac\\theta2$",
+HALF = {d: S.Half, T: S.One, b: S.One}
+TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}
+GAINS = half_late(Rational(17, 10))
+
+
+def _curves(page):
+    """The curves of whole delays are what the caption says; half a period late the tip is not."""
+    claim = CLAIMED["fig4"](())
+    symbols, given, then = taken_apart(claim)
+    more = [*given, whole(d)]
+    case = TIP | {omega: pi / 2, y: S.One}
+    some, none = (
+        of.at(case | {d: value}) for of, value in ((given[-1], S.Half), (given[-1], S.Zero))
     )
-    return page.positive(
-        "It is passive",
-        box.positive(square, {x: (0, 1)}),
-        on=r"0\le x\le1",
-        name="D/b^2",
-        because="though the curve of Fig. 5 ends at $2\\tan\\frac\\pi6=1.1547$",
+    there = then.at(case)
+    tip = there.of[2]
+    point = conjoined(*(number(e) for e in tip.of[0].of))
+    held = applied(part(assume(there), tip), point)
+    denied = absurd(part(held, PASSIVE.at(case)), gains(list(PASSIVE.at(case).of), GAINS), there)
+    page.settle(
+        "fig4",
+        for_all(symbols, more, weakened(drawn(then), *more)),
+        example=example(case | {d: S.Zero}, more, widened(identity(S.Zero, S.Zero), none)),
+        unless=[
+            counterexample(
+                claim, case, widened(identity(S.Half, S.Half), some), denied, but=whole(d)
+            )
+        ],
+        shows=r"half a period late, the tip of the curve for $d=0.5$ gives energy away",
+        note="five of the seven curves are what the caption says, the other two are (5)",
     )

@@ -8,6 +8,7 @@ from sympy import Ne, Rational, S, integrate
 
 from symhaptic.book.lemmas.sampled import PROMPT, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import normalised
 from symhaptic.notation import T, X, X_d, c, d, delta, gamma, t, z
 from symhaptic.paper.propositions import CLAIMED
@@ -17,7 +18,6 @@ from symhaptic.proof.theorems.kernel import assume, weakened, whole
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.samples import turns
 from symhaptic.proof.theorems.tactics import closed, for_all, positive
-from symhaptic.scene import FULL, Parts
 
 
 def derive(page):

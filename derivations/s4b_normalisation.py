@@ -10,6 +10,7 @@ from symhaptic.book.lemmas.renaming import definitions, renamed
 from symhaptic.book.lemmas.sampled import device_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import plant, wall
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import Plant, sampled
 from symhaptic.notation import (
     B,
@@ -35,7 +36,6 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined, weakened
 from symhaptic.proof.theorems.tactics import closed, for_all, positive
-from symhaptic.scene import FULL, Parts
 
 
 def derive(page):

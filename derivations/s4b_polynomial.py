@@ -4,11 +4,14 @@ The sampled device and the delayed wall are closed to a loop. Its poles are the 
 polynomial, and its form should not break down for the devices that one meets.
 """
 
+from functools import cache
+
 from sympy import Eq, Ne, S, symbols
 
 from symhaptic.book.lemmas.sampled import loop_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import loop, plant, wall
+from symhaptic.model.parts import FULL
 from symhaptic.notation import (
     alpha,
     beta,
@@ -22,7 +25,6 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import WALL
 from symhaptic.proof.theorems.kernel import whole
-from symhaptic.scene import FULL
 
 
 def derive(page):
@@ -82,17 +84,27 @@ def _settle(page, id, form, shows, late=True):
     claim = CLAIMED[id](STATEMENTS[id].printed)
     bottom = STATEMENTS["eq18"].printed[0].rhs
     split, spring, steps = Ne(c_1, 0), Ne(gamma, 0), whole(d)
-    conditions = [split, spring, *([steps] if late else [])]
-    cases = [(UNHELD, spring), (CRITICAL, split), (SWINGING | {d: S.Half}, steps)]
+    conditions = (split, spring, *([steps] if late else []))
+    example, *cases = _points(claim, conditions)
     page.settle(
         id,
         loop_claim(claim, conditions, bottom if late else bottom.subs(d, 0), WALL, late),
         form,
-        example=shown_at(claim, SWINGING, *conditions),
-        unless=[
-            fails(claim, point, holds=[c for c in conditions if c is not but], but=but)
-            for point, but in cases
-            if but in conditions
-        ],
+        example=example,
+        unless=cases,
         shows=shows,
     )
+
+
+@cache
+def _points(claim, conditions):
+    """A point at which all conditions hold, and for each one at which it alone does not."""
+    split, spring, *steps = conditions
+    cases = [(UNHELD, spring), (CRITICAL, split), *((SWINGING | {d: S.Half}, s) for s in steps)]
+    return [
+        shown_at(claim, SWINGING, *conditions),
+        *(
+            fails(claim, point, holds=[c for c in conditions if c is not but], but=but)
+            for point, but in cases
+        ),
+    ]

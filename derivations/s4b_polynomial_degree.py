@@ -9,6 +9,7 @@ from sympy import Ne, S, exp, pi, symbols
 from symhaptic.book.lemmas.sampled_points import answered, completed
 from symhaptic.book.lemmas.units import same_loop
 from symhaptic.model import loop, plant, wall
+from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Plant, sampled
 from symhaptic.notation import (
     B,
@@ -37,7 +38,6 @@ from symhaptic.proof.theorems.kernel import assume, weakened, whole
 from symhaptic.proof.theorems.leaves import is_whole
 from symhaptic.proof.theorems.roots import degree, not_of_degree
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all, positive
-from symhaptic.scene import FULL
 
 
 def derive(page):

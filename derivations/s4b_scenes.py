@@ -7,8 +7,8 @@ is derived without the missing part, and shown to be what the larger one tends t
 from sympy import I, S, cos, exp, symbols
 
 from symhaptic.model import loop, plant
+from symhaptic.model.parts import ALL, Parts
 from symhaptic.notation import Omega, alpha, beta, c, d, delta, gamma, z
-from symhaptic.scene import ALL, Parts
 
 
 def derive(page):

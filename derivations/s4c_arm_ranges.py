@@ -86,6 +86,7 @@ def _extension(page):
         "s4c-extension-30",
         for_all(symbols, given, theorem),
         instead=right,
+        corrected=(r"\gamma\ \text{by}\ 41\,\%,\ \delta\ \text{by}\ 31\,\%",),
         misprint=False,
         example=example(at, given),
         unless=[counterexample(claim, at, denial)],

@@ -9,6 +9,7 @@ from sympy import Rational, S, cos, sin, tan
 
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, z
 from symhaptic.notation.proposition import Relation
@@ -17,7 +18,6 @@ from symhaptic.paper.propositions.stability import explicit, on_boundary
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import absurd, assume, part, placed, weakened
 from symhaptic.proof.theorems.tactics import counterexample, every, example, fact, for_all
-from symhaptic.scene import Parts
 
 
 def derive(page):

@@ -7,11 +7,11 @@ which it starts, and how it lies there against the line $\beta+\delta=\alpha(d+\
 from sympy import I, Rational, S, cosh, diff, exp, pi, sinh, sqrt, symbols, tanh
 
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, h, nu, s_1, s_2, theta, z
 from symhaptic.proof import sign
 from symhaptic.proof.enclosed import value
-from symhaptic.scene import FULL, Parts
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL = N_1 + N_0

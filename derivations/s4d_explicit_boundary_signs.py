@@ -9,8 +9,8 @@ $\gamma-\frac14\delta^2<\pi^2$: the limit (30) of the paper.
 from sympy import cosh, diff, exp, sinh, sqrt, symbols
 
 from symhaptic.model import linear, plant
+from symhaptic.model.parts import FULL
 from symhaptic.notation import c, delta, gamma, n_0, n_1, s_1, s_2, t, x, z
-from symhaptic.scene import FULL
 
 
 def derive(page):

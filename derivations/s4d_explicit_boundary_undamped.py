@@ -7,8 +7,8 @@ where the boundary goes when $n_1=n_0$ and the line of a root at $-1$ is gone.
 from sympy import I, Rational, S, Symbol, cos, pi, sin, tan
 
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import Omega, alpha, beta, d, gamma, theta, x
-from symhaptic.scene import Parts
 
 ANGLE = (d + 1) * theta
 SPRING = Symbol("g")

@@ -7,10 +7,10 @@ $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest
 from sympy import Rational, S, Symbol, chebyshevt, cos, diff, pi, sin, sqrt, tan
 
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, rho, tau, theta, x
 from symhaptic.proof import roots, sign
 from symhaptic.proof.enclosed import value
-from symhaptic.scene import Parts
 
 ANGLE = (d + 1) * theta
 ARC = r"d\ge0,\ 0<(d+1)\theta\le\pi/2"

@@ -8,11 +8,11 @@ fast, and on which side it stays.
 from sympy import Rational, S, cos, diff, pi, sin, tan
 
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import d, h, phi, psi, theta
 from symhaptic.proof import sign
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero
-from symhaptic.scene import Parts
 
 LONG = phi**2 * cos(phi)
 AT = r"at $\varphi=\varphi_*$"

@@ -11,10 +11,10 @@ from sympy import Mul, Rational, S, symbols
 
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.model import jury, plant
+from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, alpha, beta, e, n_0, n_1, z
 from symhaptic.proof.sign import number
-from symhaptic.scene import Parts
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
 HEAVY = Sampled(Rational(17, 100), Rational(4, 100), Rational(101, 100), Rational(1, 100))

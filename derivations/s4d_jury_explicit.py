@@ -8,9 +8,9 @@ formula says it all, and we show for which devices.
 from sympy import Rational, S, diff, exp, expand
 
 from symhaptic.model import jury, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import B, K, T, a, alpha, b, beta, c, delta, e, gamma, m, n_0, n_1, z
 from symhaptic.proof.sign import Interval, assume, combined, exponential, integrated, quotient
-from symhaptic.scene import FULL, Parts
 
 DAMPED = plant.sampled(plant.normalised(Parts(stiffness=False)))
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))

@@ -7,8 +7,8 @@ only limit on the left: does the stable region always reach the line $\alpha=-\g
 from sympy import I, diff, exp, sin
 
 from symhaptic.model import loop, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, n_0, n_1, phi, t, v, x, z
-from symhaptic.scene import FULL, Parts
 
 
 def derive(page):

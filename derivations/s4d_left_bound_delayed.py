@@ -14,12 +14,12 @@ from symhaptic.book.lemmas.left_bound import (
     not_soft,
 )
 from symhaptic.model import loop, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, t, x, z
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined, weakened, widened
 from symhaptic.proof.theorems.tactics import counterexample, example, fact, for_all
-from symhaptic.scene import FULL, Parts
 
 
 def derive(page):

@@ -7,9 +7,9 @@ take the largest stiffness from it in closed form, and a bound of the damping.
 from sympy import Rational, S, exp, sqrt, symbols
 
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, delta, s, x, z
 from symhaptic.proof import sign
-from symhaptic.scene import Parts
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL, APART = N_1 + N_0, N_1 - N_0

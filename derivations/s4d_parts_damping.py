@@ -10,8 +10,8 @@ from sympy import Poly, Rational, S, diff, symbols
 from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import circle, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, SLOPES, TOGETHER, named
 from symhaptic.proof import box
+from symhaptic.proof.plants import AT_ONE, LATE, LOSS, NUMBERS, SLOPES, TOGETHER, named
 
 
 def derive(page):

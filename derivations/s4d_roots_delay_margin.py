@@ -14,12 +14,12 @@ from symhaptic.book.lemmas.crossing import (
     speed_outwards,
 )
 from symhaptic.model import loop
+from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import real_part
 from symhaptic.notation import alpha, beta, d, theta, u, w
 from symhaptic.notation.proposition import both
 from symhaptic.proof.theorems.kernel import conjoined
 from symhaptic.report.stability_figures import delay_margins
-from symhaptic.scene import Parts
 
 
 def derive(page):

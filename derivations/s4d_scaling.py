@@ -9,10 +9,10 @@ and delay, $\gamma=0$ and $d=0$, shows by how much. The next chapter has the the
 from sympy import Rational, S
 
 from symhaptic.model import boundary, loop, passivity, plant, wall
+from symhaptic.model.parts import Parts
 from symhaptic.notation import B, K, T, alpha, b, beta, c, d, delta, function, gamma, k, m, z
 from symhaptic.proof import sign
 from symhaptic.proof.enclosed import value
-from symhaptic.scene import Parts
 
 DAMPED = Parts(stiffness=False)
 ARM = plant.sampled(plant.normalised(DAMPED))

@@ -7,6 +7,7 @@ $\beta$, in units of $\alpha+\gamma$. We write this error down for the whole bou
 from sympy import Abs, Rational, cos, sin
 
 from symhaptic.model import boundary, lag, linear, plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import (
     alpha,
     alpha_lin,
@@ -19,7 +20,6 @@ from symhaptic.notation import (
     s_2,
     theta,
 )
-from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
 Y = linear.CHORD

@@ -7,9 +7,9 @@ paper's Fig. 10 shows small errors there. We take the limit, with and without sp
 from sympy import I, Rational, S, tanh
 
 from symhaptic.model import boundary, linear, plant
+from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import Omega, d, delta, gamma, nu, s_1, s_2, theta, z
-from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
 GAP = linear.GAP

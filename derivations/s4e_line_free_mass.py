@@ -7,9 +7,9 @@ which side of it the stable walls lie, for every delay.
 from sympy import Rational, S, cos, diff, pi, sin
 
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import d, theta
 from symhaptic.proof import sign
-from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
 LATE = (d + 1) * theta

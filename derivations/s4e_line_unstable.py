@@ -10,9 +10,9 @@ from symhaptic.arm import RANGES
 from symhaptic.linear_points import SHAPE
 from symhaptic.model import linear, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, nu, s_1, s_2
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named
 from symhaptic.proof import sign
 from symhaptic.proof.box import positive
+from symhaptic.proof.plants import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named
 
 INSIDE = r"\text{inside (23)}"
 SAMPLED = named({number: number for number in NUMBERS})

@@ -8,8 +8,8 @@ from sympy import Rational, S, diff
 
 from symhaptic.model import jury, loop
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1
-from symhaptic.plant_balls import SLOPES, named
 from symhaptic.proof import box
+from symhaptic.proof.plants import SLOPES, named
 
 RISE = n_1 + n_0
 WIDE = {gamma: (0, Rational(1, 100)), delta: (0, Rational(1, 10))}

@@ -9,8 +9,8 @@ from sympy import Rational, S, sqrt
 from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import boundary, jury, plant
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, x
-from symhaptic.plant_balls import BALLS, LATE, NUMBERS, named
 from symhaptic.proof import box
+from symhaptic.proof.plants import BALLS, LATE, NUMBERS, named
 from symhaptic.wall_balls import most, over, passive
 
 RISE = n_1 + n_0

@@ -10,8 +10,8 @@ from sympy import Rational, cos, diff, pi, tan
 
 from symhaptic.model import boundary, circle
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, phi, t, theta, y, z
-from symhaptic.plant_balls import BALLS, NUMBERS, named
 from symhaptic.proof import box
+from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.wall_balls import DEVICE, STIFFNESS
 
 PLANT, FORCE = DEVICE.denominator, DEVICE.numerator

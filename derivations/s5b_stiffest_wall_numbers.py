@@ -10,9 +10,9 @@ from sympy import Poly, Rational, S, pi, symbols, tan
 from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.model import circle, passivity
 from symhaptic.notation import K, T, alpha, d, delta, gamma, phi, t, theta
-from symhaptic.plant_balls import BALLS, NUMBERS, named
 from symhaptic.proof import box
 from symhaptic.proof.ball import bound
+from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.proof.roots import decimals
 from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 

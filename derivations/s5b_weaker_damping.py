@@ -9,10 +9,10 @@ from sympy import Rational, S, diff, latex, symbols, tan
 from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import boundary
 from symhaptic.notation import d, delta, gamma, phi, t
-from symhaptic.plant_balls import BALLS, NUMBERS, SLOPES, named
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.enclosed import given
+from symhaptic.proof.plants import BALLS, NUMBERS, SLOPES, named
 from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 GIVEN = named({s: s for s in (*NUMBERS, *SLOPES)})

@@ -14,6 +14,7 @@ from symhaptic.book.lemmas.swing import (
     up_to_nyquist,
 )
 from symhaptic.model import plant
+from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, b, delta, gamma, k, m, omega
 from symhaptic.notation.proposition import Relation
@@ -22,7 +23,6 @@ from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import applied, assume, conjoined, discharged, placed, weakened
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import closed, either_way, example, for_all, over, positive
-from symhaptic.scene import Parts
 
 
 def derive(page):

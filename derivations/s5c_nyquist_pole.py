@@ -8,6 +8,7 @@ from sympy import S, pi
 
 from symhaptic.book.lemmas.mirror import inside, mirrored_pole
 from symhaptic.model import loop
+from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, delta, gamma, l, z
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
@@ -17,7 +18,6 @@ from symhaptic.proof.theorems.kernel import conjoined, weakened, whole
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.roots import held_by_a_pole
 from symhaptic.proof.theorems.tactics import example, fact, for_all
-from symhaptic.scene import Parts
 
 
 def derive(page):

@@ -8,9 +8,9 @@ springs has become a triangle.
 from sympy import I, Rational, S, exp, pi, symbols, tanh
 
 from symhaptic.model import jury, loop, plant
+from symhaptic.model.parts import FULL
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
 from symhaptic.proof import box
-from symhaptic.scene import FULL
 
 AT = {gamma: pi**2 + delta**2 / 4}
 LEFT = exp(-delta / 2)

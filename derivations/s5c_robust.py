@@ -8,9 +8,9 @@ that two springs are enough to exclude them all.
 from sympy import I, S, cos, exp, sin, tan
 
 from symhaptic.model import fractional, loop, plant
+from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import Omega, alpha, beta, d, gamma, l, phi, theta, z
-from symhaptic.scene import Parts
 
 
 def derive(page):

@@ -8,6 +8,7 @@ before. We ask what a little damping leaves.
 from sympy import I, S, cos, exp, sin
 
 from symhaptic.model import boundary, fractional, passivity, plant
+from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import (
     B,
@@ -27,7 +28,6 @@ from symhaptic.notation import (
     z,
 )
 from symhaptic.report.stability_figures import springs
-from symhaptic.scene import Parts
 
 
 def derive(page):

@@ -9,8 +9,8 @@ from sympy import Rational, S, symbols, tan
 from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.model import boundary
 from symhaptic.notation import phi, t
-from symhaptic.plant_balls import BALLS, NUMBERS, named
 from symhaptic.proof import box
+from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over
 
 GIVEN = named({s: s for s in NUMBERS})

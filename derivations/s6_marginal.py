@@ -9,10 +9,10 @@ from sympy import Rational, S, symbols
 from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.model import boundary
 from symhaptic.notation import alpha, d, delta, gamma
-from symhaptic.plant_balls import BALLS, NUMBERS, named
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.enclosed import given
+from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.proof.roots import decimals
 from symhaptic.wall_balls import DEVICE, most, over
 

@@ -8,9 +8,9 @@ motion are again a transfer function, exactly; the paper's $z^{-d}$ is not.
 from sympy import S, exp, expand, eye
 
 from symhaptic.model import fractional, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import Plant
 from symhaptic.notation import c, delta, epsilon, gamma, l, m_0, m_1, m_2, z
-from symhaptic.scene import FULL, Parts
 
 
 def derive(page):

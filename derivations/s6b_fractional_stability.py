@@ -8,6 +8,7 @@ explicit curve.
 from sympy import I, S, cos, exp, sin, symbols
 
 from symhaptic.model import fractional, loop, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import (
     alpha,
@@ -26,7 +27,6 @@ from symhaptic.notation import (
     theta,
     z,
 )
-from symhaptic.scene import FULL, Parts
 
 
 def derive(page):

@@ -8,9 +8,9 @@ $d=\ell+\tfrac12$. The two boundaries are $Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$.
 from sympy import I, Rational, S, cos, diff, exp, log, pi, sin, sqrt, symbols
 
 from symhaptic.model import fractional, plant
+from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import alpha, beta, epsilon, l, theta, u, w, x, z
-from symhaptic.scene import Parts
 
 
 def derive(page):

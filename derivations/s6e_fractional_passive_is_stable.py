@@ -7,8 +7,8 @@ same motion is looked at again, with a force that changes inside the period.
 from sympy import S, eye
 
 from symhaptic.model import fractional, plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import F, c, delta, epsilon, gamma, p_k, q_k, v, x, y, z
-from symhaptic.scene import Parts
 
 
 def derive(page):

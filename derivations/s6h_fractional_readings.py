@@ -9,10 +9,10 @@ from sympy import I, Rational, pi, tan
 
 from symhaptic.latex import latex
 from symhaptic.model import fractional, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, delta, gamma, l, n_0, n_1, x, y, z
 from symhaptic.proof import sign
 from symhaptic.report.fractional_figures import stable_readings
-from symhaptic.scene import FULL, Parts
 
 HALF = Rational(1, 2)
 

@@ -13,7 +13,7 @@ from symhaptic import Scene, formulas, lambdify
 from symhaptic.export import request
 from symhaptic.library import folder, run
 from symhaptic.model import stable
-from symhaptic.scene import Parts
+from symhaptic.model.parts import Parts
 
 HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
 NAMES = ["discretize", "stability_boundary", "passivity_margin_at", "passivity_boundary",

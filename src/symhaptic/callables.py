@@ -17,10 +17,11 @@ from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.derivatives import with_derivatives
 from symhaptic.model.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.model.parts import FULL, Parts, left
 from symhaptic.model.stable import STATEMENTS, Form, NoForm
 from symhaptic.model.values import value
 from symhaptic.numeric.containers import kept
-from symhaptic.scene import FULL, Parts, Scene, left
+from symhaptic.scene import Scene
 from symhaptic.suggest import suggested
 
 FORMS = ("stable", "derived", "printed")

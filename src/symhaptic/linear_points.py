@@ -11,11 +11,11 @@ from sympy import Expr
 
 from symhaptic.model import linear, plant
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
-from symhaptic.plant_balls import LATE, LOSS, TOGETHER, named
-from symhaptic.plant_balls import NUMBERS as SAMPLED
-from symhaptic.plant_balls import SLOPES as SAMPLED_SLOPES
 from symhaptic.proof.ball import ball
 from symhaptic.proof.normal import is_zero
+from symhaptic.proof.plants import LATE, LOSS, TOGETHER, named
+from symhaptic.proof.plants import NUMBERS as SAMPLED
+from symhaptic.proof.plants import SLOPES as SAMPLED_SLOPES
 from symhaptic.proof.roots import BITS, NoSuchRoot, real_roots
 
 HALF = sp.Rational(1, 2)

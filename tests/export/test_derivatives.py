@@ -18,7 +18,8 @@ from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.derivatives import differentiable
-from symhaptic.scene import FULL, Parts, Scene
+from symhaptic.model.parts import FULL, Parts
+from symhaptic.scene import Scene
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
 

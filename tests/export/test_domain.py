@@ -19,7 +19,7 @@ from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import vectors
 from symhaptic.model import stable
-from symhaptic.scene import Parts
+from symhaptic.model.parts import Parts
 
 ALL = request.chosen([])
 ORDINARY = {"alpha": 0.01, "beta": 0.1, "gamma": 0.001, "delta": 0.02, "d": 1.0, "theta": 0.5,

@@ -10,7 +10,7 @@ from symhaptic.export import request
 from symhaptic.export.target import OPERATIONS, Refused, Target
 from symhaptic.export.targets import TARGETS
 from symhaptic.model import stable
-from symhaptic.scene import Parts
+from symhaptic.model.parts import Parts
 
 
 def symhaptic(monkeypatch, capsys, *words):

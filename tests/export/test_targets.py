@@ -12,7 +12,7 @@ from symhaptic.export import request
 from symhaptic.export.precision import SINGLE
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import hexadecimal
-from symhaptic.scene import Parts
+from symhaptic.model.parts import Parts
 
 SCENES = {
     "everything": Parts(),

@@ -6,7 +6,7 @@ import sympy as sp
 from scipy.signal import cont2discrete
 
 from symhaptic.model import loop
-from symhaptic.scene import ALL, FULL, Parts
+from symhaptic.model.parts import ALL, FULL, Parts
 
 alpha, beta, gamma, delta, d, z, T, m = sp.symbols("alpha beta gamma delta d z T m")
 # Chosen: a stable and an unstable wall on a soft arm.

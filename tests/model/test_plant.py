@@ -11,7 +11,7 @@ from scipy.signal import cont2discrete
 
 import symhaptic.model
 from symhaptic.model import plant
-from symhaptic.scene import ALL, Parts
+from symhaptic.model.parts import ALL, Parts
 
 t, gamma, delta, z = sp.symbols("t gamma delta z")
 

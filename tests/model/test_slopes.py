@@ -16,12 +16,12 @@ from symhaptic.model import products, slopes, stable, values
 from symhaptic.model.derivatives import derivative, differentiable, with_derivatives
 from symhaptic.model.entire import Entire, written_out
 from symhaptic.model.entire_device import Fall, Rise, Together
+from symhaptic.model.parts import ALL, FULL, Parts
 from symhaptic.model.searched import Rated
 from symhaptic.model.slope_values import BY_MATRIX
 from symhaptic.model.slopes import SLOPES
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 from symhaptic.proof.decide import compare
-from symhaptic.scene import ALL, FULL, Parts
 
 CLAIMS = [
     (cls, i) for cls in (*SLOPES, values.ALL["CosNext"], values.ALL["SinNext"], values.ALL["C"])

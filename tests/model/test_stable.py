@@ -11,9 +11,9 @@ from scipy.linalg import expm
 
 from symhaptic.model import plant, stable, values
 from symhaptic.model.entire import Entire, written_out
+from symhaptic.model.parts import ALL, FULL, Parts
 from symhaptic.notation import SYMBOLS, delta, gamma
 from symhaptic.proof.decide import compare
-from symhaptic.scene import ALL, FULL, Parts
 
 DELAY = 2
 

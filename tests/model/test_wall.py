@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from symhaptic.model import wall
-from symhaptic.scene import ALL
+from symhaptic.model.parts import ALL
 
 K, B, T, d, z, alpha, beta, m = sp.symbols("K B T d z alpha beta m")
 

@@ -117,7 +117,7 @@ def test_a_fraction_of_a_period_leaves_the_straight_part():
     assert energy.left(0.7, 0.7 * 1.5 - 1, late=1) > -1e-12
 
 
-@guards("s3d_figures")
+@guards("s3d_figures", "s3d_stiffness_over_delay")
 def test_the_two_counterexamples_half_a_period_late():
     tip = counterexample(CHAPTER, "fig4")
     assert energy.left(tip["K"], tip["B"], late=0.5) < -0.01
@@ -131,4 +131,7 @@ def test_the_two_counterexamples_half_a_period_late():
             found = energy.determinant(1.17, 0.32, 0.5, theta)
             assert number(square, x=np.cos(theta / 2) ** 2) == pytest.approx(found, abs=1e-12)
 
-    only(agrees, shown(CHAPTER, "The wall $KT/b=1.17$, $B/b=0.32$, half a period late"))
+    only(
+        agrees,
+        shown("s3d_stiffness_over_delay", "The wall $KT/b=1.17$, $B/b=0.32$, half a period late"),
+    )

@@ -12,8 +12,8 @@ from scipy.linalg import expm
 from scipy.signal import cont2discrete
 
 from symhaptic.model import loop, plant
+from symhaptic.model.parts import ALL, FULL
 from symhaptic.notation import c
-from symhaptic.scene import ALL, FULL
 
 DEVICES = [(0.4, 3.0, 250.0, 2e-3), (2.0, 9.0, 10.0, 0.1), (0.02, 0.3, 900.0, 0.01)]
 """m, b, k and T: swinging, overdamped with a long period, and with a third of a swing."""

@@ -9,8 +9,8 @@ from oracles.guarding import guards
 from oracles.subject import decimals, number, only, shown, value
 
 from symhaptic.model import boundary, plant
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import c
-from symhaptic.scene import FULL, Parts
 
 ENDS, UNDAMPED = "s4d_explicit_boundary_ends", "s4d_explicit_boundary_undamped"
 

@@ -10,8 +10,8 @@ from oracles.search import edge
 from oracles.subject import number, only, shown, value
 
 from symhaptic.model import fractional, plant
+from symhaptic.model.parts import FULL
 from symhaptic.notation import c
-from symhaptic.scene import FULL
 
 PLANTS = [(1e-3, 0.02), (2.0, 0.5), (0.1, 3.0), (9.0, 0.05)]
 LATES = (0.1, 0.5, 0.8)

@@ -9,8 +9,8 @@ from flint import arb, ctx
 from sympy import Rational, S
 
 from symhaptic.notation import delta, gamma
-from symhaptic.plant_balls import LOSS, TOGETHER, named
 from symhaptic.proof import box
+from symhaptic.proof.plants import LOSS, TOGETHER, named
 from symhaptic.proof.program import Uncheckable, program
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.roots import zero

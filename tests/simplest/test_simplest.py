@@ -9,7 +9,7 @@ import pytest
 from oracles.search import edge, stiffest
 
 from symhaptic import Scene
-from symhaptic.scene import Parts
+from symhaptic.model.parts import Parts
 from symhaptic.simplest.at_damping import at_damping, error_of_line
 from symhaptic.simplest.cost import Model, cost, error
 from symhaptic.simplest.plants import Interval, NotCovered, NotEnclosed, numbers

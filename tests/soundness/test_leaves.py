@@ -24,9 +24,10 @@ from symhaptic.proof.theorems.analysis import (
     in_the_limit,
     increases,
     induction,
+    no_other_limit,
 )
 from symhaptic.proof.theorems.definitions import gains, loop, whole_delay
-from symhaptic.proof.theorems.energy import toeplitz
+from symhaptic.proof.theorems.energy import stored, toeplitz
 from symhaptic.proof.theorems.kernel import NotShown, assume, discharged, weakened, whole
 from symhaptic.proof.theorems.leaves import (
     both_ways,
@@ -35,6 +36,7 @@ from symhaptic.proof.theorems.leaves import (
     combined,
     divided,
     factor,
+    full_turns,
     identity,
     is_whole,
     magnitude,
@@ -48,6 +50,7 @@ from symhaptic.proof.theorems.leaves import (
     square,
     strictly,
     tends,
+    with_rest,
 )
 from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
 from symhaptic.proof.theorems.tactics import closed, over, positive
@@ -320,3 +323,68 @@ def test_energy() -> None:
     assert not any(isinstance(p, ForAll) for p in found.hypotheses)
     assert isinstance(whole(d), Predicate)
     assert implied([], x > 0) == proposition(x > 0)
+
+
+def test_full_turns() -> None:
+    turns = assume(whole(n))
+    found = full_turns(x, turns)
+    assert Relation(sin(x + 2 * pi * n), "=", sin(x)) in found.conclusion.of  # type: ignore[attr-defined]
+    assert found.hypotheses == {whole(n)}
+    assert Relation(y, "!=", S.Zero) in full_turns(1 / y, turns).hypotheses
+    refused(
+        lambda: full_turns(x, assume(n >= 0)),
+        lambda: full_turns(x, broken(Rational(1, 2))),
+    )
+
+
+def test_a_multiple_and_a_rest() -> None:
+    found = with_rest(x, y, n)
+    assert found.hypotheses == {proposition(x >= 0), lt(0, y)}
+    assert whole(n) in found.conclusion.body.of  # type: ignore[attr-defined]
+    refused(
+        lambda: with_rest(n, y, n),
+        lambda: with_rest(x, n * y, n),
+        lambda: with_rest(x, sp.I, n),
+    )
+
+
+def test_a_limit_is_the_only_one() -> None:
+    limit = tends(sin(x) / x, x, S.Zero, S.One)
+    other = no_other_limit(limit, number(Relation(S.One, "!=", S.Zero)))
+    assert other.conclusion.of[0].of[2] == 0  # type: ignore[attr-defined]
+    refused(
+        # apart from something else, or not apart, or no limit
+        lambda: no_other_limit(limit, number(Relation(S(2), "!=", S.Zero))),
+        lambda: no_other_limit(limit, assume(Relation(S.One, "=", S.Zero))),
+        lambda: no_other_limit(limit, assume(Relation(S.One, "!=", x))),
+        lambda: no_other_limit(assume(x > 0), number(Relation(S.One, "!=", S.Zero))),
+    )
+
+
+def test_a_store_does_not_matter() -> None:
+    wall, nothing = (1, 0, 1, y, 0), identity(S.Zero, S.Zero)
+    some = positive(c * x**2 >= 0, [c > 0, square(x)])
+    found = stored(wall, x, some, nothing)
+    assert found.hypotheses == {lt(0, c), lt(0, y), proposition(sp.Le(0, 0, evaluate=False))}
+    full = positive(1 + x**2 >= 0, [S.One], [square(x)])
+    refused(
+        # a store that gives energy at rest, may be negative, jumps, or knows the speed
+        lambda: stored(wall, x, full, nothing),
+        lambda: stored(wall, x, full, identity(S.One, S.One)),
+        lambda: stored(wall, x, assume(c * x >= 0), nothing),
+        lambda: stored(wall, x, sign_of(sp.Abs, x), nothing),
+        lambda: stored(wall, x, positive(c * x**2 > 0, [c > 0, x > 0, x > 0]), nothing),
+        lambda: stored((x, 0, 1, 1, 0), x, some, nothing),
+    )
+
+
+def test_a_motion_in_algebraic_numbers() -> None:
+    """Four steps against K = -sqrt(3), b = 1 leave 4 - 6 sqrt(3); K = -2/3 leaves nothing."""
+    steps = 4 * [(1, 1)]
+    assert not gains((-sp.sqrt(3), 0, 1, 1, 0), steps).hypotheses
+    refused(
+        lambda: gains((-Rational(2, 3), 0, 1, 1, 0), steps),
+        lambda: gains((sp.sqrt(3) - sp.sqrt(3 + c), 0, 1, 1, 0), steps),
+        lambda: gains((-1, 0, -sp.sqrt(3), 1, 0), steps),
+        lambda: gains((-1, 0, sp.sqrt(-1), 1, 0), steps),
+    )

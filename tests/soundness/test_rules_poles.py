@@ -7,7 +7,7 @@ import sympy as sp
 from sympy import I, S, exp, pi, symbols
 
 from symhaptic.notation.proposition import Not, NoTerm, Predicate, Relation
-from symhaptic.proof.theorems.definitions import swinging
+from symhaptic.proof.theorems.device import swinging
 from symhaptic.proof.theorems.kernel import NotShown, assume, whole
 from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.roots import held_by_a_pole, pole_at

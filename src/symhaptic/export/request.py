@@ -17,8 +17,8 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
 from symhaptic.model import stable
 from symhaptic.model.derivatives import differentiable, with_derivatives
+from symhaptic.model.parts import FULL, Parts, left
 from symhaptic.model.stable import Form, NoForm
-from symhaptic.scene import FULL, Parts, left
 from symhaptic.suggest import suggested
 
 TITLE = "Passivity and stability of haptic walls"

@@ -33,7 +33,7 @@ def solved(turned: Expr, angle: Expr = theta) -> tuple[Expr, Expr]:
 def wall(device: Sampled, angle: Expr = theta, delay: Expr = d) -> tuple[Expr, Expr]:
     """(alpha, beta) with a root at exp(j angle), for every real delay on the principal sheet.
 
-    >>> from symhaptic.scene import Parts
+    >>> from symhaptic.model.parts import Parts
     >>> from symhaptic.model import plant
     >>> free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     >>> [round(complex(value).real, 6) for value in wall(free, sp.pi/3, 0)]
@@ -48,7 +48,7 @@ def stiffness(device: Sampled, half: Expr, turn: Expr) -> Expr:
     Written without cancellation where theta, damping and stiffness are small, so that balls see
     it; derivations/s5b_stiffest_wall.py shows that it is the same.
 
-    >>> from symhaptic.scene import Parts
+    >>> from symhaptic.model.parts import Parts
     >>> from symhaptic.model import plant
     >>> free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     >>> stiffness(free, *sp.symbols("t x"))
@@ -70,7 +70,7 @@ def largest_undelayed(device: Sampled) -> Expr:
     derivations/s4d_mass_with_damper.py and, with a spring, in s5b_stiffest_undelayed.py, for
     gamma <= 0.01 and delta <= 0.1.  It is too large for heavy damping, delta above about 3.5.
 
-    >>> from symhaptic.scene import Parts
+    >>> from symhaptic.model.parts import Parts
     >>> from symhaptic.model import plant
     >>> free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     >>> sp.expand(largest_undelayed(free))

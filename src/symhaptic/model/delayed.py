@@ -17,12 +17,12 @@ from symhaptic.model import boundary, fractional, plant
 from symhaptic.model.entire import Creep, Decay, Fade, Lag, S
 from symhaptic.model.entire_device import Apart, Fall, Rise
 from symhaptic.model.fractional import Late
+from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, Sampled
 from symhaptic.model.response import KickLow, LateApart, closed
 from symhaptic.model.slopes import Kick
 from symhaptic.notation import a, c, delta, e, epsilon, gamma, l, m_0, m_1, m_2, n_0, n_1, z
-from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
 

@@ -18,6 +18,7 @@ from symhaptic.model.entire import (
 )
 from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
 from symhaptic.model.form import HALF, Form, NoForm, domain, present, steps_of
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import (
     a,
     alpha,
@@ -31,7 +32,6 @@ from symhaptic.notation import (
     n_1,
     z,
 )
-from symhaptic.scene import FULL, Parts
 
 
 @dataclass(frozen=True)

@@ -11,10 +11,10 @@ from sympy import Expr, Rational, Symbol
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.model.domain import domain, within
+from symhaptic.model.parts import Parts
 from symhaptic.model.response import closed
 from symhaptic.model.searched import LatePart, SomePart, WholePart
 from symhaptic.notation import beta, d, delta, epsilon, gamma, l
-from symhaptic.scene import Parts
 
 HALF = Rational(1, 2)
 

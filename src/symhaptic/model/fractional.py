@@ -13,10 +13,10 @@ import sympy as sp
 from sympy import Expr, Matrix
 
 from symhaptic.model import passivity, wall
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.model.plant import Plant, Sampled, normalised, sampled
 from symhaptic.notation import B, K, T, alpha, b, beta, d, epsilon, l, theta, z
-from symhaptic.scene import FULL, Parts
 
 
 @dataclass(frozen=True)

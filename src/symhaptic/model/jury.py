@@ -77,7 +77,7 @@ def inequalities(delay: int, device: Sampled = ANY) -> tuple[Boolean, ...]:
     another delay or device.
 
     >>> from symhaptic.model import plant
-    >>> from symhaptic.scene import Parts
+    >>> from symhaptic.model.parts import Parts
     >>> free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     >>> inequalities(0, free)
     (alpha > 0, beta > 0, -alpha*beta - 2*alpha - 2*beta**2 + 4*beta > 0)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from sympy import Expr
 
 from symhaptic.model import plant, wall
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import T, a, alpha, beta, d, e, m, n_0, n_1, z
-from symhaptic.scene import FULL, Parts
 
 
 def characteristic(parts: Parts = FULL, split: Expr | None = None) -> Expr:

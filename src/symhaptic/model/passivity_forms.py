@@ -18,6 +18,7 @@ from symhaptic.model.entire import (
     at_numbers,
 )
 from symhaptic.model.form import HALF, Form, NoForm, Pairs, domain, either, present, undelayed
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.searched import (
     LargestNeed,
     LatePart,
@@ -42,7 +43,6 @@ from symhaptic.notation import (
     psi,
     theta,
 )
-from symhaptic.scene import FULL, Parts
 
 
 def _normalised(parts: Parts, expr: Expr) -> Expr:

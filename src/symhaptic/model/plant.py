@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Matrix
 
+from symhaptic.model.parts import Parts
 from symhaptic.notation import a, b, delta, e, gamma, k, m, n_0, n_1, s, t, z
-from symhaptic.scene import Parts
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ from sympy import Expr, Symbol, exp
 from symhaptic.model import delayed
 from symhaptic.model.entire import C, Decay, Fade, Lag, S
 from symhaptic.model.entire_device import Apart, Fall, Together
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.slopes import ApartDrop, Coast, Echo, Kick
 from symhaptic.notation import delta, epsilon, gamma
-from symhaptic.scene import FULL, Parts
 
 
 def _stretched() -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:

@@ -16,6 +16,7 @@ from symhaptic.model.entire import (
     SinNext,
 )
 from symhaptic.model.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.response import Ahead, InPhase, closed
 from symhaptic.model.response import parts as parts_of_response
 from symhaptic.model.stiffest_angle import StiffestAngle
@@ -35,7 +36,6 @@ from symhaptic.notation import (
     theta,
     z,
 )
-from symhaptic.scene import FULL, Parts
 
 
 def stability_boundary(parts: Parts = FULL) -> Form:

@@ -13,6 +13,7 @@ from functools import cache
 
 from symhaptic.model.device_forms import characteristic_polynomial, discretize, discretize_late
 from symhaptic.model.form import Form, NoForm
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity_forms import (
     linear_limit,
     max_passive_stiffness,
@@ -27,7 +28,6 @@ from symhaptic.model.stability_forms import (
     stability_conditions,
     unstable_roots,
 )
-from symhaptic.scene import FULL, Parts
 
 FORMS: dict[str, Callable[..., Form]] = {
     f.__name__: f

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from sympy import Expr
 
+from symhaptic.model.parts import Parts
 from symhaptic.notation import B, K, T, alpha, beta, d, z
-from symhaptic.scene import Parts
 
 
 def force(now: Expr, before: Expr) -> Expr:

@@ -238,6 +238,12 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "no motion of a device with damping b gains energy from the wall K + B (z-1)/(Tz), sampled "
         "every T, its force held for T and d periods late",
     ),
+    "passive_device": (
+        *(1, 6),
+        r"\mathrm{{passive}}_{{E=}}{{}}_{{{0}}}({1},{2},{3},{4},{5})",
+        "the hand that moves a device from rest, v = 0, does no negative work against its store "
+        "E(v) of the speed v at the end, its damping b and the wall of passive_wall",
+    ),
     "stable_loop": (
         *(0, 5),
         r"\mathrm{{stable}}({0},{1},{2},{3},{4})",

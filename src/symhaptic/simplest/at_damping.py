@@ -22,7 +22,7 @@ from flint import arb, arb_poly
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
-from symhaptic.plant_balls import TOGETHER
+from symhaptic.proof.plants import TOGETHER
 from symhaptic.simplest.cost import positive
 from symhaptic.simplest.plants import (
     BY_NAMES,

@@ -16,7 +16,8 @@ from symhaptic.simplest.plants import NOTHING, Box, Interval, NotCovered
 from symhaptic.simplest.stiffest import stiffest
 
 if TYPE_CHECKING:
-    from symhaptic.scene import Parts, Scene
+    from symhaptic.model.parts import Parts
+    from symhaptic.scene import Scene
 
 Range: TypeAlias = float | tuple[float, float]
 """One number, or the lowest and the highest."""

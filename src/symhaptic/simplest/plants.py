@@ -18,9 +18,9 @@ from sympy import Expr
 from sympy.printing.pycode import PythonCodePrinter
 
 from symhaptic.model import plant
+from symhaptic.model.parts import FULL
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, TOGETHER
-from symhaptic.scene import FULL
+from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER
 
 BITS = 96
 """Working precision."""

@@ -17,7 +17,7 @@ from sympy import Expr
 
 from symhaptic.model import boundary, jury
 from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, phi, t
-from symhaptic.plant_balls import AT_ONE, TOGETHER
+from symhaptic.proof.plants import AT_ONE, TOGETHER
 from symhaptic.simplest.plants import (
     BY_NAMES,
     NAMES,

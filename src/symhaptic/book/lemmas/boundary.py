@@ -17,7 +17,7 @@ from symhaptic.paper.propositions.stability import (
     on_boundary,
     stiffness,
 )
-from symhaptic.proof.theorems.definitions import device_at_rest
+from symhaptic.proof.theorems.device import device_at_rest
 from symhaptic.proof.theorems.energy import held_steady_state
 from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part, substituted
 from symhaptic.proof.theorems.leaves import (

@@ -10,7 +10,7 @@ from typing import Any
 
 from sympy import Eq, Expr, I, Ne, Rational, S, exp, pi, sin
 
-from symhaptic.book.lemmas.chords import HALF, PI, not_zero, sine, size
+from symhaptic.book.lemmas.chords import HALF, PI, not_zero, sine, size, width
 from symhaptic.book.lemmas.envelope import damping, divisor, line, stiffness
 from symhaptic.book.lemmas.extent import sine as sine_below
 from symhaptic.book.lemmas.tip import ITS_DAMPING, STIFFEST, tip
@@ -73,18 +73,30 @@ def either_delay(delayed: Theorem, undelayed: Theorem) -> Theorem:
 
 
 @cache
-def divisors(angle: Expr = psi) -> tuple[Theorem, ...]:
-    """sin psi and N sin 2 psi - sin 2 N psi are not zero, the latter for N = 2."""
+def waves(angle: Expr = psi) -> tuple[Theorem, ...]:
+    """0 < sin 2 psi and twice 0 < sin psi, for N >= 2."""
     up, low = assume(N * angle < pi), assume(angle > 0)
     quarter = positive(angle < pi / 2, [HALF, up], [HALF, N >= 2, low])
     wave = closed(sine_below(angle), quarter)
-    twice = closed(
-        sign_of(sin, 2 * angle),
-        positive(2 * angle > 0, [2, low]),
-        positive(2 * angle < pi, [2, quarter]),
-    )
+    inside = positive(2 * angle > 0, [2, low]), positive(2 * angle < pi, [2, quarter])
+    return closed(sign_of(sin, 2 * angle), *inside), wave, wave
+
+
+@cache
+def divisors(angle: Expr = psi) -> tuple[Theorem, ...]:
+    """What F and the envelope divide by is not zero, for N = 2."""
+    twice, wave, _ = waves(angle)
     product = positive(divisor(angle).subs(N, 2) > 0, [4, twice, wave, wave])
-    return not_zero(wave), not_zero(product), wave
+    return not_zero(wave), not_zero(product)
+
+
+@cache
+def wide(angle: Expr = psi) -> Theorem:
+    """0 < N sin 2 psi - sin 2 N psi, for N >= 2."""
+    claim = proposition(divisor(angle).subs(N, x) > 0)
+    product = positive(divisor(angle).subs(N, 2) > 0, [4, *waves(angle)])
+    equation = combined(Eq(S(2), N), [assume(Eq(N, 2)), S.NegativeOne])
+    return either_delay(width(angle), substituted(claim, x, product, equation))
 
 
 @cache

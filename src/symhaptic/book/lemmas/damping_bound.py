@@ -12,7 +12,7 @@ from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, x, z
 from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.definitions import device_exists, device_static, loop_late
+from symhaptic.proof.theorems.device import device_exists, device_static, loop_late
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,

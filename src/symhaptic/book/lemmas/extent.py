@@ -145,9 +145,9 @@ def repeated() -> Theorem:
         [by_sine, u * cos(psi) / sin(psi)],
         [by_cosine, -w],
     )
-    divisors = not_zero(inside), not_zero(sine()), not_zero(SIZE)
-    last = not_zero(positive(sin(low) * sin(psi) > 0, [inside, sine()]))
-    return closed(found, *divisors, last, positive_low, below)
+    product = positive(sin(low) * sin(psi) > 0, [inside, sine()])
+    divisors = map(not_zero, (inside, sine(), SIZE, product))
+    return closed(found, *divisors, positive_low, below)
 
 
 @cache

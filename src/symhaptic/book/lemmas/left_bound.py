@@ -15,7 +15,8 @@ from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, z
 from symhaptic.notation.proposition import And, Exists, Or, Proposition, Relation, proposition
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import OTHER
-from symhaptic.proof.theorems.definitions import device_exists, loop_of_device, loop_substituted
+from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.device import device_exists, loop_of_device
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,

@@ -9,7 +9,7 @@ from sympy import Eq, Ne, S, cos, pi
 
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.corners import corner
-from symhaptic.book.lemmas.passivity import passive_by_angle
+from symhaptic.book.lemmas.passivity import PASSIVE, passive_by_angle
 from symhaptic.book.lemmas.region import (
     at_every_angle,
     bordering,
@@ -20,11 +20,12 @@ from symhaptic.book.lemmas.region import (
     sufficient,
 )
 from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, theta, w, x, y
-from symhaptic.notation.proposition import Predicate, Relation
+from symhaptic.notation.proposition import Predicate, Relation, Terms
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     conjoined,
+    part,
     placed,
     substituted,
     weakened,
@@ -33,6 +34,7 @@ from symhaptic.proof.theorems.leaves import bounded, combined, square, strictly,
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,
+    fact,
     follows,
     for_all,
     over,
@@ -123,7 +125,7 @@ def decides() -> tuple[Theorem, Theorem]:
     nine = assume(K < LOW)
     delay = positive((d + HALF) * T > 0, [HALF, T > 0, low])
     room = positive(b + B - K * T * (d + HALF) >= 0, [delay, nine])
-    part = over((2 * d + 3) / (d + 1) > 0, high, more)
+    share = over((2 * d + 3) / (d + 1) > 0, high, more)
     of_corner = over(
         (2 * d + 1) * (2 * d + 3) / (d + 1) > 0,
         positive((2 * d + 1) * (2 * d + 3) > 0, [low, high]),
@@ -139,8 +141,8 @@ def decides() -> tuple[Theorem, Theorem]:
     margin = positive(
         first_half().body.of[1],  # type: ignore[attr-defined]
         [third * HALF, assume(K >= 0), assume(T > 0), of_corner, found],
-        [third, part, room, upper],
-        [third, part, rest, flat],
+        [third, share, room, upper],
+        [third, share, rest, flat],
     )
     margin = closed(margin, *divisors())
     always = on_first_half(margin)
@@ -189,3 +191,10 @@ def ends_at_corner(limit: Any, one: Theorem) -> Theorem:
     square = positive(Ne(4 * T * d**2 + 8 * T * d + 3 * T, 0), [square])
     found = closed(found, *third, square, *divisors())
     return substituted(pattern, w, found, combined(Eq(ONE, y), [one, -ONE]))
+
+
+def at_corner(printed: Any, point: Terms) -> Theorem:
+    """The wall of a point is passive, since it is the corner, y = 1 of the line."""
+    found = part(on_line(*map(assume, printed)), PASSIVE)
+    there = placed(found, {**point, y: ONE})
+    return closed(there, *map(fact, there.hypotheses))

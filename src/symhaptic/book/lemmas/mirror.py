@@ -7,6 +7,7 @@ from functools import cache
 from sympy import Expr, I, Ne, S, exp, pi
 
 from symhaptic.model import plant
+from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, delta, gamma, l, z
 from symhaptic.notation.proposition import Predicate, Relation
 from symhaptic.paper.propositions.comparison import LATE, MIRROR, q
@@ -23,7 +24,6 @@ from symhaptic.proof.theorems.leaves import (
 )
 from symhaptic.proof.theorems.roots import pole_at
 from symhaptic.proof.theorems.tactics import closed, positive
-from symhaptic.scene import Parts
 
 
 @cache

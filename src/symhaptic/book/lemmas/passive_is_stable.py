@@ -29,7 +29,7 @@ from symhaptic.notation import (
 )
 from symhaptic.notation.proposition import Predicate, Relation, proposition
 from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.definitions import (
+from symhaptic.proof.theorems.device import (
     device_at_rest,
     device_comes_to_rest,
     device_exists,

@@ -177,8 +177,9 @@ def device_claim(claim: Proposition, conditions: Sequence[Any]) -> Theorem:
     return _claimed(claim, conditions, renamed(found, then, *names))
 
 
+@cache
 def loop_claim(
-    claim: Proposition, conditions: Sequence[Any], bottom: Expr, wall: Expr, late: bool = True
+    claim: Proposition, conditions: tuple[Any, ...], bottom: Expr, wall: Expr, late: bool = True
 ) -> Theorem:
     """A claim X/(1 + X_d H) = form, with this divisor, for every loop."""
     then = taken_apart(claim)[2]

@@ -11,7 +11,8 @@ from sympy import Expr, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.proof.theorems.definitions import loop_of_device, loop_substituted
+from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.device import loop_of_device
 from symhaptic.proof.theorems.kernel import Theorem, applied, part, whole
 from symhaptic.proof.theorems.leaves import root_outside, roots_inside
 from symhaptic.proof.theorems.roots import jury

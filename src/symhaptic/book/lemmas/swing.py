@@ -8,7 +8,7 @@ from sympy import Eq, Expr, Ne, S, Symbol, pi, sqrt
 
 from symhaptic.notation import T, b, delta, gamma, k, m, omega, x
 from symhaptic.notation.proposition import Predicate, Relation, proposition
-from symhaptic.proof.theorems.definitions import swinging
+from symhaptic.proof.theorems.device import swinging
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     applied,

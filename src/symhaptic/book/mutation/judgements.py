@@ -14,9 +14,12 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.notation.written import written
 from symhaptic.proof.change import Change
+from symhaptic.proof.settle import WRONG
 from symhaptic.proof.theorems.judge import Judged, taken_apart
 from symhaptic.proof.verdict import Kind, Unfounded
 from symhaptic.record import Settled
+
+CONTRARY = "the contrary"
 
 
 @dataclass(frozen=True)
@@ -54,9 +57,12 @@ def changes_of_judgement(settled: Settled) -> Iterator[Change]:
         if kind is Kind.QUALIFIED or not others:
             dropped = replace(judged, unless=others)
             yield put("counterexample", f"without that at {at}", dropped)
-    # what is false stays false with fewer hypotheses
-    for what, other in _others(claim) if judged.instead is None else ():
-        yield put("claim", what, said=other)
+    for what, other in _others(claim):
+        # what is false is so when it is said of more as well
+        if kind not in WRONG or what == CONTRARY:
+            yield put("claim", what, said=other)
+    if judged.instead is not None:
+        yield put("claim", "what holds instead", said=judged.instead)
 
 
 def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
@@ -72,4 +78,4 @@ def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
         if isinstance(hypothesis, Relation) and hypothesis.sign == "<":
             weak = Relation(hypothesis.left, "<=", hypothesis.right)
             yield f"{written(weak)} for <", of((*given[:i], weak, *given[i + 1 :]), then)
-    yield "the contrary", of(given, Not((then,)))
+    yield CONTRARY, of(given, Not((then,)))

@@ -14,6 +14,7 @@ from symhaptic.paper.propositions import (
     device,
     linear,
     passivity,
+    slips,
     stability,
 )
 from symhaptic.paper.propositions.registry import CLAIMED, Claim
@@ -27,5 +28,6 @@ __all__ = [
     "device",
     "linear",
     "passivity",
+    "slips",
     "stability",
 ]

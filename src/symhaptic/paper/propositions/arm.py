@@ -18,10 +18,10 @@ from symhaptic.notation.proposition import (
     negated,
     proposition,
 )
+from symhaptic.paper import tables
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
-from symhaptic.paper.tables import EXCLUDED, TABLE_II
 
 ARM = (T, m_D, m_H, b_D, b_H, k_H)
 GIVEN = (T > 0, m_D > 0, m_H > 0, b_D >= 0, b_H >= 0, k_H >= 0)
@@ -76,8 +76,8 @@ def _joints_in_series(printed: Printed) -> Proposition:
 
 def rows(excluded: bool = False) -> Iterator[dict[Symbol, Expr]]:
     """The arms of Table II in units of kg and s: without the row that is left out, or just it."""
-    for row in TABLE_II:
-        if (row.authors == EXCLUDED) is excluded:
+    for row in tables.TABLE_II:
+        if (row.authors == tables.EXCLUDED) is excluded:
             numbers = [Rational(n) for n in (row.mass, row.stiffness, row.damping)]
             yield {m_H: numbers[0], k_H: numbers[1] / second**2, b_H: numbers[2] / second}
 
@@ -119,13 +119,13 @@ def _far_above(printed: Printed) -> Proposition:
     return both(sp.StrictLessThan(low, high, evaluate=False) for low, high in compared(sp.S(3)))
 
 
-def in_range(row: dict[Symbol, Expr]) -> list[Proposition]:
+def in_range(row: dict[Symbol, Expr]) -> list[Expr]:
     """gamma and delta of an arm alone, at the longest period, beside the upper ends of (23)."""
     _, spring, _, damper = transcribed("eq23")
     at = {second: sp.S.One}
     numbers = [ratio.xreplace(row).xreplace(at) for ratio in RATIOS]
     return [
-        proposition(end.func(LONGEST**power * number, end.rhs, evaluate=False))
+        end.func(LONGEST**power * number, end.rhs, evaluate=False)
         for end, power, number in zip((spring, damper), (2, 1), numbers, strict=True)
     ]
 

@@ -6,12 +6,13 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from symhaptic.notation import B, K, T, b, d, omega, w, x, y
+from symhaptic.notation import B, K, T, b, d, omega, v, w, x, y
 from symhaptic.notation.proposition import (
     Exists,
     ForAll,
     Iff,
     Not,
+    Or,
     Predicate,
     Proposition,
     both,
@@ -19,6 +20,7 @@ from symhaptic.notation.proposition import (
     proposition,
 )
 from symhaptic.paper.equations import EQUATIONS
+from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -38,6 +40,13 @@ def at_every_frequency(*conditions: sp.Expr) -> Proposition:
 @claims("eq5")
 def _condition_is_sufficient(printed: Printed) -> Proposition:
     return ForAll(WALL, implied([*LOOP, at_every_frequency(*printed)], PASSIVE))
+
+
+@claims("s3a-mass-free")
+def _mass_does_not_matter(printed: Printed) -> Proposition:
+    """Of two devices that differ in their mass, x and y, both are passive or none is."""
+    one, other = (Predicate("passive_device", (v,), (mass * v**2 / 2, *WALL)) for mass in (x, y))
+    return ForAll((x, y, *WALL), implied([x > 0, y > 0, *LOOP], Iff((one, other))))
 
 
 @claims("s3a-undelayed")
@@ -163,3 +172,61 @@ def _about_41_percent(printed: Printed) -> Proposition:
 @claims("s3c-kmax-27")
 def _below_27_percent(printed: Printed) -> Proposition:
     return _share(2, lambda share: share < sp.Rational(27, 100))
+
+
+@claims("s3c-limit-points")
+def _damping_ends_at_that_of_the_device(printed: Printed) -> Proposition:
+    """A wall that meets (5) has no damping beyond these points (x, y), which just meet it."""
+    point = [proposition(e).at({K: x, B: y}) for e in printed]
+    met = at_every_frequency(b - FIVE.rhs >= 0).at({K: x, B: y})
+    ends = [
+        implied(point[:2], both([met, y >= B])),
+        implied(point[2:], both([met, y <= B])),
+    ]
+    return ForAll((*WALL, x, y), implied([*LOOP, at_every_frequency(FIVE)], both(ends)))
+
+
+@claims("s3c-bmax-frequency")
+def _upper_part(printed: Printed) -> Proposition:
+    """There (5) is the linear condition, and the largest damping just meets it."""
+    frequency, linear = printed
+    reached = sp.Eq(FIVE.rhs.subs({K: 0, B: b}), b)
+    inside = omega > 0, omega < sp.pi / T
+    then = both([*inside, Iff((proposition(FIVE), proposition(linear))), reached])
+    return ForAll((*WALL, omega), implied([*LOOP, frequency], then))
+
+
+def scaled(period: sp.Expr) -> Proposition:
+    """The walls of (5) scale with b, and their stiffness with y as the period does."""
+    walls = at_every_frequency(FIVE)
+    damped = Iff((walls, walls.at({K: y * K, B: y * B, b: y * b})))
+    slower = Iff((walls, walls.at({K: y * K, T: period})))
+    return ForAll((*WALL, y), implied([*LOOP, y > 0], both([damped, slower])))
+
+
+@claims("s3b-linear-in-T")
+def _linear_in_the_period(printed: Printed) -> Proposition:
+    """Twice the damping, twice the region; twice the period, twice the stiffness."""
+    return scaled(y * T)
+
+
+@claims("fig4")
+def _curves_of_the_figure(printed: Printed) -> Proposition:
+    """For seven delays: (7) up to its end, the line (8) and the tip (11)."""
+    delays = Or(tuple(proposition(sp.Eq(d, sp.Rational(text))) for text in DELAYS))
+    drawn = omega > 0, omega < sp.pi / T, omega <= sp.pi / (T * (d + 1))
+    curve, line, tip = (printed_of(id) for id in ("eq7", "eq8", "eq11"))
+    then = [
+        implied([*drawn, *curve], BORDER),
+        implied([y >= 0, y <= 1, *line], BORDER),
+        implied(tip, STIFFEST),
+    ]
+    return ForAll((*WALL, omega, y), implied([*LOOP, delays], both(then)))
+
+
+@claims("fig5")
+def _stiffness_over_delay(printed: Printed) -> Proposition:
+    """The curve is KT/b of (11), and that wall is the stiffest."""
+    height = sp.Eq(K * T, 2 * b * sp.tan(sp.pi / (4 * (d + 1))))
+    given = [*LOOP, *printed_of("eq11")]
+    return ForAll(WALL, implied(given, both([height, STIFFEST])))

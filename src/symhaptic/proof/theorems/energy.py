@@ -6,6 +6,7 @@ has to be believed beside logic and the deciders.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
@@ -22,12 +23,14 @@ from symhaptic.notation.proposition import (
     term,
 )
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.definitions import device_numbers
+from symhaptic.proof.theorems.device import device_numbers
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
 
 SOURCES = {
     "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
     "Grenander and Szego, Toeplitz Forms and Their Applications, 5.2",
+    "stored": "what is stored at rest is nothing, and a device comes to rest at as little cost "
+    "as one likes; Colgate and Schenkel, J. Robot. Syst. 14(1), 1997, Sec. 3",
     "held_steady_state": "work is stored or burnt, and a given way costs a damper "
     "least at constant speed: Newton's law and the inequality of Schwarz; Rudin, 11.35",
 }
@@ -97,3 +100,30 @@ def held_steady_state(device: Theorem, angle: Any) -> Judgement:
     return device.hypotheses | within | conditions(angle), Relation(
         loss, "<", (work + work.xreplace({sp.I: -sp.I})) / 2
     )
+
+
+@rule
+def stored(wall: Sequence[Any], speed: Symbol, some: Theorem, none: Theorem) -> Judgement:
+    """A store E(v) does not matter to passivity, for 0 <= E(v) and E(0) = 0.
+
+    The hand's work is E(v) at the end and what damper and wall take.  With 0 <= E it is not less
+    than without a store; and a motion that gains energy without one gains it as well if it begins
+    and ends at rest, which changes the damper's share as little as one likes: E is a polynomial.
+    """
+    parts = tuple(term(t) for t in wall)
+    claim, zero = some.conclusion, none.conclusion
+    if len(parts) != 5 or any(speed in t.free_symbols for t in parts):
+        raise NotShown(f"a wall K, B, b, T, d without {speed} is wanted")
+    if not (isinstance(claim, Relation) and (claim.left, claim.sign) == (_ZERO, "<=")):
+        raise NotShown(f"{claim} does not say that a store is not negative")
+    store = claim.right
+    if not (store.is_polynomial(speed) and real(store)):
+        raise NotShown(f"{store} is no real polynomial in {speed}")
+    if zero != Relation(store.xreplace({speed: _ZERO}), "=", _ZERO):
+        raise NotShown(f"{zero} does not say that nothing is stored at rest")
+    hypotheses = some.hypotheses | none.hypotheses
+    if any(speed in p.free for p in hypotheses):
+        raise NotShown(f"a hypothesis is about {speed}")
+    given = {Relation(_ZERO, "<", parts[3]), Relation(_ZERO, "<=", parts[4])}
+    device = Predicate("passive_device", (speed,), (store, *parts))
+    return hypotheses | given, Iff((device, Predicate("passive_wall", (), parts)))

@@ -5,8 +5,8 @@ where the notation says so) for which its hypotheses are true.  Nobody but a rul
 rule takes theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and
 what it was given, so that :func:`replayed` can derive it once more, elsewhere, from nothing.
 
-Rules are functions of this module, of ``leaves``, ``analysis``, ``energy``, ``roots`` and
-``definitions``; no other module can add one.
+Rules are functions of this module, of ``leaves``, ``analysis``, ``energy``, ``roots``,
+``samples``, ``definitions`` and ``device``; no other module can add one.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ class Theorem:
 
 
 _RULES: dict[str, Callable[..., Judgement]] = {}
-MODULES = ("kernel", "leaves", "analysis", "energy", "roots", "samples", "definitions")
+MODULES = ("kernel", "leaves", "analysis", "energy", "roots", "samples", "definitions", "device")
 """The modules of rules, all that has to be believed beside the deciders."""
 
 _HOMES = tuple(f"symhaptic.proof.theorems.{name}" for name in MODULES)

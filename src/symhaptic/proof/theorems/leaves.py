@@ -372,13 +372,17 @@ def on_box(certificate: Positive) -> Judgement:
     """0 < f on a box, by a certificate checked again; its finite balls show that f is defined."""
     if not isinstance(certificate, Positive) or certificate.given is not None:
         raise NotShown("a certificate of a box without further symbols is wanted")
-    expr = term(certificate.expr)
+    return on_certificate(certificate, term(certificate.expr))
+
+
+def on_certificate(certificate: Positive, expr: Expr) -> Judgement:
+    """That the symbols lie in the box, and 0 < expr, where the certificate says so of it."""
     if not real(expr) or not recheck(certificate):
         raise NotShown(f"the certificate does not show that {expr} is positive")
     ends = [
-        Relation(a, "<=", b)
+        Relation(x, "<=", y)
         for s, (low, high) in certificate.box.items()
-        for a, b in ((term(low), s), (s, term(high)))
+        for x, y in ((term(low), s), (s, term(high)))
     ]
     return ends, Relation(_ZERO, "<", expr)
 

@@ -7,7 +7,7 @@ from flint import acb, arb
 from scipy.linalg import expm
 
 from symhaptic.notation import delta, gamma
-from symhaptic.plant_balls import AT_ONE, LATE, LOSS, SLOPES, TOGETHER, numbers
+from symhaptic.proof.plants import AT_ONE, LATE, LOSS, SLOPES, TOGETHER, numbers
 
 
 def plant(g, dl):

@@ -16,10 +16,10 @@ from flint import acb, arb_mat, ctx
 from sympy import Expr
 
 from symhaptic.model import plant
+from symhaptic.model.parts import FULL
 from symhaptic.notation import a, delta, e, gamma, n_1
 from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Balls, Given
-from symhaptic.scene import FULL
 
 LOSS, TOGETHER, LATE, AT_ONE = NUMBERS = sp.symbols("L S n_0 q")
 """1 - e, n_1 + n_0, n_0 and 1 - a + e."""

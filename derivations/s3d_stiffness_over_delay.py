@@ -1,0 +1,86 @@
+r"""How does the largest passive stiffness fall with the delay?
+
+Fig. 5 of the paper draws the stiffness of (11) over the delay. For which delays is it the largest
+that is passive?
+"""
+
+from sympy import Rational, S, cos, pi, tan
+
+from symhaptic.book.lemmas.motions import half_late, not_passive
+from symhaptic.book.lemmas.stiffest_passive import divisors, stiffest_wall
+from symhaptic.model import fractional, passivity
+from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof import box
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import assume, conjoined, weakened, whole
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
+from symhaptic.report.figures import largest_stiffness
+
+HALF = {d: S.Half, T: S.One, b: S.One}
+TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}
+GAINS = half_late(Rational(17, 10))
+
+
+def derive(page):
+    angle = pi / (2 * (d + 1))
+    page.step(
+        "The height of the curve",
+        passivity.envelope()[0].subs(theta, angle) * T / b,
+        2 * tan(angle / 2),
+        name=r"\frac{KT}{b}",
+        because="the tip of the envelope, where the damping does nothing",
+    )
+    larger(page)
+    page.figure(
+        "fig5",
+        "Fig. 5 of the paper: the largest stiffness that satisfies (5).",
+        largest_stiffness,
+    )
+    _tips(page)
+
+
+def larger(page):
+    """A passive wall half a period late that is stiffer than the curve."""
+    exact = fractional.margin().subs({epsilon: S.Half, l: 0, b: 1, T: 1})
+    wall = {K: Rational("1.17"), B: Rational("0.32")}
+    square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
+    page.show(
+        "The wall $KT/b=1.17$, $B/b=0.32$, half a period late",
+        "D/b^2",
+        square,
+        page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),
+        because="with $x=\\cos^2\\frac\\theta2$",
+    )
+    return page.positive(
+        "It is passive",
+        box.positive(square, {x: (0, 1)}),
+        on=r"0\le x\le1",
+        name="D/b^2",
+        because="though the curve of Fig. 5 ends at $2\\tan\\frac\\pi6=1.1547$",
+    )
+
+
+def _tips(page):
+    """The height of the curve is that of (11), the stiffest wall behind a whole delay."""
+    claim = CLAIMED["fig5"](())
+    symbols, given, then = taken_apart(claim)
+    stiffness, damping = map(assume, given[-2:])
+    height = combined(then.of[0], [stiffness, T])
+    found = conjoined(closed(height, *divisors()), stiffest_wall(stiffness, damping))
+    more = [*given, whole(d)]
+    page.settle(
+        "fig5",
+        for_all(symbols, more, weakened(found, *more)),
+        example=example({d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero}, more),
+        unless=[
+            counterexample(
+                claim, TIP, not_passive(then, TIP, half_late(Rational(17, 10))), but=whole(d)
+            )
+        ],
+        shows=r"half a period late the wall of (11) gives energy away, and $KT/b=1.17$ can be "
+        "passive where the curve is at 1.1547",
+        note="with the delay rounded up the curve is always safe",
+    )

@@ -1,0 +1,27 @@
+"""The mass of a device does not matter to its passivity."""
+
+from __future__ import annotations
+
+from sympy import Expr, S
+
+from symhaptic.book.lemmas.passivity import WALL
+from symhaptic.notation import v
+from symhaptic.proof.theorems.energy import stored
+from symhaptic.proof.theorems.kernel import Theorem, applied, assume
+from symhaptic.proof.theorems.leaves import identity, square
+from symhaptic.proof.theorems.tactics import either_way, positive
+
+
+def of_mass(mass: Expr) -> Theorem:
+    """passive with the store m v^2/2 <=> passive, for m > 0."""
+    some = positive(mass * v**2 / 2 >= 0, [S.Half, mass > 0, square(v)])
+    return stored(WALL, v, some, identity(S.Zero, S.Zero))
+
+
+def no_mass_differs(one: Expr, other: Expr) -> Theorem:
+    """passive with one mass <=> passive with the other."""
+    light, heavy = of_mass(one), of_mass(other)
+    first, second = (t.conclusion.of[0] for t in (light, heavy))  # type: ignore[attr-defined]
+    there = applied(heavy, applied(light, assume(first)))
+    back = applied(light, applied(heavy, assume(second)))
+    return either_way(there, back, first, second)
