@@ -4,60 +4,90 @@ Routh's condition for the loop with a lag has one term more than the paper's (24
 sign, in units and in the parameters of Table I, and what the arm's spring does in it.
 """
 
-from sympy import Eq, Rational, S
+from sympy import Eq, Rational, S, sympify
 
+from symhaptic.book.lemmas.linear import (
+    forbidden,
+    more_with_a_spring,
+    of_the_walls_in_units,
+    safe,
+    spring_is_free,
+    undamped_in_units,
+)
 from symhaptic.model import lag
 from symhaptic.model.plant import Plant
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, t_d, t_e
-from symhaptic.proof import sign
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, t_d, t_e, x
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.device import normalised
+from symhaptic.paper.propositions.linear import lagging
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 HALF = Rational(1, 2)
+ONES = {m: S.One, T: S.One, t_d: HALF}
 
 
 def derive(page):
     whole, kept = lag.margin(Plant()), b + B - K * t_e
-    within, pull = sign.assume(kept), sign.assume(K + k)
-    mass, late, loss = sign.assume(m), sign.assume(t_e), sign.assume(b, strict=False)
-    scale = sign.quotient(b * t_e / m, sign.combined(b * t_e, [loss, late]), mass)
     page.step(
         "The dropped term",
         whole - kept,
         b * t_e / m * ((b + B - K * t_e) + (K + k) * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)-(b+B-Kt_e)",
     )
-    safe = page.positive(
-        "Where (24) and $K>-k$ hold",
-        sign.combined(whole, [within], [scale, within], [scale, pull, late]),
-        r"b+B>Kt_e,\ K>-k",
-        name=r"\tfrac1m(a_2a_1-a_3a_0)",
-        because="for the lag (24) errs on the safe side, whatever $b$ and $k$ are. The other two "
-        "conditions of Routh, $m+bt_e>0$ and $k+K>0$, hold too",
-    )
-    page.state("linear-lag", "every wall with (24) and $K>-k$ is stable in the loop with the lag")
-    page.settle("linear-lag", safe, note="the sampled loop is another matter")
+    never(page)
     stiffness(page, whole)
     plane(page, kept, whole)
 
 
+def never(page):
+    """For the lag (24) errs on the safe side."""
+    page.lemma(
+        "Where (24) and $K>-k$ hold",
+        safe(),
+        because="for the lag (24) errs on the safe side, whatever $b$ and $k$ are: the dropped "
+        "term is not negative, and the other conditions hold, too",
+    )
+    claim = lagging()
+    symbols, given, _ = taken_apart(claim)
+    page.state(
+        "linear-lag",
+        "every wall with (24) and $K>-k$ is stable in the loop with the lag",
+        claim=claim,
+    )
+    page.settle(
+        "linear-lag",
+        for_all(symbols, given, weakened(safe(), *given)),
+        example=example({**ONES, b: S.One, k: S.Zero, B: S.Zero, K: HALF}, given),
+        note="the sampled loop is another matter",
+    )
+
+
 def stiffness(page, whole):
     """The arm's spring in Routh's condition."""
-    undamped = page.free_of("Routh without damping", whole.subs(b, 0), k)
-    bound = page.step(
+    page.step(
         "Routh's condition, solved for the stiffness",
         K + whole / t_e,
         (b + B) / t_e + b / m * (b + B + k * t_e),
         name=r"K_{\text{Routh}}",
         because="the spring is in it unless $b=0$, and raises it",
     )
+    claim = CLAIMED["s4e-stiffness-free"](())
+    symbols, given, same = taken_apart(claim)
+    more = [*given, Eq(b, 0)]
+    easy = {**ONES, b: S.Zero, k: S.One, x: S(2), B: S.One, K: HALF}
+    sprung = {**ONES, b: S.One, k: S.One, x: S.Zero, B: S.Zero, K: S(5) / 2}
     page.settle(
         "s4e-stiffness-free",
-        undamped,
-        provided=r"b=0,\ \text{for the lag}",
-        unless={m: S.One, t_e: S.One, b: S.One, k: S.One, B: S.Zero},
-        truth=Eq(bound, bound.subs(k, 0)),
+        for_all(symbols, more, weakened(spring_is_free(), *more)),
+        example=example(easy, more),
+        unless=[counterexample(claim, sprung, more_with_a_spring(same, sprung), but=Eq(b, 0))],
         shows=r"$m=b=t_e=k=1$, $B=0$: Routh allows $K<3$, and $K<2$ without the spring",
-        note="(24) has no $k$ as it drops the term with $k$; that the lower limit is $K>-k$ is "
-        "exact for the lag ($a_0=k+K$) and necessary for the sampled loop (s4d-left-bound)",
+        note="as Routh's condition for the lag. (24) has no $k$ as it drops the term with $k$; "
+        "that the lower limit is $K>-k$ is exact for the lag ($a_0=k+K$) and necessary for the "
+        "sampled loop (s4d-left-bound)",
     )
 
 
@@ -73,7 +103,7 @@ def plane(page, kept, whole):
         name=r"\tfrac Tm(b+B-Kt_e)",
         paper="25",
     )
-    routh = page.step(
+    page.step(
         "Routh's condition in them",
         large,
         line + delta * (d + HALF) * (beta + delta + gamma * (d + HALF)),
@@ -82,13 +112,26 @@ def plane(page, kept, whole):
         "$\\delta(d+\\tfrac12)(1+\\gamma/\\alpha)$: 1\\,\\% for $\\delta=0.02$, $d=0$, and "
         "17\\,\\% for $d=8$, without a spring",
     )
+    claim = CLAIMED["eq25"](STATEMENTS["eq25"].printed)
+    symbols, given, same = taken_apart(claim)
+    more = [*given, Eq(delta, 0)]
+    table = normalised(d, alpha, beta, gamma, delta)
+    found = closed(of_the_walls_in_units(same.of[0], table), undamped_in_units())
+    easy = in_units({**ONES, b: S.Zero, k: S.Zero, B: S.One, K: HALF})
+    damped = in_units({**ONES, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF})
     page.settle(
         "eq25",
+        for_all(symbols, more, weakened(found, *more)),
         line > 0,
-        provided=r"\delta=0,\ \text{for the lag}",
-        unless={alpha: 3 * HALF, beta: S.Zero, gamma: S.Zero, delta: S.One, d: HALF},
-        truth=routh > 0,
+        example=example(easy, more),
+        unless=[counterexample(claim, damped, forbidden(same, damped), but=Eq(delta, 0))],
         shows=r"$\delta=1$, $d=\tfrac12$, $\beta=\gamma=0$: Routh allows $\alpha<2$, (25) only "
         r"$\alpha<1$",
-        note="it is (24) by Table I, for $m,T>0$, and as good as (24)",
+        note="as Routh's condition for the lag. It is (24) by Table I, and as good as (24)",
     )
+
+
+def in_units(point):
+    """A point with its numbers of Table I."""
+    rules = normalised(d, alpha, beta, gamma, delta)
+    return point | {rule.lhs: sympify(rule.rhs).subs(point) for rule in rules}

@@ -19,6 +19,7 @@ from symhaptic.linear_points import Arc, error_without_stiffness, points
 from symhaptic.model import lag, linear
 from symhaptic.proof.mutants import wrong
 from symhaptic.proof.roots import NoSuchRoot, between_decimals, real_roots, rounded
+from symhaptic.proof.settle import Unfounded
 from symhaptic.report import linear_figures
 
 RNG = np.random.default_rng(2014)
@@ -323,9 +324,13 @@ ACCEPTED = {"proved", "definition", "enclosed", "qualified"}
 def test_no_mutant_of_a_printed_formula_passes(record_property, name, id, enough):
     settled = chapter(name).page.settled[id]
     mutants = list(wrong(settled.statement.printed))
-    verdicts = [settled.settlement.decide(m.form).kind.value for m in mutants]
     record_property("mutants", len(mutants))
-    assert not ACCEPTED & set(verdicts)
+    for mutant in mutants:
+        try:
+            found = settled.settlement.decide(mutant.form).kind.value
+        except Unfounded:  # the theorem is of another claim
+            continue
+        assert found not in ACCEPTED
     assert len(mutants) >= enough
 
 
@@ -335,13 +340,15 @@ CHANGED = [
     ("s4d_explicit_boundary_signs", "n_1**2 * value", "n_1 * value"),
     ("s4e_lag", "T**2 / 24 -", "T**2 / 12 -"),
     ("s4e_lag", "-T / 2,", "T / 2,"),
-    ("s4e_lag", "first**2 * q", "first**2 * p"),
+    ("s4e_lag", "more = [*given, Eq(b, 0)]", "more = [*given]"),
     ("s4e_lag", "b * t_e / m * (b + B + k * t_e)", "b * t_e / m * (b + B - k * t_e)"),
     ("s4e_lag", "K: 3 * HALF}", "K: HALF}"),
     ("s4e_lag_dropped", "(K + k) * t_e),", "(K - k) * t_e),"),
-    ("s4e_lag_dropped", "[scale, pull, late]", "[2, scale, pull, late]"),
+    ("s4e_lag_dropped", "more = [*given, Eq(b, 0)]", "more = [*given]"),
+    ("s4e_lag_dropped", "more = [*given, Eq(delta, 0)]", "more = [*given]"),
+    ("s4e_lag_dropped", "K: S(5) / 2}", "K: S(3) / 2}"),
     ("s4e_lag_dropped", "beta + delta - alpha * (HALF + d)", "beta + delta - alpha * d"),
-    ("s4e_lag_dropped", "alpha: 3 * HALF", "alpha: HALF"),
+    ("s4e_lag_dropped", "K: 3 * HALF}", "K: HALF}"),
     ("s4e_line", "-(s_1 - delta - gamma / 2)", "-(s_1 - delta)"),
     ("s4e_line", "6 * (1 - 2 * nu) * s_2", "6 * (1 - nu) * s_2"),
     ("s4e_line", "Rational(1, 12)", "Rational(1, 6)"),

@@ -8,8 +8,9 @@ from functools import cache
 from sympy import Eq, Expr, S
 
 from symhaptic.model import lag
-from symhaptic.notation import B, K, T, b, d, k, m, s, t_d, t_e
+from symhaptic.notation import B, K, T, b, d, delta, k, m, s, t_d, t_e, x
 from symhaptic.notation.proposition import Predicate, Proposition, Relation, Terms, both, negated
+from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import LAGGING
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -159,13 +160,49 @@ def of_the_walls_in_units(walls: Proposition, table: Sequence[Expr]) -> Theorem:
     return chained(same, without_damping())
 
 
+def undamped_in_units() -> Theorem:
+    """b = 0, from delta = b T/m = 0."""
+    none = assume(Eq(delta, 0))
+    apart = [positive(Relation(e, "!=", S.Zero), e > 0) for e in (m, T)]
+    table = assume(*normalised(delta))
+    return closed(combined(Eq(b, 0), [none, m / T], [table, -m / T]), *apart)
+
+
+@cache
+def spring_is_free() -> Theorem:
+    """With the spring k a wall is stable where it is with the spring x; for b = 0."""
+    one = without_damping()
+    kept, _ = one.conclusion.of  # type: ignore[attr-defined]
+    other = placed(one, {k: x})
+    pushes, room = kept.of
+    here = conjoined(positive(pushes, -k < K), part(assume(other.conclusion.of[0]), room))  # type: ignore[attr-defined]
+    there = conjoined(positive(pushes.at({k: x}), -x < K), part(assume(kept), room))
+    same = either_way(there, here, kept, other.conclusion.of[0])  # type: ignore[attr-defined]
+    return chained(chained(turned(one), same), other)
+
+
+def turned(equivalence: Theorem) -> Theorem:
+    """q <=> p from p <=> q."""
+    p, q = equivalence.conclusion.of  # type: ignore[attr-defined]
+    back, there = applied(equivalence, assume(q)), applied(equivalence, assume(p))
+    return either_way(back, there, q, p)
+
+
+def more_with_a_spring(same: Proposition, point: Terms) -> Theorem:
+    """At a point a wall is stable with the one spring and not with the other."""
+    one, other = same.at(point).of  # type: ignore[attr-defined]
+    held = applied(assume(same.at(point)), stable_at(one))
+    return absurd(held, unstable_at(other), same.at(point))
+
+
+@cache
 def safe() -> Theorem:
     """Walls with -k < K and (24) are stable."""
     late, loss, mass = positive_delay(), assume(b >= 0), assume(m > 0)
     found = effective(stable_with_lag())
     held = found.conclusion.of[1]  # type: ignore[attr-defined]
     pushes, large = held.of
-    pull = positive(pushes, [K > -k])
+    pull = positive(pushes, [-k < K])
     room = positive(ROOM.xreplace({t_e: lag.DELAY}) > 0, [late, assume(K < LINEAR)])
     all_of_it = combined(large, [mass, room], [loss, late, room], [loss, late, pull, late])
     apart = positive(Relation(lag.DELAY, "!=", S.Zero), [late])

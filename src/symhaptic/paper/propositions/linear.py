@@ -52,7 +52,7 @@ SLOW = LAGGING.at({t_e: lag.DELAY})
 """The same with the effective delay of hold and t_d."""
 LOOP = (K, B, m, b, k, T, t_d)
 GIVEN = (m > 0, b >= 0, k >= 0, T > 0, t_d >= 0)
-PULLED = K > -k
+PULLED = -k < K
 """Sec. IV-E names it as the lower limit of the stiffness."""
 
 
@@ -74,7 +74,7 @@ def _condition_of_the_lag_in_table_1(printed: Printed) -> Proposition:
 @claims("s4e-stiffness-free")
 def _spring_does_not_matter(printed: Printed) -> Proposition:
     """Above both lower limits, two springs make the same walls stable in the loop with the lag."""
-    above = [PULLED, K > -x, x >= 0]
+    above = [PULLED, -x < K, x >= 0]
     return ForAll((*LOOP, x), implied([*GIVEN, *above], Iff((SLOW, SLOW.at({k: x})))))
 
 
