@@ -4,10 +4,19 @@ The paper identifies its (24) with the straight part (9) of the passivity bounda
 there to obtain passive walls. We compare the two, and ask what becomes of the arm's damping.
 """
 
-from sympy import Rational, S, pi
+from sympy import Eq, Rational, S, sympify
 
+from symhaptic.book.lemmas.linear_passive import passive_on_the_line as on_the_line
+from symhaptic.book.lemmas.linear_passive import same_condition
+from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
 from symhaptic.model import lag, linear, passivity
 from symhaptic.notation import B, K, T, alpha, b, b_D, b_H, beta, d, delta, m, t_d, t_e, theta
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.device import normalised
+from symhaptic.proof.theorems.definitions import gains
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened, whole
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
 
@@ -31,10 +40,12 @@ def derive(page):
         same,
         because="the same: a lag and low frequencies see the effective delay $t_e$ only",
     )
+    claim = CLAIMED["s4e-same-as-passive"](())
+    symbols, given, both = taken_apart(claim)
     page.settle(
         "s4e-same-as-passive",
-        same,
-        lowest,
+        for_all(symbols, given, weakened(same_condition(*both.of), *given)),
+        example=example({K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One}, given),
         note="as formulas, for every real $d$. (9) bounds the passive walls for whole $d$ and in "
         "its range of $B$ only, and with $b=b_D$ by (3)",
     )
@@ -49,7 +60,6 @@ def derive(page):
         b_H / (T * (d + HALF)),
         name="K_{(24)}-K_{(9)}",
     )
-    point = {K: S.One, B: S.Zero, T: S.One, b_D: S.Zero, b_H: S.One, d: S.Zero}
     scaled = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T}
     plane = page.same("in Table I", (low * T / m).subs(scaled), linear.surplus())
     page.show(
@@ -60,21 +70,52 @@ def derive(page):
         because="with $\\delta=b_DT/m$; by the chapter on (9) the low frequencies are the "
         "strictest for whole $d$, $\\alpha\\ge0$ and $-\\delta\\le\\beta\\le\\frac d{2d+3}\\delta$",
     )
-    page.settle(
-        "s4e-passive-range",
-        plane,
-        lowest,
-        provided=r"d\in\mathbb{N}_0,\ \alpha\ge0\ \text{and}\ \delta=b_DT/m",
-        unless=point,
-        truth=passivity.margin(pi / 2).subs(b, b_D) >= 0,
-        shows=r"an undamped device in an arm with $b_H=1$: $K=T=1$, $B=d=0$ satisfies (24), and "
-        r"gives energy away",
-        note="passive walls are stable with every spring, so here (25) is safe for every "
-        "$\\gamma\\ge0$; for fractional $d$ no wall of the border is passive",
-    )
+    in_its_range(page)
     page.settle_external(
         "s4e-alpha-003",
         "a table of the paper's [8]",
         "at $\\alpha=0.03$ and $\\delta=0$ the error (26) is about 1.5\\,\\% for $d=0$ and "
         "5.6\\,\\% for $d=1$",
     )
+
+
+def in_its_range(page):
+    """Which walls of the line are passive."""
+    page.lemma("For $\\delta=b_DT/m$ the walls on the line or below are passive", on_the_line())
+    claim = CLAIMED["s4e-passive-range"](())
+    symbols, given, passive = taken_apart(claim)
+    extra = [whole(d), alpha >= 0, Eq(delta, b_D * T / m)]
+    ones = {m: S.One, T: S.One, b_H: S.Zero, B: S.Zero}
+    easy = in_units(ones | {K: S.One, b_D: S.One, t_d: S.Zero})
+    cases = [
+        (ones | {K: S.One, b_D: Rational(101, 100), t_d: HALF}, HALF_LATE),
+        (ones | {K: -S(3), b_D: S.One, t_d: S.One}, STEPS),
+        (ones | {K: S.One, b_D: S.Zero, b_H: S.One, t_d: S.Zero}, TO_AND_FRO),
+    ]
+    more = [*given, *extra]
+    page.settle(
+        "s4e-passive-range",
+        for_all(symbols, more, weakened(on_the_line(), *more)),
+        example=example(easy, more),
+        unless=[
+            counterexample(
+                claim,
+                in_units(point),
+                gains(list(passive.at(point | {d: point[t_d]}).of), motion),
+                holds=[e for e in extra if e is not but],
+                but=but,
+            )
+            for (point, motion), but in zip(cases[::-1], extra[::-1], strict=True)
+        ],
+        shows=r"an undamped device in an arm with $b_H=1$: $K=T=1$, $B=d=0$ satisfies (24), and "
+        r"gives energy away",
+        note="with equality in (25), too. Passive walls are stable with every spring, so here "
+        "(25) is safe for every $\\gamma\\ge0$; for fractional $d$ no wall of the border is "
+        "passive",
+    )
+
+
+def in_units(point):
+    """A point with its numbers of Table I, of device and arm."""
+    rules = [rule.xreplace({b: b_D + b_H}) for rule in normalised(alpha, beta, delta, d)]
+    return point | {rule.lhs: sympify(rule.rhs).subs(point) for rule in rules}

@@ -120,11 +120,17 @@ def on_line(stiffness: Theorem, damping: Theorem) -> Theorem:
 
 def decides() -> tuple[Theorem, Theorem]:
     """(9) makes passive, for K >= 0 and B <= b d/(2d+3), and is needed but for equality."""
+    delay = positive((d + HALF) * T > 0, [HALF, T > 0, shares()[1]])
+    room = positive(b + B - K * T * (d + HALF) >= 0, [delay, assume(K < LOW)])
+    weak = over(K <= LOW, positive(b + B - K * T * (d + HALF) >= 0, [limits()[1]]), delay)
+    strict = strictly(closed(weak, *divisors()), assume(Ne(K, LOW)))
+    return closed(passive_below(room), *divisors()), strict
+
+
+def passive_below(room: Theorem) -> Theorem:
+    """A wall with 0 <= b + B - K T (d + 1/2), K >= 0 and B <= b d/(2d+3) is passive; d whole."""
     found, flat, steep = known()
     more, low, high = shares()
-    nine = assume(K < LOW)
-    delay = positive((d + HALF) * T > 0, [HALF, T > 0, low])
-    room = positive(b + B - K * T * (d + HALF) >= 0, [delay, nine])
     share = over((2 * d + 3) / (d + 1) > 0, high, more)
     of_corner = over(
         (2 * d + 1) * (2 * d + 3) / (d + 1) > 0,
@@ -144,12 +150,7 @@ def decides() -> tuple[Theorem, Theorem]:
         [third, share, room, upper],
         [third, share, rest, flat],
     )
-    margin = closed(margin, *divisors())
-    always = on_first_half(margin)
-    passive = closed(sufficient(), always)
-    weak = over(K <= LOW, positive(b + B - K * T * (d + HALF) >= 0, [limits()[1]]), delay)
-    strict = strictly(closed(weak, *divisors()), assume(Ne(K, LOW)))
-    return passive, strict
+    return closed(sufficient(), on_first_half(closed(margin, *divisors())))
 
 
 def met_at_every_frequency(straight: Any) -> Theorem:
