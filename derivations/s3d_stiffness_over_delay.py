@@ -14,7 +14,12 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof import box
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened, whole
+from symhaptic.proof.theorems.kernel import (
+    assume,
+    conjoined,
+    weakened,
+    whole,
+)
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 from symhaptic.report.figures import largest_stiffness

@@ -14,7 +14,11 @@ from symhaptic.notation import T, X, X_d, c, d, delta, gamma, t, z
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import WALL
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.kernel import (
+    assume,
+    weakened,
+    whole,
+)
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.samples import turns
 from symhaptic.proof.theorems.tactics import closed, for_all, positive

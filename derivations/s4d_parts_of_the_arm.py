@@ -15,8 +15,9 @@ from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, t
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import MORE
+from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.kernel import part, whole
-from symhaptic.proof.theorems.leaves import bounded, combined, square
+from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import (
     closed,
     counterexample,

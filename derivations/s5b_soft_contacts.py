@@ -15,9 +15,22 @@ from symhaptic.notation.proposition import negated, proposition
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.familiar import not_negative
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened, whole
-from symhaptic.proof.theorems.leaves import not_negative, number, root_outside, roots_inside
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    part,
+    placed,
+    weakened,
+    whole,
+)
+from symhaptic.proof.theorems.leaves import (
+    number,
+    root_outside,
+    roots_inside,
+)
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,

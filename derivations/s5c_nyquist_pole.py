@@ -13,10 +13,14 @@ from symhaptic.notation import alpha, beta, d, delta, gamma, l, z
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import q
+from symhaptic.proof.theorems.familiar import held_by_a_pole
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened, whole
+from symhaptic.proof.theorems.kernel import (
+    conjoined,
+    weakened,
+    whole,
+)
 from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.roots import held_by_a_pole
 from symhaptic.proof.theorems.tactics import example, fact, for_all
 
 

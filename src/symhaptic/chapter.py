@@ -48,7 +48,11 @@ from symhaptic.proof.settle import ACCEPTED, Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.theorems import analysis, energy, roots, samples
 from symhaptic.proof.theorems.judge import Case, Judged
-from symhaptic.proof.theorems.kernel import Theorem, conjoined, leaves_of
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    conjoined,
+    leaves_of,
+)
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict
 from symhaptic.record import Block, Evidence, FalseStep, Record

@@ -25,6 +25,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.proof.theorems import kernel
 from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.familiar import ordered, square
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
@@ -42,7 +43,6 @@ from symhaptic.proof.theorems.kernel import (
     general,
     instance,
     leaves_of,
-    ordered,
     part,
     placed,
     replayed,
@@ -51,7 +51,11 @@ from symhaptic.proof.theorems.kernel import (
     widened,
     witnessed,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, number, square
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    number,
+)
 
 x, y, z = symbols("x y z")
 ONE = number(sp.Lt(0, 1, evaluate=False))

@@ -13,6 +13,7 @@ from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relat
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, in_units
 from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -25,8 +26,16 @@ from symhaptic.proof.theorems.kernel import (
     whole,
     witnessed,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, number, square
-from symhaptic.proof.theorems.roots import jury, last_coefficient, zero_on_circle
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    number,
+)
+from symhaptic.proof.theorems.roots import (
+    jury,
+    last_coefficient,
+    zero_on_circle,
+)
 from symhaptic.proof.theorems.tactics import closed, either_way, fact, positive
 
 RATE = [Eq(DAMPER, 2 * b), Eq(SPRING, 4 * k)]

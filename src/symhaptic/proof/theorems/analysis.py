@@ -23,7 +23,13 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+from symhaptic.proof.theorems.kernel import (
+    Judgement,
+    NotShown,
+    Theorem,
+    rule,
+    whole,
+)
 
 SOURCES = {
     "increases": "mean value theorem; Rudin, Principles of Mathematical Analysis, 3rd ed., 5.10",

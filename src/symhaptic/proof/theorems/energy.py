@@ -23,8 +23,13 @@ from symhaptic.notation.proposition import (
     term,
 )
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.device import device_numbers
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+from symhaptic.proof.theorems.kernel import (
+    Judgement,
+    NotShown,
+    Theorem,
+    rule,
+    whole,
+)
 
 SOURCES = {
     "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
@@ -71,35 +76,6 @@ def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Ju
     always = ForAll((angle,), Implies((inside, Relation(_ZERO, "<=", margin))))
     energy = Predicate("passive", (variable,), (response, damping))
     return hypotheses, Iff((energy, And((Relation(_ZERO, "<=", static), always))))
-
-
-@rule
-def held_steady_state(device: Theorem, angle: Any) -> Judgement:
-    """delta |(z-1) N|^2 < Re (z-1) N conj(A) at z = exp(j theta), 0 < theta <= pi.
-
-    A held force that turns by z from period to period moves the device by p = (z-1) F N/A per
-    period.  What is stored is the same after each period, so that the work F p is burnt: at least
-    delta p^2, and more, for the speed is not constant where z is not 1.  For 0 <= gamma, 0 < delta.
-    """
-    angle = term(angle)
-    if not real(angle):
-        raise NotShown(f"{angle} is not real by its form")
-    gamma, delta, n1, n0, a, e = device_numbers(device)
-    z = sp.exp(sp.I * angle)
-    way = (z - 1) * (n1 * z + n0)
-    work = way * (z**-2 - a / z + e)
-    within = {
-        Relation(_ZERO, "<=", gamma),
-        Relation(_ZERO, "<", delta),
-        Relation(_ZERO, "<", angle),
-        Relation(angle, "<=", sp.pi),
-    }
-    if not all(real(number) for number in (gamma, delta, n1, n0, a, e)):
-        raise NotShown("a number of the device is not real by its form")
-    loss = delta * way * way.xreplace({sp.I: -sp.I})
-    return device.hypotheses | within | conditions(angle), Relation(
-        loss, "<", (work + work.xreplace({sp.I: -sp.I})) / 2
-    )
 
 
 @rule

@@ -5,8 +5,8 @@ where the notation says so) for which its hypotheses are true.  Nobody but a rul
 rule takes theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and
 what it was given, so that :func:`replayed` can derive it once more, elsewhere, from nothing.
 
-Rules are functions of this module, of ``leaves``, ``analysis``, ``energy``, ``roots``,
-``samples``, ``definitions`` and ``device``; no other module can add one.
+Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``energy``,
+``roots``, ``samples`` and ``definitions``; no other module can add one.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ class Theorem:
 
 
 _RULES: dict[str, Callable[..., Judgement]] = {}
-MODULES = ("kernel", "leaves", "analysis", "energy", "roots", "samples", "definitions", "device")
+MODULES = ("kernel", "leaves", "axioms", "analysis", "energy", "roots", "samples", "definitions")
 """The modules of rules, all that has to be believed beside the deciders."""
 
 _HOMES = tuple(f"symhaptic.proof.theorems.{name}" for name in MODULES)
@@ -288,22 +288,6 @@ def by_cases(cover: Theorem, *cases: Theorem) -> Judgement:
 
 
 @rule
-def ordered(left: Any, right: Any) -> Judgement:
-    """a < b or b <= a, where both are real and defined."""
-    left, right = term(left), term(right)
-    if not (real(left) and real(right)):
-        raise NotShown(f"{left} or {right} is not real by its form")
-    return conditions(left, right), Or((Relation(left, "<", right), Relation(right, "<=", left)))
-
-
-@rule
-def decided(left: Any, right: Any) -> Judgement:
-    """a = b or a != b, where both are defined."""
-    left, right = term(left), term(right)
-    return conditions(left, right), Or((Relation(left, "=", right), Relation(left, "!=", right)))
-
-
-@rule
 def absurd(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
     """p and not p give the negation of a hypothesis; without one, falsehood.
 
@@ -387,11 +371,20 @@ def general(theorem: Theorem, *symbols: Symbol) -> Judgement:
 
 @rule
 def instance(theorem: Theorem, values: Terms) -> Judgement:
-    """For all x: p(x) gives p(a), a real term; its definedness becomes a hypothesis."""
+    """For all x: p(x) gives p(a), a real term; its definedness becomes a hypothesis.
+
+    Not where p(x) is an implication from a relation or a predicate of x itself, which is false of
+    what has no value; nor need a be real by its form where that is an order relation.
+    """
     claim = theorem.conclusion
     if not isinstance(claim, ForAll) or set(values) != set(claim.over):
         raise NotShown(f"{claim} is not for all {', '.join(map(str, values))}")
-    return theorem.hypotheses | _allowed(values, claim.body), claim.body.at(values)
+    given = conjuncts(claim.body.parts[0]) if isinstance(claim.body, Implies) else ()
+    said = {t for p in given if isinstance(p, (Relation, Predicate)) for t in p.terms}
+    sided = {t for p in given if isinstance(p, Relation) and p.sign in ("<", "<=") for t in p.terms}
+    extra = _real({s: v for s, v in values.items() if s not in sided})
+    extra |= conditions(*(term(v) for s, v in values.items() if s not in said))
+    return theorem.hypotheses | extra | _lost(values, claim.body), claim.body.at(values)
 
 
 @rule
@@ -409,10 +402,15 @@ def placed(theorem: Theorem, values: Terms) -> Judgement:
 
 def _allowed(values: Terms, claim: Proposition) -> set[Proposition]:
     """What has to hold so that a claim at these terms is the claim at their values."""
+    return _real(values) | set(conditions(*map(term, values.values()))) | _lost(values, claim)
+
+
+def _real(values: Terms) -> set[Proposition]:
+    """Nothing, if each term is real whose symbol is."""
     for symbol, value in values.items():
         if not is_complex(symbol) and not real(term(value)):
             raise NotShown(f"{value} is not real by its form, {symbol} is")
-    return set(conditions(*map(term, values.values()))) | _lost(values, claim)
+    return set()
 
 
 def _lost(values: Terms, claim: Proposition) -> set[Proposition]:

@@ -25,7 +25,13 @@ from symhaptic.notation.proposition import (
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, differs, real
 from symhaptic.proof.theorems.definitions import loop_polynomial
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+from symhaptic.proof.theorems.kernel import (
+    Judgement,
+    NotShown,
+    Theorem,
+    rule,
+    whole,
+)
 
 SOURCES = {
     "roots_stay": "zeros of a polynomial are continuous in its coefficients; Marden, Geometry of "
@@ -89,20 +95,6 @@ def _coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
         return [sp.sympify(c) for c in sp.Poly(polynomial, variable).all_coeffs()]
     except sp.PolynomialError:
         raise NotShown(f"{polynomial} is no polynomial in {variable} of a known degree") from None
-
-
-@rule
-def linear(variable: Symbol, below: Theorem, above: Theorem) -> Judgement:
-    """The zero of z - v lies inside for -1 < v < 1."""
-    claim, other = below.conclusion, above.conclusion
-    if not (isinstance(claim, Relation) and (claim.sign, claim.left) == ("<", -sp.S.One)):
-        raise NotShown(f"{claim} does not say that something is above -1")
-    value = claim.right
-    if other != Relation(value, "<", sp.S.One) or variable in value.free_symbols:
-        raise NotShown(f"{other} does not say that {value} is below 1")
-    return below.hypotheses | above.hypotheses, Predicate(
-        "stable", (variable,), (variable - value,)
-    )
 
 
 @rule
@@ -253,20 +245,6 @@ def pole_at(
     if not share.is_number:
         hypotheses |= {Relation(_ZERO, "<", share)}
     return hypotheses, Predicate("pole", (), (*found, sp.exp(exponent)))
-
-
-@rule
-def held_by_a_pole(pole: Theorem, outside: Theorem) -> Judgement:
-    """A real pole z with 1 <= z^2 is not inside: as the paper has it, the loop is not stable."""
-    claim = pole.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "pole"):
-        raise NotShown(f"{claim} names no pole")
-    *loop_, place = claim.of
-    if not real(place) or outside.conclusion != Relation(sp.S.One, "<=", place**2):
-        raise NotShown(f"{outside.conclusion} does not say that {place} is not inside")
-    return pole.hypotheses | outside.hypotheses, Not(
-        (Predicate("stable_substituted", (), tuple(loop_)),)
-    )
 
 
 @rule

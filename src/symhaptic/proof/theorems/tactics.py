@@ -21,6 +21,7 @@ from symhaptic.notation.proposition import (
     negated,
     proposition,
 )
+from symhaptic.proof.theorems.familiar import divided, sign_of
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     NotShown,
@@ -42,10 +43,8 @@ from symhaptic.proof.theorems.kernel import (
 from symhaptic.proof.theorems.leaves import (
     broken,
     combined,
-    divided,
     is_whole,
     number,
-    sign_of,
 )
 
 
