@@ -19,7 +19,6 @@ from symhaptic.proof.box import positive as on_pieces
 from symhaptic.proof.certificate import Known, Positive
 from symhaptic.proof.theorems.analysis import (
     above_its_start,
-    from_there_on,
     grows,
     in_the_limit,
     increases,
@@ -253,11 +252,7 @@ def test_increasing() -> None:
         lambda: above_its_start(rises, tends(x**2, x, S.One, S.One)),
         lambda: above_its_start(rises, tends(x**3, x, S.Zero, S.Zero)),
         lambda: above_its_start(slope, tends(x**2, x, S.Zero, S.Zero)),
-        lambda: from_there_on(slope, x, y),
-        lambda: from_there_on(rises, x, sp.I),
     )
-    order = from_there_on(rises, y, x).hypotheses
-    assert {lt(0, y), lt(y, x), lt(x, 1)} <= order
 
 
 def test_growing_from_one_value_to_another() -> None:

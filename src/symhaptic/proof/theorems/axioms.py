@@ -6,8 +6,9 @@ device.  Symbols are real, but for z, s, X and c, which are complex.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 from sympy import Abs, Expr, I, Symbol, atan, cos, cosh, exp, pi, sin, sinh, sqrt, symbols
@@ -27,7 +28,12 @@ from symhaptic.notation.proposition import (
     implied,
     term,
 )
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule, whole
+from symhaptic.proof.theorems.kernel import (
+    Judgement,
+    NotShown,
+    rule,
+    whole,
+)
 
 
 @dataclass(frozen=True)
@@ -38,7 +44,9 @@ class Axiom:
     source: str
 
 
-AXIOMS: dict[str, Axiom] = {}
+_AXIOMS: dict[str, Axiom] = {}
+AXIOMS: Mapping[str, Axiom] = MappingProxyType(_AXIOMS)
+"""All of them by name."""
 
 
 @rule
@@ -52,7 +60,7 @@ def known(name: str) -> Judgement:
 def _believed(
     name: str, source: str, over: Sequence[Symbol], given: Sequence[Proposition], *then: Proposition
 ) -> None:
-    AXIOMS[name] = Axiom(ForAll(tuple(over), implied(given, both(then))), source)
+    _AXIOMS[name] = Axiom(ForAll(tuple(over), implied(given, both(then))), source)
 
 
 def _lt(left: Any, right: Any) -> Relation:

@@ -83,9 +83,14 @@ class Theorem:
         return self._rule
 
     @property
+    def given(self) -> tuple[Any, ...]:
+        """What the rule was given."""
+        return (*self._given[0], *(v for _, v in self._given[1]))
+
+    @property
     def premises(self) -> tuple[Theorem, ...]:
         """The theorems that the rule was given."""
-        return tuple(_theorems([*self._given[0], *(v for _, v in self._given[1])]))
+        return tuple(_theorems(self.given))
 
     def __repr__(self) -> str:
         return f"<theorem by {self._rule}: {len(self.hypotheses)} hypotheses, {self.conclusion}>"
@@ -148,44 +153,28 @@ def _theorems(parts: Iterable[Any]) -> Iterator[Theorem]:
             yield from _theorems(part.values())
 
 
-def replayed(theorem: Theorem) -> Theorem:
-    """The theorem derived once more, all its leaves decided again."""
-    done: dict[int, Theorem] = {}
-
-    def again(part: Any) -> Any:
-        if isinstance(part, Theorem):
-            if id(part) not in done:
-                args, named = part._given
-                done[id(part)] = _derived(
-                    part._rule, again(args), tuple((n, again(v)) for n, v in named)
-                )
-            return done[id(part)]
-        if isinstance(part, (tuple, list)):
-            return type(part)(again(p) for p in part)
-        if isinstance(part, Mapping):
-            return {k: again(v) for k, v in part.items()}
-        return part
-
-    found: Theorem = again(theorem)
-    if (found.hypotheses, found.conclusion) != (theorem.hypotheses, theorem.conclusion):
-        raise NotShown("a theorem says something else when it is derived again")
-    return found
+def relation(theorem: Theorem, *signs: str) -> Relation:
+    """What a theorem concludes, a relation with one of these signs; of any, without."""
+    claim = theorem.conclusion
+    if not isinstance(claim, Relation) or (signs and claim.sign not in signs):
+        raise NotShown(f"{claim} is no relation with {' or '.join(signs or ('a sign',))}")
+    return claim
 
 
-def leaves_of(theorem: Theorem) -> dict[str, int]:
-    """The rules that a theorem rests on, with how often each is used."""
-    seen: set[int] = set()
-    counts: dict[str, int] = {}
+def predicate(theorem: Theorem, name: str) -> Predicate:
+    """What a theorem concludes, a predicate of this name."""
+    claim = theorem.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == name):
+        raise NotShown(f"{claim} does not say {name}")
+    return claim
 
-    def visit(part: Theorem) -> None:
-        if id(part) not in seen:
-            seen.add(id(part))
-            counts[part.rule] = counts.get(part.rule, 0) + 1
-            for premise in part.premises:
-                visit(premise)
 
-    visit(theorem)
-    return counts
+def without(symbols: Iterable[Symbol], *parts: Iterable[Proposition]) -> None:
+    """Nothing, where no hypothesis is about one of the symbols."""
+    for claim in (p for some in parts for p in some):
+        for symbol in symbols:
+            if symbol in claim.free:
+                raise NotShown(f"a hypothesis is about {symbol}")
 
 
 # -- hypotheses ------------------------------------------------------------------------
@@ -308,36 +297,15 @@ def absurd(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
 def _against(claim: Relation) -> set[Proposition]:
     """Relations that cannot hold beside one."""
     left, right = claim.left, claim.right
-    found: set[Proposition] = {negated(claim)}
+    against: set[Proposition] = {negated(claim)}
     if claim.sign in ("=", "!="):
-        found.add(Relation(right, negated(claim).sign, left))
+        against.add(Relation(right, negated(claim).sign, left))
     if claim.sign == "=":
-        found |= {Relation(left, "<", right), Relation(right, "<", left)}
+        against |= {Relation(left, "<", right), Relation(right, "<", left)}
     if claim.sign == "<":
-        found |= {
-            Relation(right, "<", left),
-            Relation(left, "=", right),
-            Relation(right, "=", left),
-        }
-    return found
-
-
-@rule
-def denied(theorem: Theorem, wanted: Any) -> Judgement:
-    """From b <= a the negation of a < b, and so on for each relation that cannot hold beside."""
-    wanted = proposition(wanted)
-    if not isinstance(wanted, Relation) or theorem.conclusion not in _against(wanted):
-        raise NotShown(f"{theorem.conclusion} does not contradict {wanted}")
-    return theorem.hypotheses, Not((wanted,))
-
-
-@rule
-def reductio(falsehood: Theorem, given: Any) -> Judgement:
-    """p |- false gives not p."""
-    if falsehood.conclusion != FALSE:
-        raise NotShown("the premise is not false")
-    claim = proposition(given)
-    return falsehood.hypotheses - {claim, *conjuncts(claim)}, Not((claim,))
+        against |= {Relation(right, sign, left) for sign in ("<", "=")}
+        against.add(Relation(left, "=", right))
+    return against
 
 
 @rule
@@ -363,9 +331,7 @@ def equivalent(one: Theorem, other: Theorem) -> Judgement:
 @rule
 def general(theorem: Theorem, *symbols: Symbol) -> Judgement:
     """What holds for a symbol that no hypothesis knows holds for all of its values."""
-    for symbol in symbols:
-        if any(symbol in p.free for p in theorem.hypotheses):
-            raise NotShown(f"a hypothesis is about {symbol}")
+    without(symbols, theorem.hypotheses)
     return theorem.hypotheses, ForAll(symbols, theorem.conclusion)
 
 
@@ -451,9 +417,7 @@ def _kept(divisor: Expr, known: frozenset[Proposition]) -> bool:
 @rule
 def substituted(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
     """p(a) and a = b give p(b); ``pattern`` is p, with a symbol in the place of its term."""
-    pattern, equal = proposition(pattern), equation.conclusion
-    if not (isinstance(equal, Relation) and equal.sign == "="):
-        raise NotShown(f"{equal} is no equation")
+    pattern, equal = proposition(pattern), relation(equation, "=")
     before, after = {place: equal.left}, {place: equal.right}
     if theorem.conclusion != pattern.at(before):
         raise NotShown(f"{theorem.conclusion} is not {pattern} there")

@@ -14,23 +14,18 @@ import sympy as sp
 from sympy import Expr, Matrix, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.notation.proposition import And, Iff, Predicate, Proposition, Relation, term
+from symhaptic.notation.proposition import And, Iff, Proposition, Relation, term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import (
-    Judgement,
-    NotShown,
-    Theorem,
-    rule,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, predicate, rule, whole
 
 SOURCES = {
     "held_answer": "a linear differential equation has one solution from each state; Coddington "
     "and Levinson, Theory of Ordinary Differential Equations, 1.8 and 3.1",
-    "in_units": "other units of time and force",
+    "turns": "the definition of an answer",
+    "one_answer": "the definition of an answer",
 }
 """Each rule of this module with its source."""
 
@@ -119,21 +114,13 @@ def _moves(
 @rule
 def turns(answered: Theorem) -> Judgement:
     """Only a force z^k with z != 0 has an answer, for k may be negative."""
-    claim = answered.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "answers"):
-        raise NotShown(f"{claim} is no answer")
-    return answered.hypotheses, Relation(claim.of[1], "!=", _ZERO)
+    return answered.hypotheses, Relation(predicate(answered, "answers").of[1], "!=", _ZERO)
 
 
 @rule
 def one_answer(one: Theorem, other: Theorem) -> Judgement:
     """Two answers of the same device to the same force are equal."""
-    claim, again = one.conclusion, other.conclusion
-    for p in (claim, again):
-        if not (isinstance(p, Predicate) and p.name == "answers"):
-            raise NotShown(f"{p} is no answer")
-    assert isinstance(claim, Predicate)
-    assert isinstance(again, Predicate)
+    claim, again = predicate(one, "answers"), predicate(other, "answers")
     response, at, answer, period = claim.of
     if again != answers(response, claim.over[0], at, again.of[2], period):
         raise NotShown(f"{again} is about another device or another force")
