@@ -22,6 +22,7 @@ from symhaptic.notation.proposition import (
     Relation,
     proposition,
     term,
+    whole,
 )
 from symhaptic.proof.theorems import kernel, tactics
 from symhaptic.proof.theorems.definedness import conditions, real
@@ -45,7 +46,6 @@ from symhaptic.proof.theorems.kernel import (
     part,
     placed,
     unfolded,
-    whole,
     widened,
     witnessed,
 )

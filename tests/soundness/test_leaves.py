@@ -14,6 +14,7 @@ from symhaptic.notation.proposition import (
     both,
     implied,
     proposition,
+    whole,
 )
 from symhaptic.proof.box import positive as on_pieces
 from symhaptic.proof.certificate import Known, Positive
@@ -41,13 +42,7 @@ from symhaptic.proof.theorems.familiar import (
     whole_delay,
     with_rest,
 )
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    assume,
-    discharged,
-    weakened,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import NotShown, assume, discharged, weakened
 from symhaptic.proof.theorems.leaves import (
     broken,
     combined,

@@ -6,13 +6,9 @@ import pytest
 import sympy as sp
 from sympy import I, S, exp, pi, symbols
 
-from symhaptic.notation.proposition import Not, NoTerm, Predicate, Relation
+from symhaptic.notation.proposition import Not, NoTerm, Predicate, Relation, whole
 from symhaptic.proof.theorems.familiar import held_by_a_pole, swinging
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    assume,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.roots import pole_at
 

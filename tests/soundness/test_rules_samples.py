@@ -17,6 +17,7 @@ from symhaptic.notation.proposition import (
     Relation,
     implied,
     proposition,
+    whole,
 )
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import (
@@ -25,15 +26,7 @@ from symhaptic.proof.theorems.familiar import (
     shifted,
 )
 from symhaptic.proof.theorems.judge import Case
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    applied,
-    assume,
-    conjoined,
-    instance,
-    placed,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import NotShown, applied, assume, conjoined, instance, placed
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.roots import degree, not_of_degree
 from symhaptic.proof.theorems.samples import (

@@ -13,13 +13,9 @@ from sympy import Rational, S, symbols
 
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate, Relation
+from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate, Relation, whole
 from symhaptic.proof.theorems.familiar import device_static, loop_late
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    assume,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.roots import jury, last_coefficient
 from symhaptic.proof.verdict import Unfounded
 

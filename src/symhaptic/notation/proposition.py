@@ -418,3 +418,8 @@ def negated(relation: Relation) -> Relation:
         "<": Relation(right, "<=", left),
         "<=": Relation(right, "<", left),
     }[sign]
+
+
+def whole(value: Any) -> Predicate:
+    """``value`` is a whole number, zero included."""
+    return Predicate("whole", (), (term(value),))

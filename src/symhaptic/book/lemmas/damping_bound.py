@@ -9,7 +9,7 @@ from sympy import Expr, Ne, S, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, x, z
-from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation
+from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation, whole
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.proof.theorems.analysis import induction
 from symhaptic.proof.theorems.familiar import (
@@ -33,7 +33,6 @@ from symhaptic.proof.theorems.kernel import (
     placed,
     substituted,
     unfolded,
-    whole,
     widened,
     witnessed,
 )

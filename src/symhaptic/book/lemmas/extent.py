@@ -12,7 +12,7 @@ from sympy import Eq, Expr, Ne, S, cos, pi, sin
 
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, lowest_coefficients, not_zero
 from symhaptic.notation import N, b, l, phi, psi, u, w, x
-from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied
+from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied, whole
 from symhaptic.proof.theorems.analysis import in_the_limit
 from symhaptic.proof.theorems.familiar import (
     both_ways,
@@ -33,7 +33,6 @@ from symhaptic.proof.theorems.kernel import (
     part,
     placed,
     substituted,
-    whole,
 )
 from symhaptic.proof.theorems.leaves import (
     combined,

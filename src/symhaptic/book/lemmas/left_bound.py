@@ -12,7 +12,15 @@ from symhaptic.book.lemmas.boundary import at_rest
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, z
-from symhaptic.notation.proposition import And, Exists, Or, Proposition, Relation, proposition
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    Or,
+    Proposition,
+    Relation,
+    proposition,
+    whole,
+)
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import OTHER
 from symhaptic.proof.theorems.definitions import loop_substituted
@@ -34,7 +42,6 @@ from symhaptic.proof.theorems.kernel import (
     part,
     placed,
     substituted,
-    whole,
     witnessed,
 )
 from symhaptic.proof.theorems.leaves import (

@@ -27,7 +27,7 @@ from symhaptic.notation import (
     y,
     z,
 )
-from symhaptic.notation.proposition import Predicate, Relation, proposition
+from symhaptic.notation.proposition import Predicate, Relation, proposition, whole
 from symhaptic.proof.theorems.analysis import in_the_limit
 from symhaptic.proof.theorems.familiar import (
     both_ways,
@@ -56,7 +56,6 @@ from symhaptic.proof.theorems.kernel import (
     part,
     placed,
     substituted,
-    whole,
 )
 from symhaptic.proof.theorems.leaves import (
     combined,

@@ -17,16 +17,11 @@ from symhaptic.notation.proposition import (
     Proposition,
     both,
     proposition,
+    whole,
 )
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.familiar import whole_delay
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    part,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part
 from symhaptic.proof.theorems.leaves import is_whole
 from symhaptic.proof.theorems.tactics import (
     at,

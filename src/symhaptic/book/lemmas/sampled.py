@@ -12,7 +12,7 @@ from sympy import Expr, Ne, exp, sqrt
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, X, X_d, b, d, k, m, s, t, z
-from symhaptic.notation.proposition import Proposition, Relation, proposition
+from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units, shifted
 from symhaptic.proof.theorems.judge import taken_apart
@@ -24,7 +24,6 @@ from symhaptic.proof.theorems.kernel import (
     part,
     placed,
     weakened,
-    whole,
 )
 from symhaptic.proof.theorems.leaves import combined, factor
 from symhaptic.proof.theorems.samples import held_answer, one_answer

@@ -9,7 +9,7 @@ import sympy as sp
 from sympy import Eq, Expr, Ne, Rational, S, Symbol
 
 from symhaptic.notation import B, K, T, b, k, m, z
-from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation
+from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation, whole
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, in_units
 from symhaptic.proof.theorems.definitions import loop_substituted
@@ -23,7 +23,6 @@ from symhaptic.proof.theorems.kernel import (
     chosen,
     part,
     substituted,
-    whole,
     witnessed,
 )
 from symhaptic.proof.theorems.leaves import (

@@ -11,14 +11,10 @@ from sympy import Expr, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
+from symhaptic.notation.proposition import whole
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    part,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import Theorem, applied, part
 from symhaptic.proof.theorems.leaves import root_outside, roots_inside
 from symhaptic.proof.theorems.roots import jury
 from symhaptic.proof.theorems.tactics import chained, closed, denied_by, fact

@@ -20,6 +20,7 @@ from symhaptic.notation.proposition import (
     Relation,
     both,
     term,
+    whole,
 )
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
@@ -30,7 +31,6 @@ from symhaptic.proof.theorems.kernel import (
     predicate,
     relation,
     rule,
-    whole,
     without,
 )
 

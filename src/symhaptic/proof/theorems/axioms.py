@@ -27,13 +27,9 @@ from symhaptic.notation.proposition import (
     both,
     implied,
     term,
-)
-from symhaptic.proof.theorems.kernel import (
-    Judgement,
-    NotShown,
-    rule,
     whole,
 )
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule
 
 
 @dataclass(frozen=True)

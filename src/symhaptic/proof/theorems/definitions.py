@@ -17,15 +17,11 @@ from symhaptic.notation.proposition import (
     Predicate,
     Proposition,
     term,
+    whole,
 )
 from symhaptic.proof.ball import sign
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import (
-    Judgement,
-    NotShown,
-    rule,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule
 
 
 @rule

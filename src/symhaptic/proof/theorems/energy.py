@@ -21,17 +21,10 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     term,
+    whole,
 )
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import (
-    Judgement,
-    NotShown,
-    Theorem,
-    relation,
-    rule,
-    whole,
-    without,
-)
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, relation, rule, without
 
 SOURCES = {
     "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "

@@ -455,8 +455,3 @@ def unfolded(theorem: Theorem) -> Judgement:
         raise NotShown("the conclusion is no implication")
     given, then = theorem.conclusion.of
     return theorem.hypotheses | set(conjuncts(given)), then
-
-
-def whole(value: Any) -> Predicate:
-    """``value`` is a whole number, zero included."""
-    return Predicate("whole", (), (term(value),))

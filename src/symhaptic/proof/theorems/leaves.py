@@ -21,6 +21,7 @@ from symhaptic.notation.proposition import (
     Relation,
     proposition,
     term,
+    whole,
 )
 from symhaptic.proof.ball import largest_root, sign
 from symhaptic.proof.certificate import Positive
@@ -30,13 +31,7 @@ from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term
 from symhaptic.proof.theorems.definedness import conditions, differs, mirrors, real
-from symhaptic.proof.theorems.kernel import (
-    Judgement,
-    NotShown,
-    Theorem,
-    rule,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule
 
 _ZERO = sp.S.Zero
 

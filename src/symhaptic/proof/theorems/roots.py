@@ -21,6 +21,7 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     term,
+    whole,
 )
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, differs, real
@@ -32,7 +33,6 @@ from symhaptic.proof.theorems.kernel import (
     predicate,
     relation,
     rule,
-    whole,
     without,
 )
 

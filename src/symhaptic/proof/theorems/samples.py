@@ -14,12 +14,12 @@ import sympy as sp
 from sympy import Expr, Matrix, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.notation.proposition import And, Iff, Proposition, Relation, term
+from symhaptic.notation.proposition import And, Iff, Proposition, Relation, term, whole
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, predicate, rule, whole
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, predicate, rule
 
 SOURCES = {
     "held_answer": "a linear differential equation has one solution from each state; Coddington "
