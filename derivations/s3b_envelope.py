@@ -13,7 +13,14 @@ from symhaptic.notation.proposition import negated
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import scaled
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import (
     at,

@@ -11,6 +11,7 @@ from symhaptic.book.lemmas.motions import half_late
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, h, l, omega, theta, y
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions import CLAIMED
@@ -26,7 +27,6 @@ from symhaptic.proof.theorems.kernel import (
     conjoined,
     part,
     weakened,
-    whole,
     widened,
 )
 from symhaptic.proof.theorems.leaves import identity, number

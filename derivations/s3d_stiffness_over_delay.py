@@ -10,11 +10,12 @@ from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.stiffest_passive import divisors, stiffest_wall
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof import box
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened, whole
+from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 from symhaptic.report.figures import largest_stiffness

@@ -18,7 +18,11 @@ from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, t, x, z
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened, widened
+from symhaptic.proof.theorems.kernel import (
+    conjoined,
+    weakened,
+    widened,
+)
 from symhaptic.proof.theorems.tactics import counterexample, example, fact, for_all
 
 

@@ -11,11 +11,12 @@ from symhaptic.book.lemmas.linear_passive import same_condition
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
 from symhaptic.model import lag, linear, passivity
 from symhaptic.notation import B, K, T, alpha, b, b_D, b_H, beta, d, delta, m, t_d, t_e, theta
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened, whole
+from symhaptic.proof.theorems.kernel import weakened
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)

@@ -17,6 +17,7 @@ from symhaptic.paper.propositions.slips import (
     spring_of_nyquist,
     within,
 )
+from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     assume,
@@ -24,7 +25,7 @@ from symhaptic.proof.theorems.kernel import (
     substituted,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, square
+from symhaptic.proof.theorems.leaves import combined, identity
 from symhaptic.proof.theorems.tactics import (
     closed,
     counterexample,

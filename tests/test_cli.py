@@ -350,6 +350,36 @@ def test_a_place_that_is_none_is_told_before_the_work(command, tmp_path):
         assert time.monotonic() - begin < 10
 
 
+def test_mutants_of_a_chapter_of_ones_own(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    ran = symhaptic("mutants", "--derivation", path, cwd=tmp_path)
+    assert ran.returncode == 0, ran.stderr
+    count = int(ran.stdout.split()[0])
+    assert count > 5
+    assert "0 accepted though wrong" in ran.stdout
+    assert [p.name for p in tmp_path.iterdir()] == ["my.py"]
+    kept = symhaptic("mutants", "--derivation", path, "-o", "my.json", cwd=tmp_path)
+    assert f"wrote my.json: {count}" in kept.stdout
+    assert set(json.loads((tmp_path / "my.json").read_text())["chapters"]) == {"my"}
+
+
+def test_mutants_tell_a_chapter_that_raises(tmp_path):
+    path = chapter(tmp_path, '"""What breaks?"""\n\ndef derive(page):\n    1 / 0\n')
+    ran = symhaptic("mutants", "--derivation", path, cwd=tmp_path)
+    assert ran.returncode == 2
+    assert "my.py:4: ZeroDivisionError" in ran.stderr
+    assert "Traceback" not in ran.stderr
+
+
+def test_mutants_keep_a_file_of_somebody_else(tmp_path):
+    mine = tmp_path / "mine.json"
+    mine.write_text("{}")
+    ran = symhaptic("mutants", "-o", mine)
+    assert ran.returncode == 2
+    assert "another name is allowed" in ran.stderr
+    assert mine.read_text() == "{}"
+
+
 @pytest.mark.parametrize("command", ["report", "bench"])
 def test_a_folder_that_cannot_be_is_told_before_the_work(command, tmp_path):
     (tmp_path / "file").write_text("kept")

@@ -120,6 +120,14 @@ def trials(paths: list[Path], workers: int = 1) -> Iterator[Trial]:
             next_ += 1
 
 
+def ours(path: Path) -> bool:
+    """Whether a file may be written: it is not there, or an earlier record of trials."""
+    if not path.is_file():
+        return True
+    with path.open("rb") as stream:
+        return GENERATED.encode() in stream.read(200)
+
+
 def committed(found: Iterable[Trial]) -> str:
     """The trials as committed text.
 

@@ -252,10 +252,13 @@ class Scene:
           without damping: below 6.68 %
           full: exact
         """
-        from symhaptic.simplest.choose import simplest
+        from symhaptic.simplest.choose import Loop, simplest
 
         over = {"mass": mass, "damping": damping, "stiffness": stiffness, "B": B}
-        return simplest(self, rtol, over)
+        loop = Loop(
+            self.parts, self.periods, self.sampling_period, self.mass, self.stiffness, self.damping
+        )
+        return simplest(loop, rtol, over)
 
     def to_control(self) -> Any:
         """The sampled device behind its delay, from N to m, for python-control.

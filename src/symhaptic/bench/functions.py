@@ -162,7 +162,7 @@ def confirm(form: Form, arrays: list[Array], digits: int = 50) -> None:
 
     Raises :class:`WrongExact` where a ball and the number are apart.
     """
-    from symhaptic import lambdify
+    from symhaptic.callables import lambdify
 
     other = lambdify(form.name, modules="mpmath")
     for point in zip(*(map(float, a) for a in arrays), strict=True):

@@ -163,27 +163,48 @@ def name_statements(
 
 @app.command()
 def mutants(
-    output: Annotated[Path, typer.Option("-o", metavar="FILE", help="Where to write.")] = Path(
-        "reports/mutants.json"
-    ),
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o",
+            metavar="FILE",
+            help="Where to write; without chapters of your own, reports/mutants.json.",
+        ),
+    ] = None,
     workers: Annotated[int, typer.Option("--workers", min=1, help="Processes at a time.")] = 2,
+    derivation: Derivations = None,
 ) -> None:
-    """Change every statement and step in one place; fail where a wrong one is not refused."""
+    """Change every statement and step in one place; fail where a wrong one is not refused.
+
+    With --derivation those of your chapters are changed, and not the paper's.
+    """
     from symhaptic import library, listing, mutation
 
+    own = own_chapters(derivation)
+    output = output or (None if own else Path("reports/mutants.json"))
     writable(output)
+    if output is not None and not mutation.ours(output):
+        refuse(
+            f"-o {output}: is there and not written by `symhaptic mutants`; another name is allowed"
+        )
     found = []
-    for trial in mutation.trials(library.shipped(), workers):
-        found.append(trial)
-        typer.echo(f"{trial.chapter}: {trial.refused} refused", err=True)
-    wrong = [survivor for trial in found for survivor in trial.accepted]
-    for survivor in wrong:
+    try:
+        for trial in mutation.trials(own or library.shipped(), workers):
+            found.append(trial)
+            typer.echo(f"{trial.chapter}: {trial.refused} refused", err=True)
+    except library.BadChapter as wrong:
+        told_bad(wrong, own)
+        raise typer.Exit(2) from None
+    accepted = [survivor for trial in found for survivor in trial.accepted]
+    for survivor in accepted:
         typer.echo(f"ACCEPTED  {survivor.of}: {survivor.change}")
-    write(listing.replace, output, mutation.committed(found))
-    survivors = sum(len(trial.survivors) for trial in found) - len(wrong)
+    if output is not None:
+        write(listing.replace, output, mutation.committed(found))
+    survivors = sum(len(trial.survivors) for trial in found) - len(accepted)
     typer.echo(
-        f"wrote {output}: {sum(trial.refused for trial in found)} changes refused, "
-        f"{survivors} survive with a reason, {len(wrong)} accepted though wrong"
+        f"{'' if output is None else f'wrote {output}: '}"
+        f"{sum(trial.refused for trial in found)} changes refused, "
+        f"{survivors} survive with a reason, {len(accepted)} accepted though wrong"
     )
-    if wrong:
+    if accepted:
         raise typer.Exit(1)

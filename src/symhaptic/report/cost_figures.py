@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from symhaptic import max_stable_stiffness
 from symhaptic.report.figures import COLOURS
+from symhaptic.tracer.extremes import max_stable_stiffness
 
 DELAYS = (0, 1, 2)
 STIFF, DAMPED = 0.001, 0.02

@@ -7,17 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from numbers import Real
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
+from symhaptic.model.parts import Parts
 from symhaptic.quantities import decimal
 from symhaptic.simplest.at_damping import at_damping, error_of_line
 from symhaptic.simplest.cost import Cost, Model, cost, error
 from symhaptic.simplest.plants import NOTHING, Box, Interval, NotCovered
 from symhaptic.simplest.stiffest import stiffest
-
-if TYPE_CHECKING:
-    from symhaptic.model.parts import Parts
-    from symhaptic.scene import Scene
 
 Range: TypeAlias = float | tuple[float, float]
 """One number, or the lowest and the highest."""
@@ -28,6 +25,18 @@ LONGEST = 10
 
 WITHOUT = {"stiffness": 0, "damping": 1}
 """The parts that may be left out, and their intervals."""
+
+
+class Loop(NamedTuple):
+    """A loop in SI units; what is ``None`` is not there."""
+
+    parts: Parts
+    periods: Fraction
+    """The delay in sampling periods."""
+    sampling_period: float
+    mass: float
+    stiffness: float | None
+    damping: float | None
 
 
 @dataclass(frozen=True)
@@ -59,13 +68,13 @@ def _up(bound: float) -> str:
     return f"{math.ceil(100 * bound * 10**places) / 10**places:.{places}f} %"
 
 
-def simplest(scene: Scene, rtol: float, over: Mapping[str, Range | None]) -> Simplest:
-    """What :meth:`symhaptic.scene.Scene.simplest` returns."""
+def simplest(loop: Loop, rtol: float, over: Mapping[str, Range | None]) -> Simplest:
+    """What :meth:`symhaptic.Scene.simplest` returns."""
     _real("rtol", rtol, "> 0")
     ranges = {name: _interval(name, value) for name, value in over.items() if value is not None}
-    box, there = _box(scene, ranges)
-    parts = replace(scene.parts, **{name: there[name] for name in WITHOUT})
-    delay = scene.periods
+    box, there = _box(loop, ranges)
+    parts = replace(loop.parts, **{name: there[name] for name in WITHOUT})
+    delay = loop.periods
     models = _models(parts)
     costs = dict.fromkeys(models, math.inf) | {FULL: 0.0}
     reasons: dict[str, str] = {}
@@ -115,13 +124,13 @@ def _cost(
     return cost(error(whole, Model(whole, out)), box, rtol)
 
 
-def _box(scene: Scene, ranges: Mapping[str, Interval]) -> tuple[Box, dict[str, bool]]:
+def _box(loop: Loop, ranges: Mapping[str, Interval]) -> tuple[Box, dict[str, bool]]:
     """Intervals of gamma, delta and beta that cover the range, and which of them are there."""
-    period = decimal(scene.sampling_period)
-    mass = ranges.get("mass") or _point(scene.mass)
+    period = decimal(loop.sampling_period)
+    mass = ranges.get("mass") or _point(loop.mass)
     box, there = [], {}
     for name, power in (("stiffness", 2), ("damping", 1), ("B", 1)):
-        value = getattr(scene, name, None)
+        value = getattr(loop, name, None)
         inside = ranges.get(name) or (None if value is None else _point(value))
         there[name] = inside is not None
         ends = [end * period**power / m for end in inside or NOTHING for m in mass]
