@@ -4,12 +4,16 @@ For a free mass the line of (25) is the tangent of the boundary at its start, th
 which side of it the stable walls lie, for every delay.
 """
 
-from sympy import Rational, S, cos, diff, pi, sin
+from sympy import Rational, S, cos, sin
 
+from symhaptic.book.lemmas.linear_free_mass import above_the_line, minors, of_a_free_mass
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import d, theta
-from symhaptic.proof import sign
+from symhaptic.notation import alpha, beta, d, theta
+from symhaptic.notation.proposition import whole
+from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
+from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
 LATE = (d + 1) * theta
@@ -24,36 +28,39 @@ def derive(page):
         2 * sin(theta / 2) * surplus,
         name=r"\cos^2\tfrac\theta2\;(\beta-(d+\tfrac12)\alpha)",
     )
-    first, steps = sign.assume(pi / 2 - LATE), sign.assume(d, strict=False)
-    size = sign.combined(d + 1, [1], [steps])
-    arc = sign.Interval(theta, S.Zero, (first, size))
-    up = arc.above
-    turned = sign.sine(
-        sign.combined(LATE, [size, up]), sign.combined(pi - LATE, [first], [sign.number(pi / 2)])
-    )
-    less = sign.combined(pi / 2 - theta, [first], [steps, up])
-    half = sign.sine(
-        sign.combined(theta / 2, [HALF, up]),
-        sign.combined(pi - theta / 2, [HALF, less], [sign.number(3 * pi / 4)]),
-    )
-    share = sign.combined(d + HALF, [steps], [HALF])
-    grows = sign.combined(
-        diff(surplus, theta), [share, half, turned], [2, share, size, half, turned]
-    )
-    fact = page.positive(
-        "On the first arc",
-        sign.integrated(surplus, arc, grows),
-        r"0<(d+1)\theta<\tfrac\pi2,\ d\ge0",
-    )
     page.say(
-        "The stable walls of a free mass with a whole delay are those between the two ends of the "
-        "first arc at their $\\alpha>0$. The lower end lies above the line, so no wall on the line "
-        "is stable, and all stable walls satisfy (25): it is necessary, but no part of its border "
-        "is safe. With damping part of it is (next chapters)."
+        "By $z=(1+s)/(1-s)$ the inside of the unit circle becomes the left half plane, and $z=1$ "
+        "becomes $s=0$. Of the polynomial in $s$ that this makes, the lowest coefficients tell "
+        "what a stable wall needs near $z=1$, however many periods it is late:"
+    )
+    page.lemma(
+        "What the first three of Hurwitz' determinants say of a free mass",
+        conjoined(*minors()),
+        because="from the lowest power of $s$ on",
+    )
+    slack = 2 * beta - d * alpha
+    page.step(
+        "The third one is the surplus over the line, less what is positive",
+        minors()[-1].conclusion.right * 3,
+        24 * (beta - alpha * (d + HALF))
+        - 3 * (d + 1) * (slack**2 + (d + 1) * alpha * slack + d * (d + 2) * alpha**2 / 3),
+        name=r"3\,(c_1c_2-c_0c_3)",
+        because="with $\\alpha>0$ and $2\\beta>d\\alpha$ by the other two",
+    )
+    page.lemma("So every stable wall satisfies (25)", above_the_line(), boxed=True)
+    page.say(
+        "It is necessary, but no part of its border is safe. With damping part of it is (next "
+        "chapters)."
     )
     page.state(
         "linear-free-mass",
         "for $\\gamma=\\delta=0$ and whole $d$ every stable wall satisfies (25), and no wall "
         "on its border is stable",
+        claim=claimed(),
     )
-    page.settle("linear-free-mass", fact)
+    page.settle(
+        "linear-free-mass",
+        of_a_free_mass(),
+        example=example({alpha: S.One, beta: S.One, d: S.Zero}, [whole(d)]),
+        note="by what stability needs near $z=1$, for every whole $d$ at once",
+    )

@@ -362,7 +362,7 @@ CHANGED = [
     ("s4e_line_error_start", "(d + 1) ** 2 * delta + 1 - 2 * nu", "(d + 1) * delta + 1 - 2 * nu"),
     ("s4e_line_error_start", "gamma / (6 * s_2", "gamma / (3 * s_2"),
     ("s4e_line_figure", "(1 - 1 / z)", "(1 + 1 / z)"),
-    ("s4e_line_free_mass", "[2, share, size", "[1, share, size"),
+    ("s4e_line_free_mass", "24 * (beta - alpha", "12 * (beta - alpha"),
     ("s4e_line_free_mass", "(2 * d + 1) * sin(theta / 2)", "2 * d * sin(theta / 2)"),
     ("s4e_line_passive", "kept.subs(t_d, d * T)", "kept.subs(t_d, d)"),
     ("s4e_line_passive", "b_D: S.Zero", "b_D: S.One"),

@@ -55,8 +55,8 @@ from symhaptic.proof.theorems.leaves import (
     roots_inside,
     tends,
 )
-from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.proof.theorems.roots import zero_on_circle
+from symhaptic.proof.theorems.tactics import closed, over, positive, zero_beyond
 
 x, y, n, z, theta, c = symbols("x y n z theta q")
 

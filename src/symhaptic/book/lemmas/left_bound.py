@@ -49,7 +49,7 @@ from symhaptic.proof.theorems.leaves import (
     identity,
     is_whole,
 )
-from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
+from symhaptic.proof.theorems.roots import zero_on_circle
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,
@@ -59,6 +59,7 @@ from symhaptic.proof.theorems.tactics import (
     over,
     positive,
     sine_of_half,
+    zero_beyond,
 )
 
 LINE = proposition(Eq(alpha, -gamma))

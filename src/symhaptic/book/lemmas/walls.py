@@ -25,7 +25,7 @@ from symhaptic.proof.theorems.leaves import (
     number,
     root_outside,
 )
-from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
+from symhaptic.proof.theorems.roots import zero_on_circle
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,
@@ -35,6 +35,7 @@ from symhaptic.proof.theorems.tactics import (
     over,
     positive,
     sine_of_half,
+    zero_beyond,
 )
 
 HALF, LITTLE = S.Half, Rational(1, 100)

@@ -34,13 +34,16 @@ from symhaptic.notation import (
 from symhaptic.notation.proposition import (
     ForAll,
     Iff,
+    Not,
     Predicate,
     Proposition,
     Relation,
     both,
     implied,
     proposition,
+    whole,
 )
+from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.device import normalised, transcribed
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.registry import claims
@@ -104,6 +107,14 @@ def _line_is_passive(printed: Printed) -> Proposition:
     given = [m > 0, b_D >= 0, b_H >= 0, T > 0, t_d >= 0, *table, damping, on_or_below_the_line()]
     symbols = (K, B, m, b_D, b_H, T, t_d, alpha, beta, delta, d)
     return ForAll(symbols, implied(given, PASSIVE.at({b: b_D})))
+
+
+def of_a_free_mass() -> Proposition:
+    """Of a mass alone every stable wall satisfies (25), and no wall on its border is stable."""
+    [line] = (r.subs(delta, 0) for r in transcribed("eq25"))
+    free = STABLE.at({gamma: sp.S.Zero, delta: sp.S.Zero})
+    border = implied([sp.Eq(*line.args)], Not((free,)))
+    return ForAll((alpha, beta, d), implied([whole(d)], both([implied([free], line), border])))
 
 
 def lagging(*walls: Expr) -> Proposition:

@@ -40,12 +40,12 @@ SOURCES = {
     "roots_stay": "zeros of a polynomial are continuous in its coefficients; Marden, Geometry of "
     "Polynomials, Theorem 1.4",
     "all_inside": "zeros of a product are those of its factors",
-    "zero_beyond": "a real polynomial that is not positive at 1 and grows has a zero there or "
-    "beyond: intermediate value theorem; Rudin, 4.23",
     "zero_on_circle": "definition of a zero",
     "last_coefficient": "it is, up to its sign, the product of the zeros: Vieta",
     "jury": "half of Jury's inner determinants, and half planes, are enough; Anderson and Jury, "
     "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
+    "first_minors": "the half plane goes to the circle by z = (1+s)/(1-s), and 1/s keeps it; "
+    "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
     "hurwitz": "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
     "pole_at": "definition of a pole",
     "degree": "definition of the degree",
@@ -77,23 +77,6 @@ def _says(theorem: Theorem, sign: str, value: Expr) -> None:
 
 def _zeros(polynomial: Expr, variable: Symbol) -> Predicate:
     return Predicate("stable", (variable,), (polynomial,))
-
-
-@rule
-def zero_beyond(polynomial: Any, variable: Symbol, value: Theorem) -> Judgement:
-    """p(1) <= 0 for a monic real polynomial gives a zero at 1 or beyond: not all lie inside.
-
-    So does p(1) < 0; the degree is a number.
-    """
-    polynomial = term(polynomial)
-    coefficients = _coefficients(polynomial, variable)
-    if coefficients[0] != 1 or not all(real(c) for c in coefficients):
-        raise NotShown(f"{polynomial} is not monic and real by its form")
-    claim = value.conclusion
-    at_one = polynomial.xreplace({variable: sp.S.One})
-    if claim not in (Relation(at_one, "<=", _ZERO), Relation(at_one, "<", _ZERO)):
-        raise NotShown(f"{claim} does not say that {at_one} is not positive")
-    return value.hypotheses, Not((_zeros(polynomial, variable),))
 
 
 def _coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
@@ -167,15 +150,50 @@ def hurwitz(polynomial: Any, variable: Symbol) -> Judgement:
     if degree < 1 or not all(real(c) for c in falling):
         raise NotShown(f"{polynomial} has no zeros, or is not real by its form")
 
-    def entry(row: int, column: int) -> Expr:
-        place = 2 * column - row + 1
-        return falling[place] if 0 <= place <= degree else _ZERO
-
-    minors = [sp.Matrix(n, n, entry).det(method="berkowitz") for n in range(1, degree + 1)]
-    wanted = And(tuple(Relation(_ZERO, "<", sp.expand(m)) for m in minors))
+    wanted = And(_minors(falling, degree))
     zeros = Predicate("hurwitz", (variable,), (polynomial,))
     defined = {c for c in conditions(polynomial, *falling) if variable not in c.free}
     return defined | {Relation(_ZERO, "<", falling[0])}, Iff((zeros, wanted))
+
+
+def _minors(falling: Sequence[Expr], count: int) -> tuple[Proposition, ...]:
+    """The first leading minors of Hurwitz' matrix are positive."""
+
+    def entry(row: int, column: int) -> Expr:
+        place = 2 * column - row + 1
+        return falling[place] if 0 <= place < len(falling) else _ZERO
+
+    minors = [sp.Matrix(n, n, entry).det(method="berkowitz") for n in range(1, count + 1)]
+    return tuple(Relation(_ZERO, "<", sp.expand(m)) for m in minors)
+
+
+@rule
+def first_minors(inside: Theorem, count: int) -> Judgement:
+    """Of a monic real p with its zeros inside, p(1) and Hurwitz' first minors are positive.
+
+    They are minors of c_0 s^n + c_1 s^(n-1) + ..., where (1 - s)^n p((1 + s)/(1 - s)) is the sum of
+    c_k s^k, and no more than the degree n.  That exponents are whole is a hypothesis.
+    """
+    claim = predicate(inside, "stable")
+    [polynomial], [variable] = claim.of, claim.over
+    powers = _powers(polynomial, variable)
+    degree, hypotheses = _leading(polynomial, _ZERO, variable)
+    if count < 0 or not _seen_whole(sp.expand(degree - count)):
+        raise NotShown(f"{polynomial} may have fewer than {count} zeros")
+
+    def weight(k: int, e: Expr) -> Expr:
+        ways = range(k + 1)
+        return sp.Add(*((-1) ** (k - j) * _choose(e, j) * _choose(degree - e, k - j) for j in ways))
+
+    rising = [sp.Add(*(c * weight(k, e) for e, c in powers.items())) for k in range(2 * count)]
+    start = Relation(_ZERO, "<", sp.Add(*powers.values()))
+    hypotheses |= inside.hypotheses | conditions(*powers.values())
+    return hypotheses, And((start, *_minors(rising, count)))
+
+
+def _choose(of: Expr, count: int) -> Expr:
+    """The binomial coefficient, a polynomial."""
+    return sp.Mul(*((of - i) / (i + 1) for i in range(count)))
 
 
 @rule
@@ -323,6 +341,11 @@ def _on_circle(polynomial: Expr, variable: Symbol, angle: Expr) -> Expr:
 
 def _monic_above(f: Expr, g: Expr, variable: Symbol) -> set[Proposition]:
     """That exponents are whole, and the highest: larger than all others by whole numbers."""
+    return _leading(f, g, variable)[1]
+
+
+def _leading(f: Expr, g: Expr, variable: Symbol) -> tuple[Expr, set[Proposition]]:
+    """The degree of a monic f above that of g, and what shows it."""
     ours, theirs = _powers(f, variable), _powers(g, variable)
     hypotheses = _whole([*ours, *theirs])
     for lead in ours:
@@ -330,7 +353,7 @@ def _monic_above(f: Expr, g: Expr, variable: Symbol) -> set[Proposition]:
         gaps = [sp.expand(lead - e - 1) for e in others]
         if ours[lead] == 1 and all(_seen_whole(gap) for gap in gaps):
             hypotheses |= {whole(s) for gap in gaps for s in gap.free_symbols}
-            return hypotheses
+            return lead, hypotheses
     raise NotShown(f"{f} is not monic, or {g} not of lower degree")
 
 

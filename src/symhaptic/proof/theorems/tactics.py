@@ -46,6 +46,7 @@ from symhaptic.proof.theorems.leaves import (
     is_whole,
     number,
 )
+from symhaptic.proof.theorems.roots import first_minors
 
 
 def closed(theorem: Theorem, *lemmas: Theorem) -> Theorem:
@@ -202,3 +203,13 @@ def denied(theorem: Theorem, wanted: Any) -> Theorem:
 def reductio(falsehood: Theorem, given: Any) -> Theorem:
     """p |- false gives not p."""
     return absurd(anything(falsehood, TRUE), anything(falsehood, Not((TRUE,))), given)
+
+
+def zero_beyond(polynomial: Any, variable: Symbol, value: Theorem) -> Theorem:
+    """p(1) <= 0, or p(1) < 0, for a monic real polynomial: not all zeros lie inside."""
+    zeros = Predicate("stable", (variable,), (polynomial,))
+    at_one = sp.sympify(polynomial).xreplace({variable: sp.S.One})
+    start = first_minors(assume(zeros), 0)
+    (claim,) = start.conclusion.parts
+    above = combined(Relation(sp.S.Zero, "<", at_one), [part(start, claim)])
+    return absurd(above, value, zeros)

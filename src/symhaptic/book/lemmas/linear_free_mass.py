@@ -1,0 +1,64 @@
+"""The stable walls of a mass alone lie above the line of the linear condition."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sympy import Eq, Rational, S
+
+from symhaptic.notation import alpha, beta, d, z
+from symhaptic.notation.proposition import whole
+from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.familiar import not_negative
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    discharged,
+    part,
+)
+from symhaptic.proof.theorems.leaves import combined, is_whole
+from symhaptic.proof.theorems.roots import first_minors
+from symhaptic.proof.theorems.tactics import closed, for_all, positive
+
+HALF = Rational(1, 2)
+
+
+@cache
+def minors() -> tuple[Theorem, ...]:
+    """0 < alpha, 0 < 2 beta - d alpha and 0 < c_1 c_2 - c_0 c_3 of a stable wall; d is whole."""
+    loop = loop_substituted((alpha, beta, S.Zero, S.Zero, d), z, 1, stiffness=False, damping=False)
+    stable, _ = loop.conclusion.parts
+    found = first_minors(applied(loop, assume(stable)), 2)
+    found = closed(found, *(is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)))
+    return tuple(part(found, claim) for claim in found.conclusion.parts)
+
+
+@cache
+def above_the_line() -> Theorem:
+    """alpha (1/2 + d) < beta for a stable wall of a mass alone; d is whole."""
+    stiff, first, second = minors()
+    late = not_negative(assume(whole(d)))
+    more = positive(d + 1 > 0, [late], [1])
+    slack = positive(2 * beta - d * alpha > 0, [first])
+    eighth = Rational(1, 8)
+    return combined(
+        beta > alpha * (HALF + d),
+        [eighth, second],
+        [eighth, more, slack, slack],
+        [eighth, more, more, slack, stiff],
+        [eighth / 3, more, late, late, stiff, stiff],
+        [eighth / 3, 2, more, late, stiff, stiff],
+    )
+
+
+def of_a_free_mass() -> Theorem:
+    """That, and that no wall with alpha (1/2 + d) = beta is stable."""
+    above = above_the_line()
+    stable = next(p for p in above.hypotheses if p != whole(d))
+    border = Eq(beta, alpha * (HALF + d))
+    none = absurd(above, assume(border), stable)
+    found = conjoined(discharged(above, stable), discharged(none, border))
+    return for_all((alpha, beta, d), [whole(d)], found)
