@@ -7,9 +7,15 @@ the other.
 
 from sympy import Rational, S, diff, symbols
 
+from symhaptic.book.lemmas.linear_trade import at_point, exchanged
 from symhaptic.model import boundary, linear, loop
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, d, delta, gamma, h, nu, s_1, s_2, theta, z
+from symhaptic.notation import alpha, beta, d, delta, gamma, h, nu, s_1, s_2, theta, x, z
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.linear import EXCHANGED, decides
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
 G = symbols("g")
@@ -38,7 +44,7 @@ def derive(page):
         law,
         because="the limit of the surplus over the line that was found with the tangent",
     )
-    worth = page.step(
+    page.step(
         "Virtual damping that a unit of physical damping saves",
         -diff(bound, delta),
         1 + flat * alpha / 12,
@@ -58,16 +64,37 @@ def derive(page):
     physical = {**wall, beta: -Rational(1, 200), delta: Rational(1, 50)}
     virtual = {**wall, beta: Rational(3, 200), delta: S.Zero}
     page.inside("$\\delta=0.02$, $\\beta=-0.005$", loop.named(), physical, device)
-    witness = page.outside("$\\delta=0$, $\\beta=0.015$", loop.named(), virtual, device)
+    page.outside("$\\delta=0$, $\\beta=0.015$", loop.named(), virtual, device)
+    settle(page, physical, virtual)
+
+
+def settle(page, physical, virtual):
+    """One damping may stand for the other where (25) decides for both."""
+    page.say(
+        "So the two are worth the same in the limit $\\alpha\\to0$, and beside it only where (25) "
+        "tells stable from unstable for both, since it has their sum in it and nothing else."
+    )
+    claim = CLAIMED["s6-linear-dissipation"](())
+    symbols, given, same = taken_apart(claim)
+    extra = [decides(), decides().at(EXCHANGED)]
+    more = [*given, *extra]
+    easy = {**physical, alpha: Rational(1, 1000), delta: Rational(1, 100), x: Rational(1, 200)}
+    more_virtual, less_virtual = {**virtual, x: physical[delta]}, {**physical, x: -physical[delta]}
     page.settle(
         "s6-linear-dissipation",
-        law,
-        page.same("worth", worth, -diff(bound, delta)),
-        provided=r"\alpha\to0",
-        unless=virtual,
-        truth=witness,
+        for_all(symbols, more, weakened(exchanged(), *more)),
+        example=example(easy, more, *(at_point(e, easy) for e in extra)),
+        unless=[
+            counterexample(
+                claim, at, *(at_point(e, at) for e in (same, *extra)), holds=[holds], but=but
+            )
+            for at, holds, but in (
+                (more_virtual, extra[0], extra[1]),
+                (less_virtual, extra[1], extra[0]),
+            )
+        ],
         shows=r"$d=1$, $\gamma=0.001$, $\alpha=0.01$: $\beta+\delta=0.015$ is stable with "
         r"$\delta=0.02$ and unstable with $\delta=0$",
-        note="physical damping is worth $1+\\frac1{12}(6(d+1)^2+1)\\,\\alpha$ times as much, to "
-        "lowest order",
+        note="that is, in the limit of small $\\alpha$: physical damping is worth "
+        "$1+\\frac1{12}(6(d+1)^2+1)\\,\\alpha$ times as much, to lowest order",
     )

@@ -122,3 +122,28 @@ def lagging(*walls: Expr) -> Proposition:
     [linear] = map(proposition, transcribed("eq24"))
     given = [m > 0, b >= 0, T > 0, t_d >= 0, PULLED, linear]
     return ForAll(LOOP, implied([*given, *walls], SLOW))
+
+
+def decides(damping: Expr = beta, physical: Expr = delta) -> Proposition:
+    """(25) tells whether a wall is stable."""
+    same = Iff((both(transcribed("eq25")), STABLE))
+    return same.at({beta: damping, delta: physical})
+
+
+EXCHANGED = {beta: beta - x, delta: delta + x}
+"""The damping x is physical in place of virtual."""
+SMALL = sp.Rational(3, 100)
+
+
+@claims("s6-linear-dissipation")
+def _one_damping_for_the_other(printed: Printed) -> Proposition:
+    """Physical in place of virtual damping makes no wall stable or unstable.
+
+    The linear approximation is said to hold for the small alpha of Sec. IV-E, up to 0.03, with arms
+    of (23) before and after.
+    """
+    arms = [proposition(r) for r in transcribed("eq23")]
+    arms += [p.at(EXCHANGED) for p in arms if delta in p.free]
+    given = [*arms, d >= 0, alpha >= 0, alpha <= SMALL]
+    symbols = (alpha, beta, gamma, delta, d, x)
+    return ForAll(symbols, implied(given, Iff((STABLE, STABLE.at(EXCHANGED)))))
