@@ -1,4 +1,4 @@
-"""Physical damping in place of virtual damping, where the linear condition decides and elsewhere."""
+"""Physical damping in place of virtual damping, where (25) decides and elsewhere."""
 
 from __future__ import annotations
 
