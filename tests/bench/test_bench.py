@@ -10,7 +10,17 @@ import numpy as np
 import pytest
 from flint import arb
 
-from symhaptic.bench import functions, models, peers, record, tables, timing, tracing, verdicts
+from symhaptic.bench import (
+    functions,
+    measuring,
+    models,
+    peers,
+    record,
+    tables,
+    timing,
+    tracing,
+    verdicts,
+)
 from symhaptic.bench.error import errors as exported_errors
 from symhaptic.bench.error import suspects
 from symhaptic.bench.exact import EXACT
@@ -18,7 +28,7 @@ from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, error
 from symhaptic.bench.printed import expressions, function, swings
 from symhaptic.export import request
 
-TINY = record.Size(
+TINY = measuring.Size(
     Effort(12, 2, 20), (0, 1), (1e-3, 1e-5), 15, 3, (0, 2), 2, 4, 3, 4, ("max_passive_stiffness",)
 )
 
@@ -32,7 +42,7 @@ def _no_waiting():
 
 @pytest.fixture(scope="module")
 def tiny(_no_waiting):
-    return record.measured(TINY)
+    return measuring.measured(TINY)
 
 
 def form(name):

@@ -42,12 +42,13 @@ def bench(
     folder_allowed(output)
     for library in ("OPENBLAS", "MKL", "OMP"):  # one thread, whatever the library
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    from symhaptic.bench import measuring
     from symhaptic.bench import output as written
-    from symhaptic.bench import record
+    from symhaptic.bench.record import FIELDS
 
-    with progress(len(record.FIELDS)) as told:
-        found = record.measured(
-            record.QUICK if quick else record.FULL, lambda done, name: told(done, Path(name))
+    with progress(len(FIELDS)) as told:
+        found = measuring.measured(
+            measuring.QUICK if quick else measuring.FULL, lambda done, name: told(done, Path(name))
         )
     try:
         written.write(found, output)
