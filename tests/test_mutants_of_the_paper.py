@@ -7,8 +7,8 @@ import pytest
 import sympy as sp
 from chapters import chapter
 
-from symhaptic.library import expected_mutants, shipped
-from symhaptic.mutation import trial
+from symhaptic.book.chapters import expected_mutants, shipped
+from symhaptic.book.mutation.trials import trial
 from symhaptic.paper import STATEMENTS
 
 ENOUGH = 15  # wrong variants of a printed formula

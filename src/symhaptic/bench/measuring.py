@@ -17,8 +17,8 @@ from typing import Any
 from symhaptic import __version__
 from symhaptic.bench import functions, models, peers, tracing, verdicts
 from symhaptic.bench.functions import FUNCTIONS
-from symhaptic.bench.record import SCHEMA
 from symhaptic.bench.timing import METHOD
+from symhaptic.book.measured.record import SCHEMA
 
 
 @dataclass(frozen=True)
