@@ -92,11 +92,33 @@ def test_a_checker_that_accepts_everything_is_caught(monkeypatch, name):
     assert trials.trial(chapter).accepted
 
 
+ALIKE = '''
+"""What stays the same?"""
+
+from sympy import Symbol, cos, sin
+
+x = Symbol("x")
+
+
+def derive(page):
+    page.state("alike", "the squares of sine and cosine add up to the same everywhere")
+    page.settle("alike", page.free_of("the sum", sin(x) ** 2 + cos(x) ** 2, x))
+'''
+
+
+def test_a_friendly_derivative_is_caught(monkeypatch, tmp_path):
+    path = tmp_path / "alike.py"
+    path.write_text(ALIKE.lstrip())
+    chapter = run(path)
+    assert not trials.trial(chapter).accepted
+    monkeypatch.setattr(checks, "is_zero", lambda expr: True)
+    assert trials.trial(chapter).accepted
+
+
 @pytest.mark.parametrize(
     ("name", "place", "part", "friendly"),
     [
         ("s3b_extent", checks, "equal", lambda left, right: True),
-        ("s3b_envelope", checks, "is_zero", lambda expr: True),
         ("s4d_free_mass", sign, "is_zero", lambda expr: True),
         ("s4d_roots_delay_margin", Roots, "holds", lambda self: True),
         ("s4d_figure9_delayed", box, "ball", lambda expr, at=None, bits=64: acb(1)),
@@ -108,7 +130,7 @@ def test_a_checker_that_accepts_everything_is_caught(monkeypatch, name):
         ),
         ("s3c_stiffness_maximum", settle, "holds", lambda quoted, number: True),
     ],
-    ids=["same", "free", "sign", "roots", "box", "verdict", "number"],
+    ids=["same", "sign", "roots", "box", "verdict", "number"],
 )
 def test_one_friendly_part_is_caught(monkeypatch, name, place, part, friendly):
     chapter = run(folder() / f"{name}.py")

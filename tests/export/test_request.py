@@ -16,7 +16,7 @@ from symhaptic.model.parts import Parts
 def symhaptic(monkeypatch, capsys, *words):
     monkeypatch.setattr("sys.argv", ["symhaptic", *words])
     with pytest.raises(SystemExit) as ended:
-        main.main()
+        main()
     said = capsys.readouterr()
     return ended.value.code, said.out, said.err
 

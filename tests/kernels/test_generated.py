@@ -14,7 +14,7 @@ from symhaptic.numeric.plant import device
 def run(monkeypatch, *words):
     monkeypatch.setattr("sys.argv", ["symhaptic", *words])
     try:
-        main.main()
+        main()
     except SystemExit as left:
         return left.code
     return 0

@@ -167,16 +167,16 @@ def test_a_chapter_whose_process_dies_is_told(tmp_path):
 )
 def test_a_given_file_is_looked_at_before_anything_is_run(text, said, tmp_path, monkeypatch):
     from symhaptic.book import parallel
-    from symhaptic.cli.main import main
+    from symhaptic.cli import main as cli
 
     path = tmp_path / "my.py"
     path.write_text(text)
     monkeypatch.setattr(parallel, "settled", lambda *_: pytest.fail("something was run"))
     monkeypatch.setattr(sys, "argv", ["symhaptic", "verify", "--derivation", str(path)])
     said_ = []
-    monkeypatch.setattr(main.typer, "echo", lambda line, **_: said_.append(line))
+    monkeypatch.setattr(cli.typer, "echo", lambda line, **_: said_.append(line))
     with pytest.raises(SystemExit) as left:
-        main.main()
+        cli.main()
     assert left.value.code == 2
     assert said in said_[0]
     assert str(path) in said_[0]
@@ -184,14 +184,14 @@ def test_a_given_file_is_looked_at_before_anything_is_run(text, said, tmp_path, 
 
 def test_the_given_chapters_are_run_first(tmp_path, monkeypatch):
     from symhaptic.book import parallel
-    from symhaptic.cli.main import main
+    from symhaptic.cli import main as cli
 
     asked = []
     monkeypatch.setattr(parallel, "settled", lambda paths, *_: asked.extend(paths) or [])
     path = chapter(tmp_path, "my", STATED, RIGHT)
     monkeypatch.setattr(sys, "argv", ["symhaptic", "verify", "--derivation", str(path)])
     with pytest.raises(SystemExit):
-        main.main()
+        cli.main()
     assert asked[0] == path
     assert len(asked) > 50  # the paper's come behind
 
@@ -206,13 +206,13 @@ def test_the_time_of_the_suite_is_the_one_that_passed():
 
 def test_list_names_the_statements_and_runs_nothing(monkeypatch, capsys):
     from symhaptic.book import parallel
-    from symhaptic.cli.main import main
+    from symhaptic.cli import main as cli
 
     monkeypatch.setattr(parallel, "settled", lambda *_: pytest.fail("something was run"))
     monkeypatch.setattr("symhaptic.book.chapters.run", lambda *_: pytest.fail("something was run"))
     monkeypatch.setattr(sys, "argv", ["symhaptic", "verify", "--list", "--format", "json"])
     with pytest.raises(SystemExit) as left:
-        main.main()
+        cli.main()
     assert left.value.code == 0
     records = {r["id"]: r for r in json.loads(capsys.readouterr().out)["statements"]}
     assert records["eq11"]["location"] == "Sec. III-C"

@@ -106,7 +106,7 @@ def _parts(scene: Scene | Parts | str | None) -> Parts:
 def _on_arrays(form: Form) -> Callable[..., Any]:
     _, files = request.built(TARGETS["numpy"], [form], "callables", vectors=False)
     space: dict[str, Any] = {"__name__": f"symhaptic.{form.name}"}
-    exec(compile(files["scene/callables.py"], f"<{form.name}>", "exec"), space)
+    exec(compile(files["callables.py"], f"<{form.name}>", "exec"), space)
     around = kept(None, True, **{name: float for name, _ in form.results})
     found: Callable[..., Any] = around(space[form.name])
     return found
