@@ -167,6 +167,9 @@ def mutants(
     ] = None,
     workers: Annotated[int, typer.Option("--workers", min=1, help="Processes at a time.")] = 2,
     derivation: Derivations = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; fail where the file is stale.")
+    ] = False,
 ) -> None:
     """Change every statement and step in one place; fail where a wrong one is not refused.
 
@@ -193,13 +196,18 @@ def mutants(
     accepted = [survivor for trial in found for survivor in trial.accepted]
     for survivor in accepted:
         typer.echo(f"ACCEPTED  {survivor.of}: {survivor.change}")
-    if output is not None:
+    stale = False
+    if output is not None and check:
+        stale = trials.stale(output, found)
+    elif output is not None:
         write(listing.replace, output, trials.committed(found))
     survivors = sum(len(trial.survivors) for trial in found) - len(accepted)
     typer.echo(
-        f"{'' if output is None else f'wrote {output}: '}"
+        f"{'' if output is None or check else f'wrote {output}: '}"
         f"{sum(trial.refused for trial in found)} changes refused, "
         f"{survivors} survive with a reason, {len(accepted)} accepted though wrong"
     )
-    if accepted:
+    if stale:
+        typer.echo(f"symhaptic: {output} is stale; `symhaptic mutants` writes it", err=True)
+    if accepted or stale:
         raise typer.Exit(1)

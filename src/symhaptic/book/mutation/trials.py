@@ -138,3 +138,13 @@ def committed(found: Iterable[Trial]) -> str:
         json.dumps({"generated": GENERATED, "sympy": sp.__version__, "chapters": records}, indent=1)
         + "\n"
     )
+
+
+def stale(path: Path, found: Iterable[Trial]) -> bool:
+    """Whether a committed record is not that of these trials; another SymPy's is not asked."""
+    if not path.is_file():
+        return True
+    text = path.read_text(encoding="utf-8")
+    if json.loads(text).get("sympy") != sp.__version__:
+        return False
+    return text != committed(found)
