@@ -108,10 +108,11 @@ def _scaled(page):
         "s3b-linear-in-T",
         for_all(symbols, given, weakened(found, *given)),
         instead=right,
+        corrected=(r"K\propto b/T", r"B\propto b"),
         example=example(stiff, given),
         unless=[counterexample(claim, stiff, broken)],
         shows="three times the period leaves a third of the stiffness",
-        note=r"$K\propto b/T$, $B\propto b$ at each angle $\omega T$",
+        note=r"at each angle $\omega T$",
     )
 
 

@@ -6,6 +6,7 @@ chapters before tell what it looks like. For which delays are these the passive 
 
 from sympy import Rational, S, cos, pi, sin, tan
 
+from symhaptic.book.figures.passivity import passive_regions
 from symhaptic.book.lemmas.drawn import drawn
 from symhaptic.book.lemmas.motions import half_late
 from symhaptic.book.lemmas.passivity import PASSIVE
@@ -31,7 +32,6 @@ from symhaptic.proof.theorems.kernel import (
 )
 from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
-from symhaptic.report.figures import passive_regions
 
 UNIT = {b: 1, T: 1}
 

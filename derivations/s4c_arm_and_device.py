@@ -15,11 +15,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    assume,
-    conjoined,
-    weakened,
-)
+from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import (
     closed,

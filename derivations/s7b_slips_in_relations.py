@@ -91,6 +91,7 @@ def interval(page):
         "s5c-interval",
         for_all(symbols, given, weakened(found, *given)),
         instead=meant,
+        corrected=(r"\gamma\le\pi^2+\tfrac14\delta^2\in[\pi^2,\pi^2+0.0001]",),
         example=example(beyond, given),
         unless=[Case(beyond, neither_end())],
         shows=r"$\delta=0$, $\gamma=\pi^2+0.0001$ is beyond (30)",

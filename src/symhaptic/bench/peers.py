@@ -20,7 +20,7 @@ from symhaptic.bench.verdicts import near
 from symhaptic.export import request
 from symhaptic.numeric.plant import discretize
 from symhaptic.numeric.stability import is_stable
-from symhaptic.tracer.margin import delay_margin
+from symhaptic.numeric.tracing.margin import delay_margin
 
 Point = tuple[float, ...]
 _ON_ARRAYS = ("printed (14), NumPy",)

@@ -17,8 +17,8 @@ from symhaptic.bench.points import Array
 from symhaptic.bench.timing import seconds
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.stability import is_stable
-from symhaptic.tracer.grid import grid_boundary, spectral_radius
-from symhaptic.tracer.region import stable_region
+from symhaptic.numeric.tracing.grid import grid_boundary, spectral_radius
+from symhaptic.numeric.tracing.region import stable_region
 
 GAMMA, DELTA = 1e-3, 0.02
 """The corner of the paper's (23)."""

@@ -3,7 +3,8 @@
 A theorem says that its conclusion is true for all values of the free symbols (real ones, or complex
 where the notation says so) for which its hypotheses are true.  Nobody but a rule makes one: each
 rule takes theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and
-what it was given, so that :func:`replayed` can derive it once more, elsewhere, from nothing.
+what it was given, so that it is derived once more, from nothing, where it arrives in
+another process.
 
 Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``energy``,
 ``roots``, ``samples`` and ``definitions``; no other module can add one.
