@@ -10,8 +10,6 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.model import lag
-from symhaptic.model.plant import Plant
 from symhaptic.notation import (
     B,
     K,
@@ -49,9 +47,9 @@ from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
-LAGGING = Predicate("hurwitz", (s,), (Plant().characteristic * (1 + t_e * s) + lag.WALL,))
+LAGGING = Predicate("hurwitz", (s,), ((m * s**2 + b * s + k) * (1 + t_e * s) + K + B * s,))
 """The loop with the lag comes to rest."""
-SLOW = LAGGING.at({t_e: lag.DELAY})
+SLOW = LAGGING.at({t_e: t_d + T / 2})
 """The same with the effective delay of hold and t_d."""
 LOOP = (K, B, m, b, k, T, t_d)
 GIVEN = (m > 0, b >= 0, k >= 0, T > 0, t_d >= 0)
