@@ -57,7 +57,7 @@ def on_box(expr: Expr, ranges: Ranges) -> Theorem:
     """0 < f of the plant's numbers on a box, by balls."""
     small = sp.expand(sp.sympify(expr).subs(BALLS).subs(FREE))
     found = box.positive(small, ranges, named(SMALL))
-    [certificate] = found.certificates
+    certificate: Any = found.certificates[0]
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
 
 

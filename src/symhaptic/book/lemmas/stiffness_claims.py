@@ -40,7 +40,9 @@ CORNER = {0: (Rational("0.713"), Rational("0.824")), 1: (Rational("0.1544"), Rat
 """A little stiffer than every stable wall of the figures, and where the minor is largest."""
 
 
-def beside(claim: Proposition, best: Theorem, wall: Wall, bounds: Callable[[Any], Theorem]) -> Any:
+def beside(
+    claim: Proposition, best: Theorem, wall: Wall, bounds: Callable[[Any], Theorem]
+) -> Theorem:
     """There is a wall (x, y), this one, such that the bounds hold for all others."""
     values: dict[Any, Expr] = dict(zip((x, y), wall, strict=True))
     _, rest = claim.body.of  # type: ignore[attr-defined]
@@ -58,7 +60,7 @@ def passive_walls(delay: int, printed: Any) -> tuple[Theorem, Theorem, Wall]:
     wall = found.conclusion.of[:2]  # type: ignore[attr-defined]
     known = [fact(Relation(S.Zero, "<", S.One))]
     bound = placed(least, {**unit, K: alpha, B: beta})
-    return *(closed(t, *known) for t in (found, bound)), wall  # type: ignore[return-value]
+    return closed(found, *known), closed(bound, *known), wall
 
 
 def stable_beside_passive(
@@ -130,7 +132,7 @@ def of_delay(claim: Proposition) -> Theorem:
         UNDELAYED,
         lambda wanted: combined(wanted, [first]),
     )
-    best: Wall = tuple(v.subs(delta, ARM[delta]) for v in LATE)  # type: ignore[assignment]
+    best: Wall = tuple(v.subs(delta, ARM[delta]) for v in LATE)
     late = placed(stable_wall(1, LATE, RANGES), ARM)
     most = placed(no_stiffer(0, CORNER[0], HERE), ARM)
     late, most = (closed(t, *_numbers(t)) for t in (late, most))
