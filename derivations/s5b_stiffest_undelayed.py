@@ -6,12 +6,16 @@ closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whol
 
 from sympy import Rational, S, sqrt
 
-from symhaptic.bounds.walls import most, over, passive
+from symhaptic.arm import IN_23, RANGES
+from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, of_ratio
 from symhaptic.model import boundary, jury, plant
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, x
-from symhaptic.paper.ranges import IN_23, RANGES
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, LATE, NUMBERS, named
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.tactics import example
+from symhaptic.wall_balls import most, over, passive
 
 RISE = n_1 + n_0
 WIDE = {gamma: (0, Rational(1, 100)), delta: (0, Rational(1, 10))}
@@ -104,7 +108,7 @@ def ratio(page):
     )
     device = plant.Sampled(*(s.subs(BALLS) for s in (n_1, n_0, a, e)))
     largest = boundary.largest_undelayed(device)
-    above = page.positive(
+    page.positive(
         "More than 17.8 times as stiff",
         box.positive(largest - Rational(356, 10) * delta, RANGES, GIVEN),
         IN_23,
@@ -126,10 +130,13 @@ def ratio(page):
         because="17.8 is cut from these, 0.0562 is the inverse of the first, rounded up (that of "
         "the second is below 0.0561); just beyond the range 17.8 is too much",
     )
+    claim = CLAIMED["s5b-eta-d0"](())
     page.settle(
         "s5b-eta-d0",
-        above,
+        of_ratio(claim, 0, UNDELAYED),
+        example=example({gamma: S.Zero, delta: end}, taken_apart(claim)[1]),
+        enclosed=True,
         value=(ratios[0], over(S.One, ratios[0])),
-        note=r"both hold on all of (23) with $\delta>0$; the numbers are those of its corner "
+        note=r"both hold on all of (23); the numbers are those of its corner "
         r"$\gamma=0.001$, $\delta=0.02$",
     )

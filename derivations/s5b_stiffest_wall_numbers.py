@@ -7,14 +7,18 @@ explicit function, and balls enclose it.
 
 from sympy import Poly, Rational, S, pi, symbols, tan
 
-from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over, passive
+from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
+from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
 from symhaptic.model import circle, passivity
 from symhaptic.notation import K, T, alpha, d, delta, gamma, phi, t, theta
-from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof import box
 from symhaptic.proof.ball import bound
 from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.proof.roots import decimals
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.tactics import example
+from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 GIVEN = named({s: s for s in NUMBERS})
 FOR_EVER = Rational(59, 10**5)
@@ -36,7 +40,7 @@ def derive(page):
     )
     there = STIFFNESS.subs({t: tan(ANGLE / 2), phi: 2 * ANGLE}).subs(BALLS)
     need = passive(delta, 1) / Rational(1074, 10000)
-    above = page.positive(
+    page.positive(
         "More than 9.31 times as stiff",
         box.positive(there - need, RANGES, GIVEN),
         IN_23,
@@ -58,11 +62,14 @@ def derive(page):
         because="9.3 is cut from the first, 0.1074 its inverse rounded up; both fail a little "
         "beyond the range",
     )
+    claim = CLAIMED["s5b-eta-d1"](())
     page.settle(
         "s5b-eta-d1",
-        above,
+        of_ratio(claim, 1, LATE),
+        example=example({gamma: S.Zero, delta: DAMPED}, taken_apart(claim)[1]),
+        enclosed=True,
         value=(corner, over(S.One, corner)),
-        note=r"both hold on all of (23) with $\delta>0$; the numbers are those of its corner "
+        note=r"both hold on all of (23); the numbers are those of its corner "
         r"$\gamma=0.001$, $\delta=0.02$",
     )
     table(page)

@@ -219,7 +219,7 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
 def differentiable(form: Form) -> tuple[str, ...]:
     """The names of the arguments by which the form has derivatives.
 
-    >>> from symhaptic.model import stable
+    >>> from symhaptic.forms import stable
     >>> differentiable(stable.form("passivity_margin_at"))
     ('theta', 'alpha', 'beta', 'delta', 'd')
     >>> differentiable(stable.form("is_stable"))

@@ -14,6 +14,7 @@ from symhaptic.paper.propositions import (
     device,
     linear,
     passivity,
+    ratio,
     slips,
     stability,
 )
@@ -28,6 +29,7 @@ __all__ = [
     "device",
     "linear",
     "passivity",
+    "ratio",
     "slips",
     "stability",
 ]

@@ -1,0 +1,168 @@
+"""How stiff a stable wall can be without delay and one period late, for all plants of a box.
+
+By Jury's inequalities: a wall that is given by the plant's gamma and delta is stable if they hold
+on the box.  The last of them, of the largest minor, falls with the stiffness: where it fails at
+one stiffness for every damping, no stiffer wall is stable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, Rational, S, Symbol
+
+from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.notation import alpha, beta, delta, gamma, n_0, n_1, z
+from symhaptic.notation.proposition import Relation, conjuncts
+from symhaptic.proof import box
+from symhaptic.proof.plants import AT_ONE, BALLS, LATE, LOSS, TOGETHER, named
+from symhaptic.proof.theorems.device import device_exists, loop_of_device, on_plants
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    by_cases,
+    chosen,
+    conjoined,
+    ordered,
+    part,
+    placed,
+    whole,
+)
+from symhaptic.proof.theorems.leaves import combined, square
+from symhaptic.proof.theorems.roots import last_coefficient
+from symhaptic.proof.theorems.tactics import closed, fact, over, positive
+
+Ranges = Mapping[Symbol, tuple[Any, Any]]
+
+WIDEST = Rational(21, 10)
+"""No stable wall has a larger virtual damping, of either sign, as 1 < 2.1 n_0."""
+
+PART = Rational(2, 5)
+"""So much of the minor's curvature in beta is enough."""
+
+P, M = sp.symbols("P M")
+SMALL = {LOSS: LOSS, P: 1 - TOGETHER, M: S.Half - LATE, AT_ONE: AT_ONE}
+"""The plant's numbers as what they differ by from those of a free mass, so that balls are small."""
+FREE = {TOGETHER: 1 - P, LATE: S.Half - M}
+
+
+def on_box(expr: Expr, ranges: Ranges) -> Theorem:
+    """0 < f of the plant's numbers on a box, by balls."""
+    small = sp.expand(sp.sympify(expr).subs(BALLS).subs(FREE))
+    found = box.positive(small, ranges, named(SMALL))
+    certificate: Any = found.certificates[0]
+    return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
+
+
+def of_every_plant(theorem: Theorem) -> Theorem:
+    """What does not speak of the plant's numbers holds without them."""
+    return chosen(device_exists(gamma, delta, NUMBERS), theorem)
+
+
+def stable_wall(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
+    """The wall, given by gamma and delta, is stable for all plants of the box."""
+    loop = placed(by_inequalities(delay), dict(zip((alpha, beta), wall, strict=True)))
+    known = [
+        combined(wanted, [on_box(wanted.right, ranges)])  # type: ignore[attr-defined]
+        for wanted in conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
+    ]
+    return of_every_plant(applied(loop, conjoined(*known)))
+
+
+@cache
+def inequalities(delay: int) -> tuple[Theorem, ...]:
+    """What Jury's inequalities say of a stable wall; the last is that of the minor."""
+    loop = by_inequalities(delay)
+    found = applied(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
+    return tuple(part(found, p) for p in conjuncts(found.conclusion))
+
+
+def damping_between(delay: int, ranges: Ranges) -> tuple[Theorem, ...]:
+    """-2.1 <= beta <= 2.1 and n_0 beta < 1 of a stable wall: n_0 beta is a product of zeros."""
+    late = S(delay)
+    loop = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late), z)
+    reading: Any = part(loop, loop.conclusion.parts[1])
+    zeros = applied(reading, assume(reading.conclusion.of[0]))
+    last = closed(last_coefficient(zeros), fact(whole(late)))
+    low, high = (part(last, p) for p in conjuncts(last.conclusion))
+    weight, room = (on_box(f, ranges) for f in (n_0, WIDEST * n_0 - 1))
+    bounds = [
+        over(side, combined(n_0 * rest > 0, [room], [known]), weight)
+        for side, rest, known in (
+            (WIDEST + beta > 0, WIDEST + beta, high),
+            (WIDEST - beta > 0, WIDEST - beta, low),
+        )
+    ]
+    apart = positive(sp.Ne(n_0, 0), [weight])
+    ends = [
+        closed(combined(claim, [known]), apart)
+        for claim, known in zip((beta >= -WIDEST, beta <= WIDEST), bounds, strict=True)
+    ]
+    return (*ends, positive(1 - n_0 * beta > 0, [low]))
+
+
+def no_stiffer(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
+    """alpha < that of ``wall`` for every stable wall and all plants of the box; d is 0 or 1.
+
+    The minor is largest near the damping of ``wall``.
+    """
+    low, high, inside = damping_between(delay, ranges)
+    *planes, minor = inequalities(delay)
+    wide = {**ranges, beta: (-WIDEST, WIDEST)}
+    value = minor.conclusion.right  # type: ignore[attr-defined]
+    limit, _ = wall
+    stiff, weight = assume(alpha >= limit), on_box(n_0, ranges)
+    if delay == 0:
+        falls = [[stiff, weight, towards(planes, minor, inside, wide)]]
+    else:
+        slope = -sp.diff(value, alpha).subs(alpha, limit)
+        falls = [[stiff, on_box(slope, wide)], [stiff, stiff, weight, weight]]
+    contrary = absurd(minor, combined(value <= 0, [fails(value, wall, wide)], *falls))
+    wanted = Relation(alpha, "<", limit)
+    found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
+    return of_every_plant(closed(found, low, high))
+
+
+def fails(minor: Expr, wall: tuple[Expr, Expr], wide: Ranges) -> Theorem:
+    """0 < -minor at the stiffness of the wall, for every beta: by its square in beta."""
+    stiffness, near = wall
+    off = sp.Symbol("u")
+    there = sp.Poly(sp.expand(minor.subs({alpha: stiffness, beta: near + off})), off)
+    height, tilt, bend, *more = there.all_coeffs()[::-1]
+    rest = -(bend + PART) - sum(more) * (beta - near)
+    least = on_box(-4 * PART * height - tilt**2, {s: wide[s] for s in (gamma, delta)})
+    bent = [square(beta - near), on_box(rest, wide)]
+    middle = square(2 * PART * (beta - near) - tilt)
+    share = 1 / (4 * PART)
+    return combined(-minor.subs(alpha, stiffness) > 0, [share, middle], [share, least], bent)
+
+
+def towards(planes: Any, minor: Theorem, inside: Theorem, wide: Ranges) -> Theorem:
+    """0 < 1 + n_1 beta of a wall that is stable without delay."""
+    at_one, second, third = planes
+    one, two, three = (t.conclusion.right for t in planes)
+    between = sp.expand(8 - one - two - three)
+    product = combined(two * between > 0, [at_one, third], [8, minor])
+    middle = over(between > 0, product, second)
+    value: Expr = minor.conclusion.right  # type: ignore[attr-defined]
+    toward = 1 + n_1 * beta
+    rest = sp.cancel(-((n_1 + n_0) * value - n_0 * toward * between) / (1 - n_0 * beta))
+    heavy = on_box(n_1 + n_0, wide)
+    weight = on_box(n_0, wide)
+    back = assume(Relation(toward, "<=", S.Zero))
+    down = combined(
+        Relation(value * (n_1 + n_0), "<=", S.Zero),
+        [weight, back, middle],
+        [inside, on_box(rest, wide)],
+    )
+    contrary = absurd(positive(value * (n_1 + n_0) > 0, [minor, heavy]), down)
+    wanted = Relation(S.Zero, "<", toward)
+    found = by_cases(ordered(S.Zero, toward), assume(wanted), anything(contrary, wanted))
+    return closed(found, positive(sp.Ne(two, 0), [second]))

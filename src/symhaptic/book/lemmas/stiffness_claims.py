@@ -1,0 +1,146 @@
+"""A wall beside all others: that a stable wall outdoes the passive ones, and the other way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+from sympy import Expr, Rational, S, diff
+
+from symhaptic.arm import RANGES
+from symhaptic.book.lemmas.stiffest_passive import largest_of
+from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
+from symhaptic.notation import B, K, T, alpha, b, beta, delta, x, y
+from symhaptic.notation.proposition import Proposition, Relation, conjuncts
+from symhaptic.paper.propositions.passivity import printed_of
+from symhaptic.paper.propositions.ratio import ARM, WALL
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import Theorem, conjoined, placed, weakened, witnessed
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
+
+Wall: TypeAlias = tuple[Expr, Expr]
+ELEVEN = printed_of("eq11")
+
+UNDELAYED: Wall = (
+    Rational("0.68") + Rational("1.604") * delta,
+    Rational("0.8282") - Rational("0.195") * delta,
+)
+"""A wall without delay that is nearly the stiffest stable one where delta = 0.02."""
+
+LATE: Wall = (
+    Rational("0.142") + Rational("0.614") * delta,
+    Rational("0.4239") - Rational("0.093") * delta,
+)
+"""The same one period late."""
+
+HERE: Ranges = {s: (v, v) for s, v in ARM.items()}
+"""The plant of the figures alone."""
+CORNER = {0: (Rational("0.713"), Rational("0.824")), 1: (Rational("0.1544"), Rational("0.422"))}
+"""A little stiffer than every stable wall of the figures, and where the minor is largest."""
+
+
+def beside(
+    claim: Proposition, best: Theorem, wall: Wall, bounds: Callable[[Any], Theorem]
+) -> Theorem:
+    """There is a wall (x, y), this one, such that the bounds hold for all others."""
+    values: dict[Any, Expr] = dict(zip((x, y), wall, strict=True))
+    _, rest = claim.body.of  # type: ignore[attr-defined]
+    given, then = rest.at(values).body.of
+    shown = conjoined(*map(bounds, conjuncts(then))) if then.parts else bounds(then)
+    others = for_all(WALL, [given], shown)
+    return witnessed(conjoined(best, others), claim, values)
+
+
+def passive_walls(delay: int, printed: Any) -> tuple[Theorem, Theorem, Wall]:
+    """(11): that wall is passive, none is stiffer, and its values; for delta >= 0 and T = 1."""
+    unit = {b: delta, T: S.One}
+    passive, least, _ = largest_of(printed, delay)
+    found = placed(passive, unit)
+    wall = found.conclusion.of[:2]  # type: ignore[attr-defined]
+    known = [fact(Relation(S.Zero, "<", S.One))]
+    bound = placed(least, {**unit, K: alpha, B: beta})
+    return closed(found, *known), closed(bound, *known), wall
+
+
+def stable_beside_passive(
+    claim: Proposition, delay: int, wall: Wall, ranges: Ranges, printed: Any
+) -> Theorem:
+    """A stable wall beside all passive ones, from the largest stiffness (11)."""
+    _, least, _ = passive_walls(delay, printed)
+    most = least.conclusion.right.subs(delta, 1)  # type: ignore[attr-defined]
+
+    def bound(wanted: Any) -> Theorem:
+        # c alpha < g x, where alpha <= most delta and delta <= 0.02
+        share = wanted.left.coeff(alpha)
+        rest = wanted.right - share * most * delta
+        return positive(wanted, [share, least], *_linear(rest, ranges[delta]))
+
+    return beside(claim, stable_wall(delay, wall, ranges), wall, bound)
+
+
+def _linear(expr: Expr, ends: tuple[Any, Any]) -> list[list[Any]]:
+    """A linear function of delta by its value at one end and its slope."""
+    low, high = ends
+    steep = diff(expr, delta)
+    rises = steep.is_number and bool(steep >= 0)
+    end = number(Relation(S.Zero, "<", expr.subs(delta, low if rises else high)))
+    slope = number(Relation(S.Zero, "<=", steep if rises else -steep))
+    return [[end], [slope, delta >= low if rises else delta <= high]]
+
+
+def passive_beside_stable(claim: Proposition, delay: int, printed: Any) -> Theorem:
+    """A passive wall beside all stable ones, at the arm of the figures."""
+    passive, _, wall = passive_walls(delay, printed)
+    passive = placed(passive, {delta: ARM[delta]})
+    wall = tuple(v.subs(delta, ARM[delta]) for v in wall)
+    above = placed(no_stiffer(delay, CORNER[delay], HERE), ARM)
+    above = closed(above, *_numbers(above))
+
+    def bound(wanted: Any) -> Theorem:
+        share = wanted.left.coeff(alpha)
+        rest = number(Relation(S.Zero, "<", wanted.right - share * CORNER[delay][0]))
+        return combined(wanted, [share, above], [rest])
+
+    return beside(claim, closed(passive, *_numbers(passive)), wall, bound)
+
+
+def _numbers(theorem: Theorem) -> list[Theorem]:
+    """The hypotheses that are relations between numbers."""
+    return [fact(p) for p in theorem.hypotheses if isinstance(p, Relation) and not p.free]
+
+
+def of_ratio(claim: Proposition, delay: int, wall: Wall) -> Theorem:
+    """How much stiffer a stable wall can be than a passive one, at least and at most."""
+    symbols, given, then = taken_apart(claim)
+    more, digits = conjuncts(then)
+    found = conjoined(
+        stable_beside_passive(more, delay, wall, RANGES, ELEVEN),
+        passive_beside_stable(digits, delay, ELEVEN),
+    )
+    return for_all(symbols, given, weakened(found, *given))
+
+
+def of_delay(claim: Proposition) -> Theorem:
+    """How much of the stable stiffness one period of delay leaves, at most and at least."""
+    symbols, given, then = taken_apart(claim)
+    below, digits = conjuncts(then)
+    first = no_stiffer(1, (Rational("0.22") * UNDELAYED[0], Rational("0.424")), RANGES)
+    less = beside(
+        below,
+        stable_wall(0, UNDELAYED, RANGES),
+        UNDELAYED,
+        lambda wanted: combined(wanted, [first]),
+    )
+    best: Wall = tuple(v.subs(delta, ARM[delta]) for v in LATE)
+    late = placed(stable_wall(1, LATE, RANGES), ARM)
+    most = placed(no_stiffer(0, CORNER[0], HERE), ARM)
+    late, most = (closed(t, *_numbers(t)) for t in (late, most))
+
+    def bound(wanted: Any) -> Theorem:
+        share = wanted.left.coeff(alpha)
+        rest = number(Relation(S.Zero, "<", wanted.right - share * CORNER[0][0]))
+        return combined(wanted, [share, most], [rest])
+
+    found = conjoined(less, beside(digits, late, best, bound))
+    return for_all(symbols, given, weakened(found, *given))
