@@ -7,18 +7,18 @@ explicit function, and balls enclose it.
 
 from sympy import Poly, Rational, S, pi, symbols, tan
 
-from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
+from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over, passive
 from symhaptic.model import circle, passivity
 from symhaptic.notation import K, T, alpha, d, delta, gamma, phi, t, theta
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.ball import bound
 from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.tactics import example
-from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 GIVEN = named({s: s for s in NUMBERS})
 FOR_EVER = Rational(59, 10**5)

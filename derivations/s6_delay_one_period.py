@@ -6,16 +6,16 @@ which arms that holds.
 
 from sympy import Rational, S, symbols, tan
 
-from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.book.lemmas.stiffness_claims import of_delay
+from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over
 from symhaptic.model import boundary
 from symhaptic.notation import delta, gamma, phi, t
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.tactics import example
-from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over
 
 GIVEN = named({s: s for s in NUMBERS})
 MOST = boundary.largest_undelayed(DEVICE).subs(BALLS)

@@ -7,7 +7,6 @@ late: tests/oracles/test_section_5b_stiffest.py finds both by a search.
 import pytest
 from sympy import Rational
 
-from symhaptic.arm import RANGES
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import HERE, LATE, UNDELAYED, of_delay, of_ratio
 from symhaptic.notation import alpha, x
@@ -21,6 +20,7 @@ from symhaptic.paper.propositions.ratio import (
     stable,
     stiffer,
 )
+from symhaptic.paper.ranges import RANGES
 from symhaptic.proof.sign import NotShown
 
 NEAR = {0: Rational("0.824"), 1: Rational("0.422")}

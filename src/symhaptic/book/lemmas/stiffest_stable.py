@@ -16,11 +16,11 @@ from sympy import Expr, Rational, S, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.notation import alpha, beta, delta, gamma, n_0, n_1, z
-from symhaptic.notation.proposition import Relation, conjuncts
+from symhaptic.notation import alpha, beta, delta, gamma, n_0, n_1
+from symhaptic.notation.proposition import Relation, conjuncts, whole
 from symhaptic.proof import box
 from symhaptic.proof.plants import AT_ONE, BALLS, LATE, LOSS, TOGETHER, named
-from symhaptic.proof.theorems.device import device_exists, loop_of_device, on_plants
+from symhaptic.proof.theorems.familiar import device_exists, loop_of_device, ordered, square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -30,12 +30,10 @@ from symhaptic.proof.theorems.kernel import (
     by_cases,
     chosen,
     conjoined,
-    ordered,
     part,
     placed,
-    whole,
 )
-from symhaptic.proof.theorems.leaves import combined, square
+from symhaptic.proof.theorems.leaves import combined, on_plants
 from symhaptic.proof.theorems.roots import last_coefficient
 from symhaptic.proof.theorems.tactics import closed, fact, over, positive
 
@@ -87,7 +85,7 @@ def inequalities(delay: int) -> tuple[Theorem, ...]:
 def damping_between(delay: int, ranges: Ranges) -> tuple[Theorem, ...]:
     """-2.1 <= beta <= 2.1 and n_0 beta < 1 of a stable wall: n_0 beta is a product of zeros."""
     late = S(delay)
-    loop = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late), z)
+    loop = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
     reading: Any = part(loop, loop.conclusion.parts[1])
     zeros = applied(reading, assume(reading.conclusion.of[0]))
     last = closed(last_coefficient(zeros), fact(whole(late)))

@@ -15,12 +15,12 @@ from collections.abc import Sequence
 import sympy as sp
 from sympy import Rational, S
 
-from symhaptic.arm import DAMPED, STIFF
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x, y
 from symhaptic.notation.proposition import Exists, ForAll, Proposition, Terms, both, implied
 from symhaptic.paper.propositions.comparison import STABLE, transcribed
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.paper.reading import Printed
 
 WALL, BEST = (alpha, beta), (x, y)
