@@ -1,7 +1,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test bench clean
+.PHONY: report test check bench clean
 
 report: .venv/ready
 	$(BIN)/symhaptic report
@@ -11,6 +11,17 @@ test: .venv/ready
 	$(BIN)/mypy
 	$(BIN)/symhaptic verify --strict
 	$(BIN)/pytest -n 2 --dist worksteal --durations 12
+
+# what takes long by its nature: every test, every change, whatever is written by a command
+check: test
+	$(BIN)/pytest -n 2 --dist worksteal --durations 12 -m slow
+	$(BIN)/symhaptic mutants --check
+	$(BIN)/symhaptic kernels --check
+	$(BIN)/symhaptic report --check
+	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest -n 2 tests/soundness/test_random.py
+
+# how many random identities `prove` is held to; a tenth as many boxes are
+SOUNDNESS ?= 100000
 
 bench: .venv/ready
 	$(BIN)/pytest benchmarks --benchmark-only

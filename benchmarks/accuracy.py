@@ -12,7 +12,7 @@ from symhaptic.bench.error import climb, measure
 from symhaptic.bench.exact import EXACT
 from symhaptic.export import request
 from symhaptic.export.precision import PRECISIONS
-from symhaptic.model.derivatives import differentiable, with_derivatives
+from symhaptic.forms.derivatives import differentiable, with_derivatives
 
 
 def main():

@@ -8,7 +8,7 @@ from time import perf_counter
 
 import pytest
 
-from symhaptic.library import run, shipped
+from symhaptic.book.chapters import run, shipped
 from symhaptic.proof import box, roots
 from symhaptic.proof.certificate import Positive
 from symhaptic.proof.recheck import recheck

@@ -11,7 +11,7 @@ import sys
 import pytest
 
 from symhaptic.export.targets import TARGETS
-from symhaptic.model.stable import FOR_ONE_DELAY, FORMS
+from symhaptic.forms.stable import FOR_ONE_DELAY, FORMS
 
 PROGRAM = """
 import sys, time

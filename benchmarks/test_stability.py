@@ -20,7 +20,7 @@ from symhaptic import (
     stability_boundary,
     stable_region,
 )
-from symhaptic.tracer.grid import grid_boundary
+from symhaptic.numeric.tracing.grid import grid_boundary
 
 GAMMA, DELTA = 0.001, 0.02
 RNG = np.random.default_rng(0)

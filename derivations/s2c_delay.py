@@ -12,10 +12,11 @@ from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
 from symhaptic.model.parts import Parts
 from symhaptic.model.plant import normalised, sampled
 from symhaptic.notation import d, d_1, d_2, function, z
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import q
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened, whole
+from symhaptic.proof.theorems.kernel import weakened
 from symhaptic.proof.theorems.leaves import identity
 from symhaptic.proof.theorems.tactics import example, for_all
 

@@ -14,11 +14,13 @@ from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
 from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
+from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened, whole
-from symhaptic.proof.theorems.leaves import bounded, combined, square
+from symhaptic.proof.theorems.kernel import assume, weakened
+from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import (
     closed,
     counterexample,

@@ -34,10 +34,7 @@ from symhaptic.proof.theorems.kernel import (
     part,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import (
-    identity,
-    number,
-)
+from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.tactics import (
     counterexample,
     example,

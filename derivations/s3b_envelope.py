@@ -13,7 +13,14 @@ from symhaptic.notation.proposition import negated
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import scaled
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import (
     at,
@@ -101,10 +108,11 @@ def _scaled(page):
         "s3b-linear-in-T",
         for_all(symbols, given, weakened(found, *given)),
         instead=right,
+        corrected=(r"K\propto b/T", r"B\propto b"),
         example=example(stiff, given),
         unless=[counterexample(claim, stiff, broken)],
         shows="three times the period leaves a third of the stiffness",
-        note=r"$K\propto b/T$, $B\propto b$ at each angle $\omega T$",
+        note=r"at each angle $\omega T$",
     )
 
 

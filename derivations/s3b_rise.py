@@ -14,13 +14,14 @@ from symhaptic.book.lemmas.motions import STEPS, half_late, not_passive
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.tip import tip
 from symhaptic.book.lemmas.touching import touches
-from symhaptic.latex import latex
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, N, T, b, d, omega, psi, theta, u
+from symhaptic.notation.latex import latex
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.kernel import assume, weakened
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 

@@ -17,9 +17,17 @@ from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
 from symhaptic.notation.proposition import negated
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
-from symhaptic.proof.theorems.leaves import bounded, combined, number, square
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    weakened,
+)
+from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 

@@ -15,18 +15,12 @@ from symhaptic.book.lemmas.linear_part import (
 from symhaptic.book.lemmas.motions import not_passive
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta, y
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    absurd,
-    assume,
-    conjoined,
-    part,
-    weakened,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import absurd, assume, conjoined, part, weakened
 from symhaptic.proof.theorems.leaves import number, tends
 from symhaptic.proof.theorems.tactics import (
     counterexample,

@@ -15,20 +15,12 @@ from symhaptic.book.lemmas.linear_part import (
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.notation import B, K, T, b, d, y
-from symhaptic.notation.proposition import negated, proposition
+from symhaptic.notation.proposition import negated, proposition, whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
-    assume,
-    part,
-    placed,
-    weakened,
-    whole,
-)
+from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.tactics import (
     closed,

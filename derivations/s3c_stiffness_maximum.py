@@ -12,10 +12,11 @@ from symhaptic.book.lemmas.stiffness_ratio import case, ratio
 from symhaptic.book.lemmas.tip_frequency import first_without_damping
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.kernel import assume, weakened
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 

@@ -6,11 +6,13 @@ chapters before tell what it looks like. For which delays are these the passive 
 
 from sympy import Rational, S, cos, pi, sin, tan
 
+from symhaptic.book.figures.passivity import passive_regions
 from symhaptic.book.lemmas.drawn import drawn
 from symhaptic.book.lemmas.motions import half_late
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, h, l, omega, theta, y
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions import CLAIMED
@@ -26,12 +28,10 @@ from symhaptic.proof.theorems.kernel import (
     conjoined,
     part,
     weakened,
-    whole,
     widened,
 )
 from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
-from symhaptic.report.figures import passive_regions
 
 UNIT = {b: 1, T: 1}
 

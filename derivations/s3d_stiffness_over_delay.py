@@ -6,18 +6,19 @@ that is passive?
 
 from sympy import Rational, S, cos, pi, tan
 
+from symhaptic.book.figures.passivity import largest_stiffness
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.stiffest_passive import divisors, stiffest_wall
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof import box
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened, whole
+from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
-from symhaptic.report.figures import largest_stiffness
 
 HALF = {d: S.Half, T: S.One, b: S.One}
 TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}

@@ -12,11 +12,12 @@ from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
 from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened, whole
+from symhaptic.proof.theorems.kernel import weakened
 from symhaptic.proof.theorems.tactics import for_all
 
 CORRECTED = (

@@ -11,10 +11,11 @@ from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import normalised
 from symhaptic.notation import T, X, X_d, c, d, delta, gamma, t, z
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import WALL
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.kernel import assume, weakened
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.samples import turns
 from symhaptic.proof.theorems.tactics import closed, for_all, positive

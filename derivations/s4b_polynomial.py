@@ -21,10 +21,10 @@ from symhaptic.notation import (
     gamma,
     z,
 )
+from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import WALL
-from symhaptic.proof.theorems.kernel import whole
 
 
 def derive(page):

@@ -31,10 +31,11 @@ from symhaptic.notation import (
     t_d,
     z,
 )
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import SECOND
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened, whole
+from symhaptic.proof.theorems.kernel import assume, weakened
 from symhaptic.proof.theorems.leaves import is_whole
 from symhaptic.proof.theorems.roots import degree, not_of_degree
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all, positive

@@ -11,7 +11,11 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.arm import k_1, k_2
 from symhaptic.paper.tables import EXCLUDED, TABLE_II
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
+from symhaptic.proof.theorems.kernel import (
+    assume,
+    conjoined,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import closed, example, fact, for_all, one, over, positive
 

@@ -6,6 +6,7 @@ most 1 ms. Both numbers are checked, and for which periods the ranges are enough
 
 from sympy import Rational, ceiling, sqrt
 
+from symhaptic.book.figures.arm import arms
 from symhaptic.book.lemmas.arm import in_numbers
 from symhaptic.notation import T, delta, gamma
 from symhaptic.notation.proposition import negated
@@ -22,7 +23,6 @@ from symhaptic.proof.theorems.tactics import (
     not_all,
     positive,
 )
-from symhaptic.report.arm_figures import arms
 
 STIFFNESS, DAMPING = Rational(710), Rational("15.225")
 """Limits (22) over T^2 and T, in 1/s^2 and 1/s."""

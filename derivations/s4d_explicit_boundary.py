@@ -16,7 +16,13 @@ from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import explicit, on_boundary
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, assume, part, placed, weakened
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    assume,
+    part,
+    placed,
+    weakened,
+)
 from symhaptic.proof.theorems.tactics import counterexample, every, example, fact, for_all
 
 

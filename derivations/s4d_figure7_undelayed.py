@@ -7,12 +7,12 @@ moves the rest.
 
 from sympy import Rational, S, cos, cosh, exp, expand, sinh, symbols
 
+from symhaptic.book.figures.stability import origin, undelayed
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import alpha, beta, c, delta, gamma, theta, z
 from symhaptic.proof.box import positive
-from symhaptic.report.stability_figures import origin, undelayed
 
 
 def derive(page):

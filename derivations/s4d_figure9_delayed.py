@@ -7,12 +7,12 @@ region around it is smaller. How much?
 
 from sympy import Rational, S, cancel, cos, pi, sin
 
-from symhaptic.arm import DAMPED, STIFF
+from symhaptic.book.figures.stability import delayed
 from symhaptic.model import plant
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, alpha, beta, d, e, gamma, n_0, n_1, theta, z
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.box import positive
-from symhaptic.report.stability_figures import delayed
 
 
 def derive(page):

@@ -7,12 +7,12 @@ enclose the stable walls, all of them and nothing else.
 
 from sympy import I, Rational, cos, cot, diff, exp, pi, sin, tan
 
+from symhaptic.book.figures.passivity import free_mass
 from symhaptic.model import boundary, loop, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import alpha, beta, d, tau, theta, x, y, z
 from symhaptic.proof import sign
-from symhaptic.report.figures import free_mass
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta

@@ -7,12 +7,12 @@ as the boundary whose every point is explicit.
 
 from sympy import Rational, S, sqrt
 
+from symhaptic.book.figures.passivity import free_mass_inequalities
 from symhaptic.model import boundary, jury, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, alpha, beta, d, delta, e, n_0, n_1
 from symhaptic.proof.sign import assume, combined, quotient
-from symhaptic.report.figures import free_mass_inequalities
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
 RISE = n_1 + n_0

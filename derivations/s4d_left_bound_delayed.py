@@ -6,13 +6,7 @@ an arm, and that it does for a stiff one.
 
 from sympy import Eq, Rational, S, diff, exp, pi, symbols
 
-from symhaptic.book.lemmas.left_bound import (
-    HALF_SWING,
-    SOFT,
-    left_bound,
-    no_wall_near,
-    not_soft,
-)
+from symhaptic.book.lemmas.left_bound import HALF_SWING, SOFT, left_bound, no_wall_near, not_soft
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, t, x, z

@@ -7,9 +7,9 @@ paper's ranges (23) this is one inequality in three variables.
 
 from sympy import Poly, Rational, S, diff, symbols
 
-from symhaptic.arm import IN_23, RANGES
 from symhaptic.model import circle, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
+from symhaptic.paper.ranges import IN_23, RANGES
 from symhaptic.proof import box
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, NUMBERS, SLOPES, TOGETHER, named
 

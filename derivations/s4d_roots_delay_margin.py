@@ -7,6 +7,7 @@ and when the first one does.
 
 from sympy import I, Rational, pi, symbols
 
+from symhaptic.book.figures.stability import delay_margins
 from symhaptic.book.lemmas.crossing import (
     at_one_angle,
     leaves_where_the_wall_stops_to_lead,
@@ -19,7 +20,6 @@ from symhaptic.model.passivity import real_part
 from symhaptic.notation import alpha, beta, d, theta, u, w
 from symhaptic.notation.proposition import both
 from symhaptic.proof.theorems.kernel import conjoined
-from symhaptic.report.stability_figures import delay_margins
 
 
 def derive(page):

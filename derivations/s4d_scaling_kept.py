@@ -20,7 +20,13 @@ from symhaptic.notation import B, K, T, alpha, b, beta, d, k, m
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, weakened, witnessed
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    weakened,
+    witnessed,
+)
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 BEFORE = Rational(1, 50)

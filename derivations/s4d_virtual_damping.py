@@ -11,7 +11,11 @@ from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, z
 from symhaptic.paper.propositions.stability import AFTER, lost_by_damping
-from symhaptic.proof.theorems.kernel import conjoined, weakened, witnessed
+from symhaptic.proof.theorems.kernel import (
+    conjoined,
+    weakened,
+    witnessed,
+)
 from symhaptic.proof.theorems.tactics import fact, for_all
 
 ARM = {gamma: Rational(1, 1000), delta: Rational(1, 50), alpha: Rational(1, 20)}

@@ -6,9 +6,9 @@ We show that it rises as long as the virtual damping is negative, and is below 2
 
 from sympy import Rational, cancel, diff, expand
 
-from symhaptic.arm import RANGES
-from symhaptic.linear_points import SHAPE
+from symhaptic.bounds.linear_points import SHAPE
 from symhaptic.model import linear
+from symhaptic.paper.ranges import RANGES
 from symhaptic.proof.box import positive
 
 HALF, LEVEL = Rational(1, 2), Rational(2, 100)

@@ -7,12 +7,12 @@ boundary they are zeros of one polynomial of degree two or three, and all of the
 from flint import arb
 from sympy import S, expand
 
-from symhaptic.linear_points import Arc, apart
+from symhaptic.book.figures.linear import DAMPINGS, DELAYS, GAMMA, LEVELS, marks
+from symhaptic.book.figures.linear import linear as draw
+from symhaptic.bounds.linear_points import Arc, apart
 from symhaptic.model import linear
 from symhaptic.notation import delta, gamma, nu, s_1, z
 from symhaptic.proof.roots import rounded
-from symhaptic.report.linear_figures import DAMPINGS, DELAYS, GAMMA, LEVELS, marks
-from symhaptic.report.linear_figures import linear as draw
 
 
 def derive(page):

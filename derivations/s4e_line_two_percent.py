@@ -7,10 +7,10 @@ that push, $\alpha\ge0$.
 
 from sympy import Rational, S, diff, tanh
 
-from symhaptic.arm import RANGES, STIFF
-from symhaptic.linear_points import SHAPE, by_damping, error_without_stiffness
+from symhaptic.bounds.linear_points import SHAPE, by_damping, error_without_stiffness
 from symhaptic.model import linear
 from symhaptic.notation import d, delta, gamma, nu
+from symhaptic.paper.ranges import RANGES, STIFF
 from symhaptic.proof.ball import ball
 from symhaptic.proof.box import positive
 from symhaptic.proof.enclosed import sign_change

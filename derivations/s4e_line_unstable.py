@@ -6,10 +6,10 @@ ask whether there is one crossing only, for every spring and damping of the rang
 
 from sympy import Rational, S
 
-from symhaptic.arm import RANGES
-from symhaptic.linear_points import SHAPE
+from symhaptic.bounds.linear_points import SHAPE
 from symhaptic.model import linear, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, nu, s_1, s_2
+from symhaptic.paper.ranges import RANGES
 from symhaptic.proof import sign
 from symhaptic.proof.box import positive
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, NUMBERS, TOGETHER, named

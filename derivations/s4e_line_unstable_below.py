@@ -7,10 +7,10 @@ inside the ranges (23).
 
 from sympy import Rational, S, diff
 
-from symhaptic.arm import RANGES
-from symhaptic.linear_points import SHAPE
+from symhaptic.bounds.linear_points import SHAPE
 from symhaptic.model import linear, loop
 from symhaptic.notation import alpha, beta, d, delta, gamma
+from symhaptic.paper.ranges import RANGES
 from symhaptic.proof.box import positive
 
 INSIDE = r"\text{inside (23)}"

@@ -7,10 +7,10 @@ the chapter before. What do the curves for $d=\tfrac14$ and $d=\tfrac12$ say?
 
 from sympy import S, cos
 
+from symhaptic.book.figures.stability import passive_and_stable
 from symhaptic.model import boundary, passivity
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import B, K, T, a, d, e, n_0, n_1, theta, z
-from symhaptic.report.stability_figures import passive_and_stable
 
 
 def derive(page):

@@ -19,12 +19,12 @@ from symhaptic.book.lemmas.walls import (
 )
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, alpha, beta, d, delta, gamma, omega, y
-from symhaptic.notation.proposition import Relation
+from symhaptic.notation.proposition import Relation, whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, assume, cut, part, weakened, whole
-from symhaptic.proof.theorems.leaves import bounded, square
+from symhaptic.proof.theorems.kernel import absurd, assume, cut, part, weakened
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,

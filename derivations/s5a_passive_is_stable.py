@@ -13,11 +13,12 @@ from symhaptic.book.lemmas.passive_is_stable import (
 )
 from symhaptic.book.lemmas.walls import LATE, late_sums, margins, met, unstable
 from symhaptic.notation import F, alpha, beta, d, delta, gamma, p_k, theta, v, x
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.energy import held_steady_state
+from symhaptic.proof.theorems.familiar import held_steady_state
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, cut, part, weakened, whole
+from symhaptic.proof.theorems.kernel import assume, cut, part, weakened
 from symhaptic.proof.theorems.tactics import (
     counterexample,
     example,

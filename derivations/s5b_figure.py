@@ -6,11 +6,11 @@ one. Stable walls are stiffer, but the ratio comes close to one. What happens th
 
 from sympy import Poly, Rational, S, cos, exp, pi, sin, symbols, tan
 
+from symhaptic.book.figures.stability import largest_stiffnesses
 from symhaptic.model import boundary, passivity, plant
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import K, T, a, alpha, d, delta, e, n_0, n_1, phi, theta, z
 from symhaptic.proof.sign import number
-from symhaptic.report.stability_figures import largest_stiffnesses
 
 
 def derive(page):

@@ -11,13 +11,18 @@ from symhaptic.book.lemmas.softer import stays_passive
 from symhaptic.book.lemmas.walls import damped, margins, met, unstable
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, alpha, b, beta, d, delta, gamma, omega, theta, y, z
-from symhaptic.notation.proposition import negated, proposition
+from symhaptic.notation.proposition import negated, proposition, whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.familiar import not_negative
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened, whole
-from symhaptic.proof.theorems.leaves import not_negative, number, root_outside, roots_inside
+from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened
+from symhaptic.proof.theorems.leaves import (
+    number,
+    root_outside,
+    roots_inside,
+)
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,

@@ -6,12 +6,12 @@ closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whol
 
 from sympy import Rational, S, sqrt
 
-from symhaptic.arm import IN_23, RANGES
+from symhaptic.bounds.walls import most, over, passive
 from symhaptic.model import boundary, jury, plant
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, x
+from symhaptic.paper.ranges import IN_23, RANGES
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, LATE, NUMBERS, named
-from symhaptic.wall_balls import most, over, passive
 
 RISE = n_1 + n_0
 WIDE = {gamma: (0, Rational(1, 100)), delta: (0, Rational(1, 10))}

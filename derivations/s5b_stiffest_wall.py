@@ -7,10 +7,10 @@ period, and that of the plant with its delay. Springs are soft here and $d\ge1$ 
 
 from sympy import I, Rational, cos, diff, exp, sin, tan
 
+from symhaptic.bounds.walls import DEVICE, STIFFNESS
 from symhaptic.model import boundary, circle
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, phi, t, theta, z
-from symhaptic.wall_balls import DEVICE, STIFFNESS
 
 PLANT, FORCE = DEVICE.denominator, DEVICE.numerator
 WALL = (alpha + beta) * z - beta

@@ -8,11 +8,11 @@ $0<\delta\le0.1$.
 
 from sympy import Rational, cos, diff, pi, tan
 
+from symhaptic.bounds.walls import DEVICE, STIFFNESS
 from symhaptic.model import boundary, circle
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, phi, t, theta, y, z
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, NUMBERS, named
-from symhaptic.wall_balls import DEVICE, STIFFNESS
 
 PLANT, FORCE = DEVICE.denominator, DEVICE.numerator
 WALL = (alpha + beta) * z - beta

@@ -7,14 +7,14 @@ explicit function, and balls enclose it.
 
 from sympy import Poly, Rational, S, pi, symbols, tan
 
-from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
+from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over, passive
 from symhaptic.model import circle, passivity
 from symhaptic.notation import K, T, alpha, d, delta, gamma, phi, t, theta
+from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.ball import bound
 from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.proof.roots import decimals
-from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 GIVEN = named({s: s for s in NUMBERS})
 FOR_EVER = Rational(59, 10**5)

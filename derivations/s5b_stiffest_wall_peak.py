@@ -6,14 +6,14 @@ one, and what it tends to, for $\delta=0.02$ with and without a spring.
 
 from sympy import Rational, S, cos, pi, sin, symbols, tan
 
-from symhaptic.arm import DAMPED, STIFF
+from symhaptic.bounds.walls import STIFFNESS, most, numbers, over, passive
 from symhaptic.model import loop
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, h, kappa, n_0, n_1, phi, t
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.enclosed import given, value
 from symhaptic.proof.roots import zero
-from symhaptic.wall_balls import STIFFNESS, most, numbers, over, passive
 
 ARM = loop.numbers()
 ETA = {n: symbols(f"eta_{n}") for n in (*range(119, 126), 1000)}

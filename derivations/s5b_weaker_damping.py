@@ -6,14 +6,14 @@ terms of the largest stiffness that asks whether $\alpha_{\max}/\delta$ falls as
 
 from sympy import Rational, S, diff, latex, symbols, tan
 
-from symhaptic.arm import IN_23, RANGES
+from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over, passive
 from symhaptic.model import boundary
 from symhaptic.notation import d, delta, gamma, phi, t
+from symhaptic.paper.ranges import IN_23, RANGES
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.enclosed import given
 from symhaptic.proof.plants import BALLS, NUMBERS, SLOPES, named
-from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over, passive
 
 GIVEN = named({s: s for s in (*NUMBERS, *SLOPES)})
 LOW, HIGH, NEAR = Rational(1, 2), Rational(3, 2), Rational(11, 10)

@@ -20,7 +20,14 @@ from symhaptic.notation import T, b, delta, gamma, k, m, omega
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import applied, assume, conjoined, discharged, placed, weakened
+from symhaptic.proof.theorems.kernel import (
+    applied,
+    assume,
+    conjoined,
+    discharged,
+    placed,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import closed, either_way, example, for_all, over, positive
 

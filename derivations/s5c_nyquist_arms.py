@@ -18,6 +18,7 @@ from symhaptic.model import plant
 from symhaptic.notation import T, b, delta, gamma, k, k_H, m
 from symhaptic.notation.proposition import negated
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     absurd,
@@ -28,7 +29,7 @@ from symhaptic.proof.theorems.kernel import (
     placed,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import combined, number, square
+from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import (
     closed,
     counterexample,

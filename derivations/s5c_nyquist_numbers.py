@@ -20,6 +20,7 @@ from symhaptic.model.plant import Plant
 from symhaptic.notation import T, b, delta, k, m
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof import box
+from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     assume,
@@ -27,7 +28,7 @@ from symhaptic.proof.theorems.kernel import (
     discharged,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import combined, square
+from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import (
     closed,
     example,

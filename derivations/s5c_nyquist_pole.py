@@ -10,13 +10,13 @@ from symhaptic.book.lemmas.mirror import inside, mirrored_pole
 from symhaptic.model import loop
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, delta, gamma, l, z
-from symhaptic.notation.proposition import Relation
+from symhaptic.notation.proposition import Relation, whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import q
+from symhaptic.proof.theorems.familiar import held_by_a_pole
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened, whole
+from symhaptic.proof.theorems.kernel import conjoined, weakened
 from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.roots import held_by_a_pole
 from symhaptic.proof.theorems.tactics import example, fact, for_all
 
 

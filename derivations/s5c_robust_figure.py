@@ -7,6 +7,7 @@ before. We ask what a little damping leaves.
 
 from sympy import I, S, cos, exp, sin
 
+from symhaptic.book.figures.stability import springs
 from symhaptic.model import boundary, fractional, passivity, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
@@ -27,7 +28,6 @@ from symhaptic.notation import (
     theta,
     z,
 )
-from symhaptic.report.stability_figures import springs
 
 
 def derive(page):

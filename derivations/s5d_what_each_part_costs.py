@@ -11,13 +11,13 @@ from math import ceil
 from flint import arb
 from sympy import Rational, Symbol
 
+from symhaptic.book.figures.cost import costs as draw
+from symhaptic.bounds.simplest.at_damping import error_of_line
+from symhaptic.bounds.simplest.cost import Model, cost, error
+from symhaptic.bounds.simplest.plants import Interval
+from symhaptic.bounds.simplest.stiffest import stiffest
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
-from symhaptic.report.cost_figures import costs as draw
-from symhaptic.simplest.at_damping import error_of_line
-from symhaptic.simplest.cost import Model, cost, error
-from symhaptic.simplest.plants import Interval
-from symhaptic.simplest.stiffest import stiffest
 
 COST = Symbol("c")
 NONE = Fraction(0)

@@ -6,12 +6,12 @@ which arms that holds.
 
 from sympy import Rational, S, symbols, tan
 
-from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
+from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over
 from symhaptic.model import boundary
 from symhaptic.notation import phi, t
+from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, NUMBERS, named
-from symhaptic.wall_balls import DEVICE, STIFFNESS, most, over
 
 GIVEN = named({s: s for s in NUMBERS})
 MOST = boundary.largest_undelayed(DEVICE).subs(BALLS)

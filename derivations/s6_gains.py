@@ -6,13 +6,13 @@ and more mass gains nothing. Here the delay $t_d=dT$ is kept while $T$ shrinks.
 
 from sympy import Rational, S, cos, diff, pi, sin, tan
 
+from symhaptic.bounds.walls import most, over
 from symhaptic.model import plant, wall
 from symhaptic.notation import B, K, T, b, d, function, h, k, m, phi, psi, t_d, z
 from symhaptic.proof import box, sign
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.enclosed import given, value
 from symhaptic.proof.roots import zero
-from symhaptic.wall_balls import most, over
 
 LONG = phi**2 * cos(phi)
 

@@ -6,15 +6,15 @@ stiffness with and without them.
 
 from sympy import Rational, S, symbols
 
-from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
+from symhaptic.bounds.walls import DEVICE, most, over
 from symhaptic.model import boundary
 from symhaptic.notation import alpha, d, delta, gamma
+from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.enclosed import given
 from symhaptic.proof.plants import BALLS, NUMBERS, named
 from symhaptic.proof.roots import decimals
-from symhaptic.wall_balls import DEVICE, most, over
 
 GIVEN = named({s: s for s in NUMBERS})
 MOST = boundary.largest_undelayed(DEVICE).subs(BALLS)

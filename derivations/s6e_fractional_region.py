@@ -7,9 +7,9 @@ stiffness.
 
 from sympy import Rational, S, cos, sin
 
+from symhaptic.book.figures.fractional import passive_regions
 from symhaptic.model import fractional
 from symhaptic.notation import B, K, T, b, epsilon, l, theta
-from symhaptic.report.fractional_figures import passive_regions
 
 HALF = Rational(1, 2)
 

@@ -6,11 +6,11 @@ passive walls can be written down. We work in units of $b$ and $T$.
 
 from sympy import Rational, S, cos, discriminant, expand, pi, sqrt
 
+from symhaptic.book.figures.fractional import largest_stiffness
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
 from symhaptic.proof import sign
 from symhaptic.proof.enclosed import root
-from symhaptic.report.fractional_figures import largest_stiffness
 
 HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
 

@@ -7,12 +7,12 @@ the principal root of $z$. Neither is the delayed force, and we ask how far they
 
 from sympy import I, Rational, pi, tan
 
-from symhaptic.latex import latex
+from symhaptic.book.figures.fractional import stable_readings
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, delta, gamma, l, n_0, n_1, x, y, z
+from symhaptic.notation.latex import latex
 from symhaptic.proof import sign
-from symhaptic.report.fractional_figures import stable_readings
 
 HALF = Rational(1, 2)
 

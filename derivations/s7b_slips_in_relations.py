@@ -17,6 +17,7 @@ from symhaptic.paper.propositions.slips import (
     spring_of_nyquist,
     within,
 )
+from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     assume,
@@ -24,7 +25,7 @@ from symhaptic.proof.theorems.kernel import (
     substituted,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, square
+from symhaptic.proof.theorems.leaves import combined, identity
 from symhaptic.proof.theorems.tactics import (
     closed,
     counterexample,
@@ -90,6 +91,7 @@ def interval(page):
         "s5c-interval",
         for_all(symbols, given, weakened(found, *given)),
         instead=meant,
+        corrected=(r"\gamma\le\pi^2+\tfrac14\delta^2\in[\pi^2,\pi^2+0.0001]",),
         example=example(beyond, given),
         unless=[Case(beyond, neither_end())],
         shows=r"$\delta=0$, $\gamma=\pi^2+0.0001$ is beyond (30)",

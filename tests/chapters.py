@@ -2,8 +2,8 @@
 
 from functools import cache
 
-from symhaptic.chapter import Page
-from symhaptic.library import folder, run
+from symhaptic.book.chapters import folder, run
+from symhaptic.book.page import Page
 
 
 @cache

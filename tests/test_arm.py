@@ -1,7 +1,7 @@
 """The range of arms and devices is (23) of the paper."""
 
-from symhaptic.arm import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.paper import STATEMENTS
+from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
 from symhaptic.paper.reading import read
 
 

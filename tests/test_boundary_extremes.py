@@ -15,7 +15,7 @@ from chapters import chapter, equalities
 from scipy.optimize import minimize_scalar
 from scipy.signal import cont2discrete
 
-from symhaptic.library import folder, run
+from symhaptic.book.chapters import folder, run
 from symhaptic.proof import sign
 from symhaptic.proof.decide import compare
 from symhaptic.proof.mutants import wrong

@@ -9,10 +9,11 @@ import oracle
 import pytest
 
 import symhaptic
-from symhaptic import Scene, formulas, lambdify
+from symhaptic import Scene, lambdify
+from symhaptic.book import formulas
+from symhaptic.book.chapters import folder, run
 from symhaptic.export import request
-from symhaptic.library import folder, run
-from symhaptic.model import stable
+from symhaptic.forms import stable
 from symhaptic.model.parts import Parts
 
 HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
@@ -57,7 +58,7 @@ def test_the_inequalities_are_the_roots():
     for delay in (0, 1, 2, 3):
         (conditions,) = request.chosen(["stability_conditions"], delay=delay)
         (polynomial,) = request.chosen(["characteristic_polynomial"], delay=delay)
-        run = [symhaptic.callables._on_arrays(form) for form in (conditions, polynomial)]
+        run = [symhaptic.scene.callables._on_arrays(form) for form in (conditions, polynomial)]
         both = set()
         for _ in range(150):
             wall = rng.uniform(-0.2, 1.5 / (delay + 1), 2)

@@ -3,7 +3,7 @@
 import pytest
 from chapters import chapter
 
-from symhaptic.library import shipped
+from symhaptic.book.chapters import shipped
 from symhaptic.paper import STATEMENTS
 
 LONGEST = 150  # lines of a chapter

@@ -11,10 +11,10 @@ from chapters import chapter, run_altered
 from flint import arb, ctx
 from sympy import Rational, S, pi, symbols, tan
 
-from symhaptic.library import BadChapter
+from symhaptic.book.chapters import BadChapter
+from symhaptic.bounds.walls import largest, most, over, passive
 from symhaptic.proof.roots import NoSuchRoot, zero_between
 from symhaptic.proof.verdict import Kind
-from symhaptic.wall_balls import largest, most, over, passive
 
 RNG = np.random.default_rng(17)
 STIFF, DAMPED = Rational(1, 1000), Rational(1, 50)

@@ -8,13 +8,13 @@ import pytest
 from scipy.signal import cont2discrete
 from sympy import Rational, S, cos, sin
 
-from symhaptic.chapter import Page
-from symhaptic.library import folder, run
+from symhaptic.book.chapters import folder, run
+from symhaptic.book.page import Page
+from symhaptic.book.record import FalseStep
 from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, x, z
 from symhaptic.proof.seal import KEY
 from symhaptic.proof.settle import Unfounded
-from symhaptic.record import FalseStep
 
 RNG = np.random.default_rng(41)
 

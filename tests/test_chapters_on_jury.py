@@ -6,10 +6,10 @@ import sympy as sp
 from chapters import run_altered
 from scipy.signal import cont2discrete
 
-from symhaptic.chapter import Page
-from symhaptic.library import BadChapter, Chapter, folder, run
+from symhaptic.book.chapters import BadChapter, Chapter, folder, run
+from symhaptic.book.page import Page
+from symhaptic.book.tex.page import chapter_tex
 from symhaptic.model import jury
-from symhaptic.report.page import chapter_tex
 
 
 def plant(gamma, delta):

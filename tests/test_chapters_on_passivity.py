@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from scipy.optimize import brentq, linprog
 
-from symhaptic.library import folder, run
+from symhaptic.book.chapters import folder, run
 from symhaptic.paper import STATEMENTS
 
 

@@ -22,10 +22,10 @@ from scipy.optimize import linprog
 
 import symhaptic.paper.outline as outline
 import symhaptic.paper.tables as tables
-from symhaptic.library import BadChapter, folder, run
+from symhaptic.book.chapters import BadChapter, folder, run
+from symhaptic.book.figures.passivity import STYLE, WIDTH
 from symhaptic.paper.reading import read
 from symhaptic.proof.verdict import Kind
-from symhaptic.report.figures import STYLE, WIDTH
 
 RNG = np.random.default_rng(14)
 

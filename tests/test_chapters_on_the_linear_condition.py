@@ -14,12 +14,12 @@ from flint import arb, ctx
 from scipy.signal import cont2discrete
 
 from symhaptic import linear_limit
-from symhaptic.library import BadChapter
-from symhaptic.linear_points import Arc, error_without_stiffness, points
+from symhaptic.book.chapters import BadChapter
+from symhaptic.book.figures import linear as linear_figures
+from symhaptic.bounds.linear_points import Arc, error_without_stiffness, points
 from symhaptic.model import lag, linear
 from symhaptic.proof.mutants import wrong
 from symhaptic.proof.roots import NoSuchRoot, between_decimals, real_roots, rounded
-from symhaptic.report import linear_figures
 
 RNG = np.random.default_rng(2014)
 

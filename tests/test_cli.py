@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from symhaptic.cli import main
+from symhaptic.cli.main import main
 
 ROOT = Path(__file__).parents[1]
 
@@ -32,7 +32,7 @@ def derive(page):
 
 def symhaptic(*arguments, **options):
     return subprocess.run(
-        [sys.executable, "-c", "from symhaptic.cli import main; main()", *map(str, arguments)],
+        [sys.executable, "-c", "from symhaptic.cli.main import main; main()", *map(str, arguments)],
         capture_output=True,
         text=True,
         check=False,
@@ -88,8 +88,8 @@ def test_selected_ids_only():
 @pytest.fixture
 def open_question(monkeypatch):
     """eq1 is settled by no derivation, and the committed ledger knows it."""
-    monkeypatch.setattr("symhaptic.parallel.settled", lambda *arguments: [])
-    monkeypatch.setattr("symhaptic.ledger.expected", lambda path: {"eq1": "undecided"})
+    monkeypatch.setattr("symhaptic.book.parallel.settled", lambda *arguments: [])
+    monkeypatch.setattr("symhaptic.book.ledger.expected", lambda path: {"eq1": "undecided"})
 
 
 def status(monkeypatch, *arguments):
@@ -107,8 +107,8 @@ def test_strict_fails_on_undecided_only(open_question, monkeypatch):
 
 
 def committed(id):
-    from symhaptic.ledger import expected
-    from symhaptic.library import expected_ledger
+    from symhaptic.book.chapters import expected_ledger
+    from symhaptic.book.ledger import expected
 
     return expected(expected_ledger())[id]
 
@@ -135,7 +135,7 @@ def test_junit_tells_what_is_undecided(open_question, monkeypatch, tmp_path):
 
 
 def test_a_statement_that_is_gone_is_missed():
-    from symhaptic import ledger, listing
+    from symhaptic.book import ledger, listing
 
     entries = ledger.ledger([])
     known = {e.statement.id: str(e.verdict.kind) for e in entries} | {"my-own": "proved"}
@@ -149,7 +149,7 @@ def test_a_statement_that_is_gone_is_missed():
 
 
 def test_a_chapter_that_is_not_there_is_named_at_once(monkeypatch, capsys):
-    from symhaptic import parallel
+    from symhaptic.book import parallel
 
     monkeypatch.setattr(parallel, "settled", lambda *_: pytest.fail("the others were run"))
     assert status(monkeypatch, "verify", "--derivation", "nowhere.py") == 2
@@ -268,8 +268,8 @@ def test_a_chapter_may_not_take_the_name_of_another_file(name, tmp_path):
 ONE_CHAPTER = """
 import sys
 from pathlib import Path
-from symhaptic.library import run, shipped
-from symhaptic.report import build
+from symhaptic.book.chapters import run, shipped
+from symhaptic.book.tex import build
 
 build.write([run(shipped()[0])], Path(sys.argv[1]), pdf=True, say=print)
 """
@@ -348,6 +348,36 @@ def test_a_place_that_is_none_is_told_before_the_work(command, tmp_path):
         assert "cannot write there" in ran.stderr
         assert ran.stderr.count("\n") == 1
         assert time.monotonic() - begin < 10
+
+
+def test_mutants_of_a_chapter_of_ones_own(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    ran = symhaptic("mutants", "--derivation", path, cwd=tmp_path)
+    assert ran.returncode == 0, ran.stderr
+    count = int(ran.stdout.split()[0])
+    assert count > 5
+    assert "0 accepted though wrong" in ran.stdout
+    assert [p.name for p in tmp_path.iterdir()] == ["my.py"]
+    kept = symhaptic("mutants", "--derivation", path, "-o", "my.json", cwd=tmp_path)
+    assert f"wrote my.json: {count}" in kept.stdout
+    assert set(json.loads((tmp_path / "my.json").read_text())["chapters"]) == {"my"}
+
+
+def test_mutants_tell_a_chapter_that_raises(tmp_path):
+    path = chapter(tmp_path, '"""What breaks?"""\n\ndef derive(page):\n    1 / 0\n')
+    ran = symhaptic("mutants", "--derivation", path, cwd=tmp_path)
+    assert ran.returncode == 2
+    assert "my.py:4: ZeroDivisionError" in ran.stderr
+    assert "Traceback" not in ran.stderr
+
+
+def test_mutants_keep_a_file_of_somebody_else(tmp_path):
+    mine = tmp_path / "mine.json"
+    mine.write_text("{}")
+    ran = symhaptic("mutants", "-o", mine)
+    assert ran.returncode == 2
+    assert "another name is allowed" in ran.stderr
+    assert mine.read_text() == "{}"
 
 
 @pytest.mark.parametrize("command", ["report", "bench"])

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from symhaptic.latex import latex
-from symhaptic.library import BadChapter, run
+from symhaptic.book.chapters import BadChapter, run
+from symhaptic.notation.latex import latex
 
 TEXT = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")

@@ -11,14 +11,14 @@ import pytest
 import sympy as sp
 from scipy.linalg import expm
 
-from symhaptic.chapter import Page
-from symhaptic.library import BadChapter, folder, run
+from symhaptic.book.chapters import BadChapter, folder, run
+from symhaptic.book.page import Page
+from symhaptic.book.record import FalseStep
+from symhaptic.book.tex.breaking import pieces
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
 from symhaptic.numeric.passivity import passivity_margin
 from symhaptic.proof import sign
-from symhaptic.record import FalseStep
-from symhaptic.report.breaking import pieces
 
 RNG = np.random.default_rng(37)
 GAMMA, DELTA, PART = sp.symbols("gamma delta epsilon")

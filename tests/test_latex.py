@@ -3,8 +3,8 @@
 import pytest
 from sympy import Rational, cos, exp, pi, sin, sqrt
 
-from symhaptic.latex import latex
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
+from symhaptic.notation.latex import latex
 from symhaptic.paper.reading import read
 from symhaptic.proof.decide import compare
 

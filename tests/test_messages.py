@@ -9,7 +9,7 @@ import pytest
 import typer.main
 
 import symhaptic
-from symhaptic.cli import app, main
+from symhaptic.cli.main import app, main
 
 SOURCE = Path(symhaptic.__file__).parent
 
@@ -54,7 +54,7 @@ COMMANDS = {
     for name, command in typer.main.get_command(app).commands.items()
 }
 FILES = {
-    "report": [*(SOURCE / "report").glob("*.py"), SOURCE / "commands" / "reporting.py"],
+    "report": [*(SOURCE / "book" / "tex").glob("*.py"), SOURCE / "cli" / "reporting.py"],
     "export": [SOURCE / "export" / "request.py", SOURCE / "export" / "target.py"],
 }
 """Where messages of a command are, outside of its own function."""
@@ -81,7 +81,7 @@ def reached(name, known, seen):
 
 def test_an_option_that_a_message_names_exists():
     known = {}
-    for path in (SOURCE / "commands").glob("*.py"):
+    for path in (SOURCE / "cli").glob("*.py"):
         known |= functions(path)
     wrong = []
     for command, options in COMMANDS.items():

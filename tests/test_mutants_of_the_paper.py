@@ -7,8 +7,8 @@ import pytest
 import sympy as sp
 from chapters import chapter
 
-from symhaptic.library import expected_mutants, shipped
-from symhaptic.mutation import trial
+from symhaptic.book.chapters import expected_mutants, shipped
+from symhaptic.book.mutation.trials import trial
 from symhaptic.paper import STATEMENTS
 
 ENOUGH = 15  # wrong variants of a printed formula
@@ -30,17 +30,23 @@ def listed():
     return json.loads(expected_mutants().read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("name", PATHS)
+@pytest.mark.parametrize("name", ["s3a_passivity_condition", "s3c_stiffness_maximum"])
 def test_no_wrong_change_is_accepted(record_property, name):
+    """Of two chapters; `symhaptic mutants --check` does the same for all."""
     found = trial(chapter(name))
     record_property("mutants", found.refused)
     assert found.accepted == []
-    for id, settled in chapter(name).page.settled.items():
-        if settled.statement.printed and settled.settlement.derived:
-            assert found.statements[id]["formula"] >= SHORT.get(id, ENOUGH), id
     # another SymPy orders the terms of a sum differently, and other ones are changed
     if listed()["sympy"] == sp.__version__:
         assert found.as_json() == listed()["chapters"].get(name), UPDATE
+
+
+@pytest.mark.parametrize("name", PATHS)
+def test_a_printed_formula_has_enough_variants(name):
+    """Counted in the committed outcome, for what is printed and was derived."""
+    for id, counts in listed()["chapters"][name]["statements"].items():
+        if "formula" in counts and STATEMENTS.get(id) and STATEMENTS[id].printed:
+            assert counts["formula"] >= SHORT.get(id, ENOUGH), id
 
 
 def test_the_committed_chapters_are_the_shipped_ones():

@@ -6,10 +6,12 @@ import pytest
 import sympy as sp
 from flint import acb, arb
 
-from symhaptic import mutation
-from symhaptic.chapter import Page
-from symhaptic.claims import changes_of
-from symhaptic.library import folder, run
+from symhaptic.book.chapters import folder, run
+from symhaptic.book.mutation import trials
+from symhaptic.book.mutation.statements import changes_of
+from symhaptic.book.mutation.tables import changes_of_tables
+from symhaptic.book.page import Page
+from symhaptic.book.record import FalseStep
 from symhaptic.paper.quoted import Quoted
 from symhaptic.proof import box, checks, settle, sign
 from symhaptic.proof.changes import changes, opposite
@@ -17,8 +19,6 @@ from symhaptic.proof.checks import Decimals, Free, Limit, Roots, Same, Sign, con
 from symhaptic.proof.condition import holds
 from symhaptic.proof.second import alike, says
 from symhaptic.proof.settle import Unfounded
-from symhaptic.record import FalseStep
-from symhaptic.tabulated import changes_of_tables
 
 x, y, z = sp.symbols("x y z")
 ONE = sp.S.One
@@ -87,16 +87,38 @@ CHAPTERS = [
 @pytest.mark.parametrize("name", CHAPTERS)
 def test_a_checker_that_accepts_everything_is_caught(monkeypatch, name):
     chapter = run(folder() / f"{name}.py")
-    assert mutation.trial(chapter).accepted == []
-    monkeypatch.setattr(mutation, "confirmed", lambda check: True)
-    assert mutation.trial(chapter).accepted
+    assert trials.trial(chapter).accepted == []
+    monkeypatch.setattr(trials, "confirmed", lambda check: True)
+    assert trials.trial(chapter).accepted
+
+
+ALIKE = '''
+"""What stays the same?"""
+
+from sympy import Symbol, cos, sin
+
+x = Symbol("x")
+
+
+def derive(page):
+    page.state("alike", "the squares of sine and cosine add up to the same everywhere")
+    page.settle("alike", page.free_of("the sum", sin(x) ** 2 + cos(x) ** 2, x))
+'''
+
+
+def test_a_friendly_derivative_is_caught(monkeypatch, tmp_path):
+    path = tmp_path / "alike.py"
+    path.write_text(ALIKE.lstrip())
+    chapter = run(path)
+    assert not trials.trial(chapter).accepted
+    monkeypatch.setattr(checks, "is_zero", lambda expr: True)
+    assert trials.trial(chapter).accepted
 
 
 @pytest.mark.parametrize(
     ("name", "place", "part", "friendly"),
     [
         ("s3b_extent", checks, "equal", lambda left, right: True),
-        ("s3b_envelope", checks, "is_zero", lambda expr: True),
         ("s4d_free_mass", sign, "is_zero", lambda expr: True),
         ("s4d_roots_delay_margin", Roots, "holds", lambda self: True),
         ("s4d_figure9_delayed", box, "ball", lambda expr, at=None, bits=64: acb(1)),
@@ -108,12 +130,12 @@ def test_a_checker_that_accepts_everything_is_caught(monkeypatch, name):
         ),
         ("s3c_stiffness_maximum", settle, "holds", lambda quoted, number: True),
     ],
-    ids=["same", "free", "sign", "roots", "box", "verdict", "number"],
+    ids=["same", "sign", "roots", "box", "verdict", "number"],
 )
 def test_one_friendly_part_is_caught(monkeypatch, name, place, part, friendly):
     chapter = run(folder() / f"{name}.py")
     monkeypatch.setattr(place, part, friendly)
-    assert mutation.trial(chapter).accepted
+    assert trials.trial(chapter).accepted
 
 
 def test_a_weaker_bound_survives_with_the_number_and_a_wrong_one_does_not():
@@ -209,7 +231,7 @@ def test_the_ledger_holds_nothing_of_the_checks():
     """Entries go from one process to another; they carry verdicts, not closures."""
     import pickle
 
-    from symhaptic.ledger import of_derivation
+    from symhaptic.book.ledger import of_derivation
 
     entries = of_derivation(folder() / "s4d_parts_delay.py")
     assert len(pickle.dumps(entries)) < 200_000

@@ -20,9 +20,9 @@ from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import hexadecimal
-from symhaptic.model import stable, worst
-from symhaptic.model.derivatives import with_derivatives
-from symhaptic.model.entire import written_out
+from symhaptic.forms import stable, worst
+from symhaptic.forms.derivatives import with_derivatives
+from symhaptic.forms.entire import written_out
 from symhaptic.notation import alpha, beta, epsilon, l, psi
 from symhaptic.proof.decide import equal
 
@@ -185,7 +185,7 @@ def test_formulas_of_other_digits_end_there_too():
 
 def test_derivatives_by_the_damping_are_the_wall_of_damping_one():
     form = with_derivatives(stable.form("passivity_boundary"), ("delta",))
-    run = symhaptic.callables._on_arrays(form)
+    run = symhaptic.scene.callables._on_arrays(form)
     theta, delta, delay = angles(2000)
     found = np.array(run(theta, delta, delay))
     unit = np.array(passivity_boundary(theta, 1.0, delay))

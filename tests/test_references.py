@@ -76,7 +76,7 @@ def test_what_the_manual_says_is_in_a_module_is():
 def test_the_help_of_export_names_every_target():
     import typer.main
 
-    from symhaptic.cli import app
+    from symhaptic.cli.main import app
 
     command = typer.main.get_command(app).commands["export"]
     (option,) = (p for p in command.params if p.name == "target")

@@ -12,11 +12,11 @@ from chapters import chapter, equalities, run_altered
 from oracle import moduli, radius
 from scipy.signal import cont2discrete
 
-from symhaptic.library import BadChapter
+from symhaptic.book.chapters import BadChapter
+from symhaptic.book.figures import stability as drawn
+from symhaptic.book.figures.passivity import STYLE
 from symhaptic.proof.decide import compare
 from symhaptic.proof.mutants import wrong
-from symhaptic.report import stability_figures as drawn
-from symhaptic.report.figures import STYLE
 
 CHAPTERS = [
     "s4d_figure7_undelayed",

@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from symhaptic.library import shipped
+from symhaptic.book.chapters import shipped
 
 TITLED = {
     "define", "enclosed", "inside", "lemma", "limit", "minimal", "outside", "positive", "result",

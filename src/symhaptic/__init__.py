@@ -11,8 +11,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from symhaptic.callables import lambdify
-    from symhaptic.formulas import Formula, formula
+    from symhaptic.book.formulas import Formula, formula
     from symhaptic.numeric.boundary import stability_boundary
     from symhaptic.numeric.extremum import Extremum
     from symhaptic.numeric.linear import linear_limit
@@ -24,45 +23,46 @@ if TYPE_CHECKING:
     )
     from symhaptic.numeric.plant import discretize
     from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
+    from symhaptic.numeric.tracing.extremes import max_stable_stiffness
+    from symhaptic.numeric.tracing.grid import grid_boundary
+    from symhaptic.numeric.tracing.margin import delay_margin
+    from symhaptic.numeric.tracing.region import Region, stable_region
+    from symhaptic.numeric.tracing.robust import robust_region
     from symhaptic.proof.enclose import enclose, enclose_maximum
     from symhaptic.proof.prove import prove
     from symhaptic.proof.recheck import recheck
     from symhaptic.proof.verdict import Verdict
-    from symhaptic.scene import Scene
-    from symhaptic.tracer.extremes import max_stable_stiffness
-    from symhaptic.tracer.grid import grid_boundary
-    from symhaptic.tracer.margin import delay_margin
-    from symhaptic.tracer.region import Region, stable_region
-    from symhaptic.tracer.robust import robust_region
+    from symhaptic.scene.callables import lambdify
+    from symhaptic.scene.scene import Scene
 
 __version__ = "0.1.0"
 
 _HOME = {
     "Extremum": "symhaptic.numeric.extremum",
-    "Formula": "symhaptic.formulas",
-    "Region": "symhaptic.tracer.region",
-    "Scene": "symhaptic.scene",
+    "Formula": "symhaptic.book.formulas",
+    "Region": "symhaptic.numeric.tracing.region",
+    "Scene": "symhaptic.scene.scene",
     "Verdict": "symhaptic.proof.verdict",
     "characteristic_polynomial": "symhaptic.numeric.stability",
-    "delay_margin": "symhaptic.tracer.margin",
+    "delay_margin": "symhaptic.numeric.tracing.margin",
     "discretize": "symhaptic.numeric.plant",
     "enclose": "symhaptic.proof.enclose",
     "enclose_maximum": "symhaptic.proof.enclose",
-    "formula": "symhaptic.formulas",
-    "grid_boundary": "symhaptic.tracer.grid",
+    "formula": "symhaptic.book.formulas",
+    "grid_boundary": "symhaptic.numeric.tracing.grid",
     "is_passive": "symhaptic.numeric.passivity",
     "is_stable": "symhaptic.numeric.stability",
-    "lambdify": "symhaptic.callables",
+    "lambdify": "symhaptic.scene.callables",
     "linear_limit": "symhaptic.numeric.linear",
     "max_passive_stiffness": "symhaptic.numeric.passivity",
-    "max_stable_stiffness": "symhaptic.tracer.extremes",
+    "max_stable_stiffness": "symhaptic.numeric.tracing.extremes",
     "passivity_boundary": "symhaptic.numeric.passivity",
     "passivity_margin": "symhaptic.numeric.passivity",
     "prove": "symhaptic.proof.prove",
     "recheck": "symhaptic.proof.recheck",
-    "robust_region": "symhaptic.tracer.robust",
+    "robust_region": "symhaptic.numeric.tracing.robust",
     "stability_boundary": "symhaptic.numeric.boundary",
-    "stable_region": "symhaptic.tracer.region",
+    "stable_region": "symhaptic.numeric.tracing.region",
     "unstable_roots": "symhaptic.numeric.stability",
 }
 

@@ -1,6 +1,6 @@
 """``python -m symhaptic`` is the command line."""
 
-from symhaptic.cli import main
+from symhaptic.cli.main import main
 
 if __name__ == "__main__":
     main()

@@ -10,15 +10,16 @@ import numpy as np
 import pytest
 from flint import arb
 
-from symhaptic.bench import functions, models, peers, record, tables, timing, tracing, verdicts
+from symhaptic.bench import functions, measuring, models, peers, timing, tracing, verdicts
 from symhaptic.bench.error import errors as exported_errors
 from symhaptic.bench.error import suspects
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, errors
 from symhaptic.bench.printed import expressions, function, swings
+from symhaptic.book.measured import record, tables
 from symhaptic.export import request
 
-TINY = record.Size(
+TINY = measuring.Size(
     Effort(12, 2, 20), (0, 1), (1e-3, 1e-5), 15, 3, (0, 2), 2, 4, 3, 4, ("max_passive_stiffness",)
 )
 
@@ -32,7 +33,7 @@ def _no_waiting():
 
 @pytest.fixture(scope="module")
 def tiny(_no_waiting):
-    return record.measured(TINY)
+    return measuring.measured(TINY)
 
 
 def form(name):
@@ -223,7 +224,7 @@ def test_bad_input_gives_one_line_and_writes_nothing(tmp_path):
 
 def test_plots_and_tables_are_written(tiny, tmp_path):
     from symhaptic.bench.output import FORMATS, write
-    from symhaptic.report.bench import measurement
+    from symhaptic.book.measured.chapter import measurement
 
     write(tiny, tmp_path)
     names = {p.name for p in tmp_path.iterdir()}

@@ -19,7 +19,7 @@ from symhaptic.export import device, library, request
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED, MEASURED_ON
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.vectors import sized
-from symhaptic.model.derivatives import differentiable, with_derivatives
+from symhaptic.forms.derivatives import differentiable, with_derivatives
 
 needs_gcc = pytest.mark.skipif(
     shutil.which("gcc") is None, reason="no gcc here: exported C is not measured"

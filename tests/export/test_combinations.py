@@ -14,9 +14,9 @@ from export.test_targets import run_all
 
 from symhaptic.export import request, vectors
 from symhaptic.export.targets import TARGETS
-from symhaptic.model import stable
-from symhaptic.model.derivatives import differentiable, with_derivatives
-from symhaptic.model.stable import NoForm
+from symhaptic.forms import stable
+from symhaptic.forms.derivatives import differentiable, with_derivatives
+from symhaptic.forms.stable import NoForm
 
 ALL = bool(os.environ.get("SYMHAPTIC_ALL_EXPORTS"))
 PARTS = "stiffness", "damping", "virtual-damping", "delay"

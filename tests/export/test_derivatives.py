@@ -17,9 +17,9 @@ from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
-from symhaptic.model.derivatives import differentiable
+from symhaptic.forms.derivatives import differentiable
 from symhaptic.model.parts import FULL, Parts
-from symhaptic.scene import Scene
+from symhaptic.scene.scene import Scene
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
 

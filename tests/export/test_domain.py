@@ -18,7 +18,7 @@ from symhaptic.export import request
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import vectors
-from symhaptic.model import stable
+from symhaptic.forms import stable
 from symhaptic.model.parts import Parts
 
 ALL = request.chosen([])

@@ -13,7 +13,7 @@ from symhaptic.export import joint, request
 from symhaptic.export.array_api import TARGET
 from symhaptic.export.library import known, library, named, routine
 from symhaptic.export.routine import Several, computed
-from symhaptic.model.derivatives import differentiable, with_derivatives
+from symhaptic.forms.derivatives import differentiable, with_derivatives
 
 ROUTINES = known()
 PLAIN = request.chosen([], delay=2)

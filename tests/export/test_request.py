@@ -5,18 +5,18 @@ from types import MappingProxyType
 
 import pytest
 
-from symhaptic import cli
+from symhaptic.cli.main import main
 from symhaptic.export import request
 from symhaptic.export.target import OPERATIONS, Refused, Target
 from symhaptic.export.targets import TARGETS
-from symhaptic.model import stable
+from symhaptic.forms import stable
 from symhaptic.model.parts import Parts
 
 
 def symhaptic(monkeypatch, capsys, *words):
     monkeypatch.setattr("sys.argv", ["symhaptic", *words])
     with pytest.raises(SystemExit) as ended:
-        cli.main()
+        main()
     said = capsys.readouterr()
     return ended.value.code, said.out, said.err
 

@@ -13,9 +13,9 @@ from symhaptic.export.array_api import TARGET
 from symhaptic.export.library import known, library
 from symhaptic.export.response import less
 from symhaptic.export.routine import ProductError, Steps
-from symhaptic.model import stable
-from symhaptic.model.response import Ahead, InPhase, LateApart
-from symhaptic.model.worst import Between, Straight
+from symhaptic.forms import stable
+from symhaptic.forms.response import Ahead, InPhase, LateApart
+from symhaptic.forms.worst import Between, Straight
 
 PARTS = {cls.__name__: cls for cls in (InPhase, Ahead, LateApart, Straight, Between)}
 T = sp.Symbol("t")

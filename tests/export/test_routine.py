@@ -17,8 +17,8 @@ from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.routine import ProductError, Repeat, names
 from symhaptic.export.sizes import size as largest_term
 from symhaptic.export.target import OPERATIONS, code_name
-from symhaptic.model import values
-from symhaptic.model.entire import written_out
+from symhaptic.forms import values
+from symhaptic.forms.entire import written_out
 from symhaptic.notation import delta, gamma
 from symhaptic.proof.normal import Field
 

@@ -15,7 +15,7 @@ from symhaptic.bench.error import functions
 from symhaptic.export import readme, request
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.targets import TARGETS
-from symhaptic.model import stable
+from symhaptic.forms import stable
 
 TURNS = [1, 2, 3, 10, 1000, 10**5]
 DAMPINGS = [0.0, 1e-300, 1e-200, 1e-100, 1e-30, 1e-20, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6,

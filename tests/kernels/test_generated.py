@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from symhaptic import cli
+from symhaptic.cli.main import main
 from symhaptic.export import kernels
 from symhaptic.kernels import haptic
 from symhaptic.numeric.boundary import point
@@ -14,7 +14,7 @@ from symhaptic.numeric.plant import device
 def run(monkeypatch, *words):
     monkeypatch.setattr("sys.argv", ["symhaptic", *words])
     try:
-        cli.main()
+        main()
     except SystemExit as left:
         return left.code
     return 0

@@ -1,15 +1,11 @@
 """The sampled plant is the exact zero-order-hold equivalent, and the model never sees the paper."""
 
-import ast
-from pathlib import Path
-
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
 from scipy.signal import cont2discrete
 
-import symhaptic.model
 from symhaptic.model import plant
 from symhaptic.model.parts import ALL, Parts
 
@@ -111,30 +107,3 @@ def test_late_force_moves_less():
         exact = mpmath.expm(law * mpmath.mpf("0.75"), method="taylor")[0, 2]
     found = at(plant.normalised(Parts()).held(sp.Rational(3, 4))[0], 0.4, 0.3)
     assert abs(found - complex(exact)) < 1e-15  # rounding to a double of a value below 1
-
-
-def imports(path):
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            yield node.module or ""
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
-
-
-MODEL = sorted(Path(symhaptic.model.__file__).parent.glob("*.py"))
-
-
-@pytest.mark.parametrize("path", MODEL, ids=lambda p: p.name)
-def test_model_never_imports_what_it_is_to_verify(path):
-    above = (
-        "symhaptic.paper",
-        "symhaptic.proof",
-        "symhaptic.ledger",
-        "symhaptic.chapter",
-        "symhaptic.library",
-        "symhaptic.report",
-    )
-    for name in imports(path):
-        assert not name.startswith(above), f"{path.name} imports {name}"
-        assert not name.startswith("."), "a relative import would escape this test"

@@ -12,14 +12,14 @@ from mpmath import mpf
 from symhaptic.bench.exact_slopes import slopes as in_balls
 from symhaptic.export import vectors
 from symhaptic.export.vectors import sized
-from symhaptic.model import products, slopes, stable, values
-from symhaptic.model.derivatives import derivative, differentiable, with_derivatives
-from symhaptic.model.entire import Entire, written_out
-from symhaptic.model.entire_device import Fall, Rise, Together
+from symhaptic.forms import products, slopes, stable, values
+from symhaptic.forms.derivatives import derivative, differentiable, with_derivatives
+from symhaptic.forms.entire import Entire, written_out
+from symhaptic.forms.entire_device import Fall, Rise, Together
+from symhaptic.forms.searched import Rated
+from symhaptic.forms.slope_values import BY_MATRIX
+from symhaptic.forms.slopes import SLOPES
 from symhaptic.model.parts import ALL, FULL, Parts
-from symhaptic.model.searched import Rated
-from symhaptic.model.slope_values import BY_MATRIX
-from symhaptic.model.slopes import SLOPES
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 from symhaptic.proof.decide import compare
 

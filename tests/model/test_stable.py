@@ -9,8 +9,9 @@ import sympy as sp
 from mpmath import mpf
 from scipy.linalg import expm
 
-from symhaptic.model import plant, stable, values
-from symhaptic.model.entire import Entire, written_out
+from symhaptic.forms import stable, values
+from symhaptic.forms.entire import Entire, written_out
+from symhaptic.model import plant
 from symhaptic.model.parts import ALL, FULL, Parts
 from symhaptic.notation import SYMBOLS, delta, gamma
 from symhaptic.proof.decide import compare

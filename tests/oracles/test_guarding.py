@@ -6,7 +6,7 @@ from oracles.guarding import guarded
 from oracles.subject import altered, number, only
 from sympy import cos, sin
 
-from symhaptic.library import shipped
+from symhaptic.book.chapters import shipped
 from symhaptic.notation import a, theta
 
 

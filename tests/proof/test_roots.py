@@ -6,7 +6,8 @@ import sympy as sp
 from flint import arb, ctx
 from sympy import Rational, S, cos, pi, sin, sqrt, tan
 
-from symhaptic.chapter import Page
+from symhaptic.book.page import Page
+from symhaptic.book.record import FalseStep
 from symhaptic.proof.ball import largest_root
 from symhaptic.proof.certificate import Zero
 from symhaptic.proof.recheck import recheck
@@ -18,7 +19,6 @@ from symhaptic.proof.roots import (
     zero,
     zero_between,
 )
-from symhaptic.record import FalseStep
 
 x, y, z = sp.symbols("x y z")
 

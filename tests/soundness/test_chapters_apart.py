@@ -42,7 +42,7 @@ def chapter(folder, name, *lines, id="my-own"):
 # It makes every comparison come out as equal, and every settlement a proof.
 PATCH = """
     import symhaptic.proof.settle as settle
-    import symhaptic.chapter as package
+    import symhaptic.book.page as package
     from symhaptic.proof.verdict import Kind, Verdict
     settle.Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "because I say so")
 """
@@ -63,8 +63,8 @@ def test_a_process_that_ran_a_chapter_is_not_the_parent_of_one(tmp_path):
     second = chapter(tmp_path, "second", STATED, WRONG)
     program = f"""
 from pathlib import Path
-from symhaptic.library import run
-from symhaptic.parallel import settled
+from symhaptic.book.chapters import run
+from symhaptic.book.parallel import settled
 if __name__ == "__main__":
     run(Path({str(first)!r}))
     (entry,) = settled([Path({str(second)!r})], 1)
@@ -166,7 +166,8 @@ def test_a_chapter_whose_process_dies_is_told(tmp_path):
     ],
 )
 def test_a_given_file_is_looked_at_before_anything_is_run(text, said, tmp_path, monkeypatch):
-    from symhaptic import cli, parallel
+    from symhaptic.book import parallel
+    from symhaptic.cli import main as cli
 
     path = tmp_path / "my.py"
     path.write_text(text)
@@ -182,7 +183,8 @@ def test_a_given_file_is_looked_at_before_anything_is_run(text, said, tmp_path, 
 
 
 def test_the_given_chapters_are_run_first(tmp_path, monkeypatch):
-    from symhaptic import cli, parallel
+    from symhaptic.book import parallel
+    from symhaptic.cli import main as cli
 
     asked = []
     monkeypatch.setattr(parallel, "settled", lambda paths, *_: asked.extend(paths) or [])
@@ -195,7 +197,7 @@ def test_the_given_chapters_are_run_first(tmp_path, monkeypatch):
 
 
 def test_the_time_of_the_suite_is_the_one_that_passed():
-    from symhaptic import ledger, listing
+    from symhaptic.book import ledger, listing
 
     entries = ledger.ledger([])
     suite = ElementTree.fromstring(listing.junit(entries, [], False, (), 1.5))
@@ -203,10 +205,11 @@ def test_the_time_of_the_suite_is_the_one_that_passed():
 
 
 def test_list_names_the_statements_and_runs_nothing(monkeypatch, capsys):
-    from symhaptic import cli, parallel
+    from symhaptic.book import parallel
+    from symhaptic.cli import main as cli
 
     monkeypatch.setattr(parallel, "settled", lambda *_: pytest.fail("something was run"))
-    monkeypatch.setattr("symhaptic.library.run", lambda *_: pytest.fail("something was run"))
+    monkeypatch.setattr("symhaptic.book.chapters.run", lambda *_: pytest.fail("something was run"))
     monkeypatch.setattr(sys, "argv", ["symhaptic", "verify", "--list", "--format", "json"])
     with pytest.raises(SystemExit) as left:
         cli.main()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from typer.testing import CliRunner
 
-from symhaptic.cli import app
+from symhaptic.cli.main import app
 
 HEAD = '"""A title\n\nAn introduction.\n"""\n'
 

@@ -9,14 +9,14 @@ import sympy as sp
 from flint import arb
 from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
 
-from symhaptic.chapter import Page
+from symhaptic.book.page import Page
+from symhaptic.book.record import Evidence, FalseStep
 from symhaptic.notation import B, K, T, b, m, theta, x
 from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.seal import NotMade
 from symhaptic.proof.settle import Witness
 from symhaptic.proof.sign import Fact, assume, combined
-from symhaptic.record import Evidence, FalseStep
 
 
 @pytest.fixture

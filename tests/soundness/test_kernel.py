@@ -22,9 +22,12 @@ from symhaptic.notation.proposition import (
     Relation,
     proposition,
     term,
+    whole,
 )
-from symhaptic.proof.theorems import kernel
+from symhaptic.proof.theorems import kernel, tactics
 from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.derivation import leaves_of, replayed
+from symhaptic.proof.theorems.familiar import ordered, square
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
@@ -36,22 +39,22 @@ from symhaptic.proof.theorems.kernel import (
     chosen,
     conjoined,
     cut,
-    denied,
     discharged,
     equivalent,
     general,
     instance,
-    leaves_of,
-    ordered,
     part,
     placed,
-    replayed,
     unfolded,
-    whole,
     widened,
     witnessed,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, number, square
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    number,
+)
+from symhaptic.proof.theorems.tactics import denied
 
 x, y, z = symbols("x y z")
 ONE = number(sp.Lt(0, 1, evaluate=False))
@@ -275,4 +278,4 @@ def test_whole_numbers() -> None:
 
 def test_reductio_needs_falsehood() -> None:
     with pytest.raises(NotShown):
-        kernel.reductio(assume(x > 0), x > 0)
+        tactics.reductio(assume(x > 0), x > 0)

@@ -10,8 +10,8 @@ from symhaptic.notation.proposition import Predicate, Relation
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.plants import BALLS, NUMBERS, SLOPES, Named, named
-from symhaptic.proof.theorems.device import on_plants
 from symhaptic.proof.theorems.kernel import NotShown
+from symhaptic.proof.theorems.leaves import on_plants
 
 RANGES = {gamma: (0, Rational(1, 1000)), delta: (0, Rational(1, 10))}
 SOFT = (2 * n_0 - n_1).subs(BALLS)

@@ -6,11 +6,11 @@ import pytest
 import sympy as sp
 from sympy import I, S, exp, pi, symbols
 
-from symhaptic.notation.proposition import Not, NoTerm, Predicate, Relation
-from symhaptic.proof.theorems.device import swinging
-from symhaptic.proof.theorems.kernel import NotShown, assume, whole
+from symhaptic.notation.proposition import Not, NoTerm, Predicate, Relation, whole
+from symhaptic.proof.theorems.familiar import held_by_a_pole, swinging
+from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.leaves import identity, number
-from symhaptic.proof.theorems.roots import held_by_a_pole, pole_at
+from symhaptic.proof.theorems.roots import pole_at
 
 alpha, beta, d, m, b, k, omega, sigma, z, q, y = symbols("alpha beta d m b k omega sigma z q y")
 NYQUIST = (alpha, beta, pi**2, S.Zero, d)

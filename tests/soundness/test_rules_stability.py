@@ -13,13 +13,13 @@ from sympy import Rational, S, symbols
 
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate, Relation
-from symhaptic.proof.theorems.device import device_static, loop_late
-from symhaptic.proof.theorems.kernel import NotShown, assume, whole
+from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate, Relation, whole
+from symhaptic.proof.theorems.familiar import device_static, loop_late
+from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.roots import jury, last_coefficient
 from symhaptic.proof.verdict import Unfounded
 
-x, y, n, p, s = symbols("x y n p s")
+x, y, n, p, s = symbols("x y n p q")
 NAMES = symbols("n_1 n_0 a e")
 LOOP = (alpha, beta, gamma, delta, d)
 
@@ -132,7 +132,7 @@ def test_jury_refuses_what_is_not_monic_real_and_of_a_known_degree(polynomial):
 
 
 def test_a_loop_with_a_fractional_delay_has_its_polynomial_in_a_root_of_z():
-    found = loop_late(NAMES, LOOP, z, (p, s))
+    found = loop_late(NAMES, LOOP, (p, s))
     claim = found.conclusion
     assert isinstance(claim, Implies)
     assert claim.of[0] == Predicate("stable_substituted", (), LOOP)
@@ -152,9 +152,9 @@ def test_a_loop_with_a_fractional_delay_has_its_polynomial_in_a_root_of_z():
 def test_names_of_a_fraction_are_new():
     for names in ((p, p), (d, s), (p, z), (p, NAMES[0]), (p,)):
         with pytest.raises(NotShown):
-            loop_late(NAMES, LOOP, z, names)
+            loop_late(NAMES, LOOP, names)
     with pytest.raises(NotShown):
-        loop_late(NAMES, (z, *LOOP[1:]), z, (p, s))
+        loop_late(NAMES, (z, *LOOP[1:]), (p, s))
 
 
 def test_a_device_at_rest_is_balanced_by_its_spring():

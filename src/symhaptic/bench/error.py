@@ -22,7 +22,7 @@ from symhaptic.export import request
 from symhaptic.export.library import library
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.export.targets import TARGETS
-from symhaptic.model.stable import Form
+from symhaptic.forms.stable import Form
 
 Worst = dict[str, tuple[float, tuple[float, ...]]]
 """For each result its largest error and the arguments there."""

@@ -22,7 +22,7 @@ from symhaptic.bench.terms import sized
 from symhaptic.bench.timing import seconds
 from symhaptic.bench.ways import Way, error, routines, ways
 from symhaptic.export import request
-from symhaptic.model.stable import Form
+from symhaptic.forms.stable import Form
 
 SETS = ("ordinary", "hard")
 
@@ -162,7 +162,7 @@ def confirm(form: Form, arrays: list[Array], digits: int = 50) -> None:
 
     Raises :class:`WrongExact` where a ball and the number are apart.
     """
-    from symhaptic import lambdify
+    from symhaptic.scene.callables import lambdify
 
     other = lambdify(form.name, modules="mpmath")
     for point in zip(*(map(float, a) for a in arrays), strict=True):

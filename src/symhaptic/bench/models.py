@@ -8,9 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from symhaptic import linear_limit, max_stable_stiffness, stability_boundary
 from symhaptic.bench.points import Array
 from symhaptic.bench.timing import seconds
+from symhaptic.numeric.boundary import stability_boundary
+from symhaptic.numeric.linear import linear_limit
+from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 
 SHARES = (0.0, 0.1, 0.25, 0.5, 0.75)
 """Virtual damping, in parts of that of the stiffest wall of the full model."""

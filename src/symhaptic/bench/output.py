@@ -6,9 +6,9 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from symhaptic.bench import record as records
-from symhaptic.bench.tables import markdown
-from symhaptic.listing import replace
+from symhaptic.book.listing import replace
+from symhaptic.book.measured import record as records
+from symhaptic.book.measured.tables import markdown
 
 FORMATS = ("png", "pdf", "svg")
 
@@ -20,8 +20,8 @@ def write(record: dict[str, Any], folder: Path) -> None:
     replace(folder / "bench.md", markdown(record))
     if find_spec("matplotlib") is None:
         return
-    from symhaptic.report.bench_figures import drawings
-    from symhaptic.report.figures import save
+    from symhaptic.book.figures.bench import drawings
+    from symhaptic.book.figures.passivity import save
 
     for name, (draw, panels, height) in drawings(record).items():
         for format in FORMATS:

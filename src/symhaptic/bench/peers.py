@@ -13,12 +13,14 @@ import flint
 import numpy as np
 from flint import acb, arb
 
-from symhaptic import delay_margin, discretize, is_stable
 from symhaptic.bench import exact
 from symhaptic.bench.printed import function
 from symhaptic.bench.timing import seconds
 from symhaptic.bench.verdicts import near
 from symhaptic.export import request
+from symhaptic.numeric.plant import discretize
+from symhaptic.numeric.stability import is_stable
+from symhaptic.numeric.tracing.margin import delay_margin
 
 Point = tuple[float, ...]
 _ON_ARRAYS = ("printed (14), NumPy",)

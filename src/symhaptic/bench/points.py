@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
+from symhaptic.forms import stiffest
+from symhaptic.forms.stable import Form
 from symhaptic.kernels.haptic import discretize
-from symhaptic.model import stiffest
-from symhaptic.model.stable import Form
 
 Array = NDArray[np.floating[Any]]
 

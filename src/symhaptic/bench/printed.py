@@ -9,9 +9,9 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.library import run, shipped
-from symhaptic.listing import needed
-from symhaptic.model.stable import STATEMENTS, Form
+from symhaptic.book.chapters import run, shipped
+from symhaptic.book.listing import needed
+from symhaptic.forms.stable import STATEMENTS, Form
 from symhaptic.notation import B, K, T, alpha, b, beta, c_1, d, delta, m, omega, theta, z
 from symhaptic.paper import STATEMENTS as PRINTED
 

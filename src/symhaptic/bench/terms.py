@@ -13,10 +13,10 @@ from sympy import Expr
 from symhaptic.export.sizes import size as slope_size
 from symhaptic.export.target import code_name
 from symhaptic.export.vectors import rounded
-from symhaptic.model.entire import C, Entire, S
-from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.model.response import Careful, closed
-from symhaptic.model.searched import Rated, Searched
+from symhaptic.forms.entire import C, Entire, S
+from symhaptic.forms.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.forms.response import Careful, closed
+from symhaptic.forms.searched import Rated, Searched
 
 
 def sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:

@@ -12,11 +12,13 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from symhaptic import grid_boundary, is_stable, stability_boundary, stable_region
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import Array
 from symhaptic.bench.timing import seconds
-from symhaptic.tracer.grid import spectral_radius
+from symhaptic.numeric.boundary import stability_boundary
+from symhaptic.numeric.stability import is_stable
+from symhaptic.numeric.tracing.grid import grid_boundary, spectral_radius
+from symhaptic.numeric.tracing.region import stable_region
 
 GAMMA, DELTA = 1e-3, 0.02
 """The corner of the paper's (23)."""

@@ -14,13 +14,15 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from symhaptic import discretize, is_stable, stability_boundary
 from symhaptic.bench.error import compiled
 from symhaptic.bench.exact import device
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import function
 from symhaptic.bench.timing import seconds
 from symhaptic.export import request
+from symhaptic.numeric.boundary import stability_boundary
+from symhaptic.numeric.plant import discretize
+from symhaptic.numeric.stability import is_stable
 
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 """Relative distances from the boundary, along the line to the wall without any forces."""

@@ -20,7 +20,7 @@ from symhaptic.bench.error import compiled, functions
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import expressions, function, swings
-from symhaptic.model.stable import Form
+from symhaptic.forms.stable import Form
 
 KINDS_OF_C: tuple[Any, ...] = (np.float64,)
 """Precisions in which C is exported."""

@@ -1,4 +1,6 @@
-"""How is it told?  What chapters are made of: the lemmas that several of them apply.
+"""How is it told?  Pages, chapters, the ledger, errata, mutants, LaTeX and figures.
 
-May import notation, paper, model and proof; the derivations import from here.
+A page keeps each step with its proof and each statement with its verdict; ``lemmas`` are what
+several chapters apply, ``mutation`` changes what is settled and asks again, ``tex`` and ``figures``
+print it.  Imports all rooms above; used by the derivations, ``scene``, ``bench`` and ``cli``.
 """

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from symhaptic.book.chapters import Chapter
 from symhaptic.book.rules import classical
-from symhaptic.library import Chapter
 from symhaptic.notation.proposition import Proposition
 from symhaptic.proof.theorems.kernel import Theorem
 
@@ -74,7 +74,7 @@ def rests(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> Rest:
         if what in shown and what not in own:
             below[shown[what].place] = shown[what]
             continue
-        rules.add(theorem.rule)
+        rules.add(theorem.given[0] if theorem.rule == "known" else theorem.rule)
         stack += theorem.premises
     order = sorted(below.values(), key=lambda one: (one.chapter, one.number))
     return Rest(tuple(order), tuple(name for name in classical() if name in rules))

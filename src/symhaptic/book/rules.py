@@ -8,6 +8,7 @@ from functools import cache
 from importlib import import_module
 from types import ModuleType
 
+from symhaptic.proof.theorems.derivation import sources
 from symhaptic.proof.theorems.kernel import MODULES
 
 NAMES: Mapping[str, str] = {
@@ -42,11 +43,8 @@ def _modules() -> dict[str, ModuleType]:
 
 @cache
 def classical() -> Mapping[str, str]:
-    """Each classical rule with its source, in the order of the modules."""
-    found: dict[str, str] = {}
-    for module in _modules().values():
-        found |= getattr(module, "SOURCES", {})
-    return found
+    """Each classical rule and each axiom with its source."""
+    return sources()
 
 
 def called(rule: str) -> str:

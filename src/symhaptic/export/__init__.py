@@ -1,1 +1,6 @@
-"""Stable forms as source code: one module per target language, over one list of operations."""
+"""How is it said there?  Stable forms as source code in seven languages.
+
+A form becomes a routine of ordered steps with branches, which one module for each target language
+writes out; with a self-test, a README and the error that was measured.  Imports ``notation``,
+``model``, ``proof`` and ``forms``; used by ``scene`` and ``cli``, and it writes ``kernels``.
+"""

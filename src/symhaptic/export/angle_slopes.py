@@ -12,14 +12,7 @@ from symhaptic.export.elementary import k, x
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.export.slopes import powers
-from symhaptic.model.entire import (
-    Chord,
-    CosNext,
-    Gap,
-    Sinc,
-    SinNext,
-    Spread,
-)
+from symhaptic.forms.entire import Chord, CosNext, Gap, Sinc, SinNext, Spread
 
 TURN = sp.Rational(3, 2)
 """Up to this angle (k + 1) x the functions of an angle are series, as in elementary."""

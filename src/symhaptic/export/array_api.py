@@ -25,8 +25,8 @@ from symhaptic.export.routine import Routine, Step
 from symhaptic.export.stages import staged
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import in_brackets, wrapped
-from symhaptic.model.domain import BELOW_PI, LARGEST, LONGEST
-from symhaptic.model.form import Form
+from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.forms.form import Form
 
 _MOST = {
     LARGEST: Symbol("most.size"),

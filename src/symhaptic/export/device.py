@@ -35,7 +35,7 @@ from symhaptic.export.routine import (
     quotient,
 )
 from symhaptic.export.whole_turns import Turned, turned
-from symhaptic.model.entire import Decay
+from symhaptic.forms.entire import Decay
 from symhaptic.notation import delta, gamma
 
 SOFT = sp.Rational(9, 16)

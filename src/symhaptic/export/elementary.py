@@ -16,7 +16,7 @@ from symhaptic.export.routine import (
     expm1,
     product,
 )
-from symhaptic.model.entire import CosNext, Decay, Gap, Sinc, SinNext
+from symhaptic.forms.entire import CosNext, Decay, Gap, Sinc, SinNext
 
 x, w, k, y, z = sp.symbols("x w k y z")
 

@@ -11,10 +11,10 @@ from sympy.core.function import AppliedUndef
 
 from symhaptic.export.routine import Routine, Several, Step, expm1, fresh
 from symhaptic.export.target import code_name
-from symhaptic.model.entire import CosNext, Entire, SinNext
-from symhaptic.model.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.model.response import Ahead, Careful, InPhase, KickLow
-from symhaptic.model.slopes import ApartDrop, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
+from symhaptic.forms.entire import CosNext, Entire, SinNext
+from symhaptic.forms.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.forms.response import Ahead, Careful, InPhase, KickLow
+from symhaptic.forms.slopes import ApartDrop, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
 
 MERGED = (
     Apart, Fall, Nyquist, Rise, Swing, Together,

@@ -7,14 +7,18 @@ from pathlib import Path
 
 from symhaptic.export import request
 from symhaptic.export.targets import TARGETS
-from symhaptic.model import stable
-from symhaptic.model.stable import Form
+from symhaptic.forms import stable
+from symhaptic.forms.stable import Form
 
 FOLDER = Path(__file__).parents[1] / "kernels"
 
 _HEADER = "# Written by `symhaptic kernels` from the stable forms; do not edit.\n"
 
-_ABOUT = '"""The stable forms as functions of arrays of any library; nothing symbolic."""\n'
+_ABOUT = '''"""How large is it, bare?  The stable forms as functions of arrays of any library.
+
+Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
+"""
+'''
 
 
 def forms() -> list[Form]:

@@ -16,7 +16,7 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.counting import _turns, _Wall
 from symhaptic.export.routine import Routine, Steps, choose
-from symhaptic.model.counted import LATE_ARGUMENTS
+from symhaptic.forms.counted import LATE_ARGUMENTS
 
 alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart = LATE_ARGUMENTS
 slope, far, center, beyond = sp.symbols("slope far center beyond")

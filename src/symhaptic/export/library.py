@@ -26,7 +26,7 @@ from symhaptic.export.joint import joint, merged
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Step, choose
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
-from symhaptic.model.stable import Form
+from symhaptic.forms.stable import Form
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ from sympy import Expr, atan2, cos, floor, pi, sin, sqrt
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose, difference, product, quotient
 from symhaptic.export.search import crossing
-from symhaptic.model import worst
-from symhaptic.model.entire import CosNext, Sinc, SinNext
+from symhaptic.forms import worst
+from symhaptic.forms.entire import CosNext, Sinc, SinNext
 from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta
 
 _WALL = (alpha, beta, l, epsilon)

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Expr
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.model.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
 
 _GUARD = 2.0**-12
 """A truncated series may miss this part of half a last place."""

@@ -17,9 +17,9 @@ from symhaptic.export.library import Library
 from symhaptic.export.precision import Precision
 from symhaptic.export.target import Target, beyond, sizes
 from symhaptic.export.vectors import allowed
-from symhaptic.model.searched import LatePart, SomePart, WholePart
-from symhaptic.model.stable import Form
-from symhaptic.model.values import ALL
+from symhaptic.forms.searched import LatePart, SomePart, WholePart
+from symhaptic.forms.stable import Form
+from symhaptic.forms.values import ALL
 from symhaptic.notation import SYMBOLS, d, epsilon, l
 
 MARK = "Written by `symhaptic export`; do not edit."

@@ -15,11 +15,11 @@ from symhaptic.export.readme import readme
 from symhaptic.export.target import Refused, Target
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
-from symhaptic.model import stable
-from symhaptic.model.derivatives import differentiable, with_derivatives
+from symhaptic.forms import stable
+from symhaptic.forms.derivatives import differentiable, with_derivatives
+from symhaptic.forms.stable import Form, NoForm
 from symhaptic.model.parts import FULL, Parts, left
-from symhaptic.model.stable import Form, NoForm
-from symhaptic.suggest import suggested
+from symhaptic.notation.suggest import suggested
 
 TITLE = "Passivity and stability of haptic walls"
 

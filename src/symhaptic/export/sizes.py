@@ -6,17 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from symhaptic.model.angle_slopes import ChordSlope, Ripple, SpreadSlope
-from symhaptic.model.slopes import (
-    ApartDrop,
-    Bend,
-    Coast,
-    Ebb,
-    Echo,
-    FallDrop,
-    Kick,
-    RiseDrop,
-)
+from symhaptic.forms.angle_slopes import ChordSlope, Ripple, SpreadSlope
+from symhaptic.forms.slopes import ApartDrop, Bend, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
 
 _DEVICE = (Kick, Coast, Ebb, Echo, RiseDrop, FallDrop, ApartDrop)
 

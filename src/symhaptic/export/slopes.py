@@ -23,14 +23,9 @@ from symhaptic.export.elementary import x
 from symhaptic.export.pairs import fading, waving
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose, fast_sum, product
-from symhaptic.model.entire import (
-    Creep,
-    Decay,
-    Fade,
-    Lag,
-)
-from symhaptic.model.entire_device import Fall, Rise
-from symhaptic.model.slopes import Echo, FallDrop, Kick, RiseDrop
+from symhaptic.forms.entire import Creep, Decay, Fade, Lag
+from symhaptic.forms.entire_device import Fall, Rise
+from symhaptic.forms.slopes import Echo, FallDrop, Kick, RiseDrop
 from symhaptic.notation import delta, gamma
 
 STIFF = sp.Integer(9)

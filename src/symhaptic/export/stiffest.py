@@ -10,10 +10,10 @@ from sympy import And, Expr, Max, Or, atan2, cos, pi, sin, sqrt
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose, difference, product
 from symhaptic.export.search import crossing
-from symhaptic.model import stiffest
-from symhaptic.model.counted import LateRoots, Stable, WholeRoots
-from symhaptic.model.stability_forms import curve
-from symhaptic.model.stiffest_angle import STIFFEST_ARGUMENTS, STIFFEST_SPRING
+from symhaptic.forms import stiffest
+from symhaptic.forms.counted import LateRoots, Stable, WholeRoots
+from symhaptic.forms.stability_forms import curve
+from symhaptic.forms.stiffest_angle import STIFFEST_ARGUMENTS, STIFFEST_SPRING
 from symhaptic.notation import theta
 
 gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together, apart = (

@@ -7,7 +7,7 @@ by name before anything is written.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from copy import copy
 from functools import cache
 from types import MappingProxyType
@@ -23,7 +23,7 @@ from symhaptic.notation import SYMBOLS
 if TYPE_CHECKING:
     from symhaptic.export.library import Library
     from symhaptic.export.printing import Printing
-    from symhaptic.model.stable import Form
+    from symhaptic.forms.stable import Form
 
 OPERATIONS = (
     "Abs", "Infinity", "Max", "Min", "NaN", "ProductError", "atan2", "cos", "exp", "expm1", "floor",
@@ -78,14 +78,6 @@ def routine_name(name: str) -> str:
     return special.get(name) or "".join(part.capitalize() for part in name.split("_"))
 
 
-@cache
-def _taken() -> frozenset[str]:
-    """The names of all routines."""
-    from symhaptic.export.library import known
-
-    return frozenset(map(code_name, known()))
-
-
 class Target:
     """A language: how it writes numbers, operations, functions, and whole files."""
 
@@ -101,6 +93,8 @@ class Target:
     words: Mapping[str, str] = MappingProxyType({})
     """Comparisons and connectives that are written in another way."""
     ignores_case = False
+    taken: Callable[[], frozenset[str]] = frozenset
+    """The names of all routines, which no variable may have; handed in with the list of targets."""
     precision = DOUBLE
     single: Mapping[str, str] | None = None
     """The shared operations in single precision, where the language has it."""
@@ -149,7 +143,7 @@ class Target:
 
     def rename(self, name: str) -> str:
         """The name of a variable: neither a keyword nor that of a routine."""
-        return f"{name}_" if self.reserves(name) or name in _taken() else name
+        return f"{name}_" if self.reserves(name) or name in self.taken() else name
 
     def reserves(self, name: str) -> bool:
         """Whether a name is a keyword."""
@@ -204,7 +198,7 @@ def describe(form: Form, precision: Precision = DOUBLE) -> list[str]:
 def beyond(form: Form) -> str:
     """What a function gives outside its domain.
 
-    >>> from symhaptic.model.stable import form
+    >>> from symhaptic.forms.stable import form
     >>> beyond(form("is_stable")), beyond(form("discretize"))
     ('False outside', 'NaN outside')
     """

@@ -2,10 +2,22 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from symhaptic.export import array_api, c, cpp, fortran, javascript, octave, rust
-from symhaptic.export.target import Target
+from symhaptic.export.library import known
+from symhaptic.export.target import Target, code_name
 
 TARGETS: dict[str, Target] = {
     module.TARGET.name: module.TARGET
     for module in (array_api, c, cpp, fortran, rust, javascript, octave)
 }
+
+
+@cache
+def _taken() -> frozenset[str]:
+    return frozenset(map(code_name, known()))
+
+
+for _target in TARGETS.values():
+    _target.taken = _taken

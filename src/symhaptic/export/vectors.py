@@ -16,14 +16,14 @@ from sympy import Expr, Symbol
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.sizes import size as slope_size
-from symhaptic.model.counted import NEAR, LateRoots, Stable, WholeRoots, late_outside, outside
-from symhaptic.model.entire import C, Entire, S
-from symhaptic.model.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.model.response import Careful, closed
-from symhaptic.model.searched import Rated, Searched
-from symhaptic.model.slope_values import BY_MATRIX
-from symhaptic.model.stable import Form
-from symhaptic.model.values import numeric, settled
+from symhaptic.forms.counted import NEAR, LateRoots, Stable, WholeRoots, late_outside, outside
+from symhaptic.forms.entire import C, Entire, S
+from symhaptic.forms.entire_device import Apart, Fall, Rise, Swing
+from symhaptic.forms.response import Careful, closed
+from symhaptic.forms.searched import Rated, Searched
+from symhaptic.forms.slope_values import BY_MATRIX
+from symhaptic.forms.stable import Form
+from symhaptic.forms.values import numeric, settled
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
 _ALLOWED = {

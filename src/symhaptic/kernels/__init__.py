@@ -1,2 +1,5 @@
 # Written by `symhaptic kernels` from the stable forms; do not edit.
-"""The stable forms as functions of arrays of any library; nothing symbolic."""
+"""How large is it, bare?  The stable forms as functions of arrays of any library.
+
+Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
+"""

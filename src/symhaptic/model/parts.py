@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from itertools import product
 
-from symhaptic.suggest import suggested
+from symhaptic.notation.suggest import suggested
 
 
 @dataclass(frozen=True)

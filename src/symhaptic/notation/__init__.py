@@ -1,17 +1,20 @@
-"""Every symbol once: how it is written, its unit, its domain and what it means.
+"""How is it written?  Every symbol once, with its unit, its domain and what it means.
 
 The symbols are plain SymPy symbols without assumptions, so that a formula typed with
-``sympy.symbols("K B T")`` is the same formula; domains are data, used when a
-counterexample is looked for.  Tables of the paper that only name things live here too.
+``sympy.symbols("K B T")`` is the same formula; domains are data, used when a counterexample is
+looked for.  Here also are the order of terms, LaTeX in and out, quantities with units, and the
+language of propositions.  Imports no other room; used by all of them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
-from sympy import Function, Symbol
-from sympy.core.function import UndefinedFunction
+if TYPE_CHECKING:
+    from sympy import Symbol
+    from sympy.core.function import UndefinedFunction
 
 Dimension = tuple[Fraction, Fraction, Fraction]
 """Exponents of kilogram, metre and second."""
@@ -59,6 +62,8 @@ class Notation:
     @property
     def symbol(self) -> Symbol:
         """The SymPy symbol."""
+        from sympy import Symbol  # numbers need quantities and names, and no symbols
+
         return Symbol(self.name)
 
     @property
@@ -156,6 +161,8 @@ def __getattr__(name: str) -> Symbol:
 
 def function(name: str) -> UndefinedFunction:
     """A function of the paper whose law is left open, such as H(z)."""
+    from sympy import Function
+
     return Function(name)
 
 

@@ -3,7 +3,7 @@
 A term is a SymPy expression.  A symbol stands for a real number, unless :mod:`symhaptic.notation`
 says that it is complex.  A relation is true where both sides are defined and it holds between their
 values; an order relation also says that both are real.  So ``Not(a < b)`` is true where a side has
-no value, and ``b <= a`` is not.
+no value, and ``b <= a`` is not.  A predicate, too, is true only where its terms have values.
 
 Propositions that differ in the names of bound symbols only are equal.
 """
@@ -418,3 +418,8 @@ def negated(relation: Relation) -> Relation:
         "<": Relation(right, "<=", left),
         "<=": Relation(right, "<", left),
     }[sign]
+
+
+def whole(value: Any) -> Predicate:
+    """``value`` is a whole number, zero included."""
+    return Predicate("whole", (), (term(value),))

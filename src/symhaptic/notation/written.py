@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from sympy import Expr
 
-from symhaptic.latex import latex
+from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import (
     MEANINGS,
     And,

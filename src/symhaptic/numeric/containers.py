@@ -14,7 +14,7 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
-from symhaptic.quantities import dimensionless, shown
+from symhaptic.notation.quantities import dimensionless, shown
 
 P = ParamSpec("P")
 R = TypeVar("R")

@@ -1,8 +1,9 @@
-"""The paper as data: equations, tables, plots, claims and constants, exactly as printed.
+"""What is printed?  Equations, tables, plots, claims and constants, exactly as they stand.
 
-Hulin, Albu-Schaeffer and Hirzinger, *Passivity and Stability Boundaries for Haptic Systems
-with Time Delay*, IEEE Transactions on Control Systems Technology, 2014.  Misprints are kept;
-nothing is computed here and nothing is corrected.
+Hulin, Albu-Schaeffer and Hirzinger, *Passivity and Stability Boundaries for Haptic Systems with
+Time Delay*, IEEE Transactions on Control Systems Technology, 2014.  Misprints are kept; nothing is
+computed here and nothing is corrected.  ``propositions`` says what each statement claims.  Imports
+``notation``; used by ``book``, and never reached from ``model``.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Expr
 from sympy.core.relational import Relational
 
-from symhaptic.latex import latex
+from symhaptic.notation.latex import latex
 from symhaptic.proof.ball import Value, value_at
 from symhaptic.proof.names import renamed, shared
 from symhaptic.proof.normal import Field

@@ -56,7 +56,7 @@ fact that contradicts it (false), or a witness (false)."""
 
 @dataclass(frozen=True)
 class Settlement:
-    """The grounds on which a statement is judged; see :meth:`symhaptic.chapter.Page.settle`."""
+    """The grounds on which a statement is judged; see :meth:`symhaptic.book.page.Page.settle`."""
 
     derived: tuple[Expr, ...] = ()
     given: Mapping[Expr, Expr] = field(default_factory=dict)

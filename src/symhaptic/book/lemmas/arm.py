@@ -7,13 +7,13 @@ from sympy import Eq, Expr, Ne, S, Symbol
 from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
 from symhaptic.notation.proposition import Or, Proposition, Relation, Terms
 from symhaptic.paper.propositions.arm import x, y
+from symhaptic.proof.theorems.familiar import ordered
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     by_cases,
     conjoined,
-    ordered,
     substituted,
     widened,
 )

@@ -17,16 +17,19 @@ from symhaptic.paper.propositions.stability import (
     on_boundary,
     stiffness,
 )
-from symhaptic.proof.theorems.device import device_at_rest
-from symhaptic.proof.theorems.energy import held_steady_state
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part, substituted
+from symhaptic.proof.theorems.familiar import device_at_rest, held_steady_state, sign_of, square
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    conjoined,
+    part,
+    substituted,
+)
 from symhaptic.proof.theorems.leaves import (
     combined,
     factor,
     mirrored,
     number,
-    sign_of,
-    square,
     tends,
 )
 from symhaptic.proof.theorems.tactics import closed, either_way, positive

@@ -14,8 +14,18 @@ from symhaptic.notation import N, phi, psi
 from symhaptic.notation.proposition import Relation
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.analysis import above_its_start, grows, increases
-from symhaptic.proof.theorems.kernel import Theorem, assume, by_cases, ordered, placed
-from symhaptic.proof.theorems.leaves import factor, number, rising, sign_of, tends
+from symhaptic.proof.theorems.familiar import ordered, rising, sign_of
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import (
+    factor,
+    number,
+    tends,
+)
 from symhaptic.proof.theorems.tactics import closed, over, positive
 
 HALF = S.Half

@@ -18,14 +18,19 @@ from symhaptic.book.lemmas.touching import GOAL, touches
 from symhaptic.notation import N, phi, psi, x
 from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.familiar import decided, sign_of, strictly
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     by_cases,
-    decided,
     substituted,
 )
-from symhaptic.proof.theorems.leaves import combined, factor, identity, sign_of, strictly, tends
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    factor,
+    identity,
+    tends,
+)
 from symhaptic.proof.theorems.tactics import closed, over, positive
 
 CORNER = 3 * N / (2 * (N**2 - 1)), (N**2 + 2) / (2 * (N**2 - 1))

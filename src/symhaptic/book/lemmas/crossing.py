@@ -9,15 +9,20 @@ from sympy import Expr, I, Ne, S, Symbol, cos, exp, pi, sin
 
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta
 from symhaptic.notation.proposition import Proposition, Relation, proposition
+from symhaptic.proof.theorems.familiar import (
+    both_ways,
+    ordered,
+    rising,
+    sign_of,
+)
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
     anything,
     assume,
     by_cases,
-    ordered,
 )
-from symhaptic.proof.theorems.leaves import both_ways, combined, mirrored, rising, sign_of
+from symhaptic.proof.theorems.leaves import combined, mirrored
 from symhaptic.proof.theorems.tactics import closed, every, for_all, over, positive
 
 TURN = exp(I * theta)

@@ -9,10 +9,17 @@ from sympy import Expr, Ne, S, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, x, z
-from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation
+from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation, whole
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.device import device_exists, device_static, loop_late
+from symhaptic.proof.theorems.familiar import (
+    both_ways,
+    device_exists,
+    device_static,
+    loop_late,
+    ordered,
+    square,
+)
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -22,20 +29,22 @@ from symhaptic.proof.theorems.kernel import (
     chosen,
     cut,
     discharged,
-    ordered,
     part,
     placed,
     substituted,
     unfolded,
-    whole,
     widened,
     witnessed,
 )
-from symhaptic.proof.theorems.leaves import both_ways, combined, identity, is_whole, square
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    is_whole,
+)
 from symhaptic.proof.theorems.roots import last_coefficient, zero_on_circle
 from symhaptic.proof.theorems.tactics import closed, every, for_all, over, positive
 
-OVER, LESS, FEWER = sp.symbols("p s q")
+OVER, LESS, FEWER = sp.symbols("p q r")
 """d = p/(s + 1), and q = p - 1."""
 
 
@@ -50,7 +59,7 @@ def none_or_more() -> Theorem:
     return induction(claim, OVER, start, discharged(step, whole(OVER), claim))
 
 
-LATE = loop_late(NUMBERS, LOOP, z, (OVER, LESS))
+LATE = loop_late(NUMBERS, LOOP, (OVER, LESS))
 """A stable loop has a delay of p/(s + 1) periods."""
 
 ZEROS = LATE.conclusion.of[1].body.of[-1]  # type: ignore[attr-defined]

@@ -8,7 +8,13 @@ from symhaptic.book.lemmas.linear_part import on_line
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
 from symhaptic.notation.proposition import conjuncts
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, discharged, weakened
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    conjoined,
+    discharged,
+    weakened,
+)
 
 
 def drawn(claim: Any) -> Theorem:

@@ -14,8 +14,12 @@ from sympy import Expr, Ne, cos, diff, pi, sin
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, bend, not_zero, sine, size, width
 from symhaptic.notation import N, phi, psi, x
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.kernel import Theorem, assume, placed
-from symhaptic.proof.theorems.leaves import sign_of
+from symhaptic.proof.theorems.familiar import sign_of
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    placed,
+)
 from symhaptic.proof.theorems.tactics import closed, over, positive
 
 LOWER, UPPER = 1, -1

@@ -12,31 +12,32 @@ from sympy import Eq, Expr, Ne, S, cos, pi, sin
 
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, lowest_coefficients, not_zero
 from symhaptic.notation import N, b, l, phi, psi, u, w, x
-from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied
+from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied, whole
 from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.familiar import (
+    both_ways,
+    bounded,
+    decided,
+    full_turns,
+    ordered,
+    sign_of,
+    square,
+    strictly,
+    with_rest,
+)
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     by_cases,
     chosen,
-    decided,
-    ordered,
     part,
     placed,
     substituted,
-    whole,
 )
 from symhaptic.proof.theorems.leaves import (
-    both_ways,
-    bounded,
     combined,
-    full_turns,
     number,
-    sign_of,
-    square,
-    strictly,
     tends,
-    with_rest,
 )
 from symhaptic.proof.theorems.tactics import at, closed, over, positive
 

@@ -13,6 +13,7 @@ from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.region import WHOLE_WALL, first_half
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, phi, theta, x, y
+from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
@@ -21,7 +22,7 @@ from symhaptic.proof.theorems.kernel import (
     placed,
     substituted,
 )
-from symhaptic.proof.theorems.leaves import bounded, combined, identity, square
+from symhaptic.proof.theorems.leaves import combined, identity
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,

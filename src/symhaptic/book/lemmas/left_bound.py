@@ -12,11 +12,25 @@ from symhaptic.book.lemmas.boundary import at_rest
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, z
-from symhaptic.notation.proposition import And, Exists, Or, Proposition, Relation, proposition
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    Or,
+    Proposition,
+    Relation,
+    proposition,
+    whole,
+)
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import OTHER
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.device import device_exists, loop_of_device
+from symhaptic.proof.theorems.familiar import (
+    bounded,
+    device_exists,
+    loop_of_device,
+    ordered,
+    square,
+)
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -25,14 +39,16 @@ from symhaptic.proof.theorems.kernel import (
     by_cases,
     chosen,
     conjoined,
-    ordered,
     part,
     placed,
     substituted,
-    whole,
     witnessed,
 )
-from symhaptic.proof.theorems.leaves import bounded, combined, identity, is_whole, square
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    is_whole,
+)
 from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
 from symhaptic.proof.theorems.tactics import (
     at,
@@ -64,7 +80,7 @@ def right_of_the_line(delay: Expr) -> Theorem:
     """A stable wall has alpha < alpha', on the line, for a damped device and a whole delay."""
     late = Relation(d, "=", delay)
     static, pushed = at_rest()
-    readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay), z)
+    readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay))
     loop = part(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     left = positive(-gamma - OTHER >= 0, -gamma >= OTHER)

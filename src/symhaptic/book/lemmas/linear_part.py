@@ -21,6 +21,11 @@ from symhaptic.book.lemmas.region import (
 )
 from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, theta, w, x, y
 from symhaptic.notation.proposition import Predicate, Relation, Terms
+from symhaptic.proof.theorems.familiar import (
+    bounded,
+    square,
+    strictly,
+)
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
@@ -30,7 +35,7 @@ from symhaptic.proof.theorems.kernel import (
     substituted,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import bounded, combined, square, strictly, tends
+from symhaptic.proof.theorems.leaves import combined, tends
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,

@@ -7,8 +7,13 @@ from sympy import Expr, S
 from symhaptic.book.lemmas.passivity import WALL
 from symhaptic.notation import v
 from symhaptic.proof.theorems.energy import stored
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume
-from symhaptic.proof.theorems.leaves import identity, square
+from symhaptic.proof.theorems.familiar import square
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    applied,
+    assume,
+)
+from symhaptic.proof.theorems.leaves import identity
 from symhaptic.proof.theorems.tactics import either_way, positive
 
 

@@ -9,18 +9,20 @@ from sympy import Expr, I, Ne, S, exp, pi
 from symhaptic.model import plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, delta, gamma, l, z
-from symhaptic.notation.proposition import Predicate, Relation
+from symhaptic.notation.proposition import Predicate, Relation, whole
 from symhaptic.paper.propositions.comparison import LATE, MIRROR, q
-from symhaptic.proof.theorems.kernel import Theorem, assume, whole
+from symhaptic.proof.theorems.familiar import (
+    rising,
+    sign_of,
+    square,
+)
+from symhaptic.proof.theorems.kernel import Theorem, assume
 from symhaptic.proof.theorems.leaves import (
     combined,
     factor,
     identity,
     is_whole,
     number,
-    rising,
-    sign_of,
-    square,
 )
 from symhaptic.proof.theorems.roots import pole_at
 from symhaptic.proof.theorems.tactics import closed, positive

@@ -10,7 +10,12 @@ from sympy import Rational, S
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.notation.proposition import Proposition, Terms
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.kernel import Theorem, absurd, assume, part
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    assume,
+    part,
+)
 
 Motion: TypeAlias = Sequence[tuple[Any, Any]]
 

@@ -19,8 +19,21 @@ from symhaptic.book.lemmas.region import (
     sufficient,
 )
 from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, x
-from symhaptic.proof.theorems.kernel import Theorem, assume, by_cases, decided, placed, substituted
-from symhaptic.proof.theorems.leaves import bounded, combined, identity, sign_of, square, strictly
+from symhaptic.proof.theorems.familiar import (
+    bounded,
+    decided,
+    sign_of,
+    square,
+    strictly,
+)
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    placed,
+    substituted,
+)
+from symhaptic.proof.theorems.leaves import combined, identity
 from symhaptic.proof.theorems.tactics import at, closed, over, positive
 
 TWICE = {N: 2 * d + 2, phi: omega * T / 2}

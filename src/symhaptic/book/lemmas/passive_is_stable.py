@@ -27,15 +27,22 @@ from symhaptic.notation import (
     y,
     z,
 )
-from symhaptic.notation.proposition import Predicate, Relation, proposition
+from symhaptic.notation.proposition import Predicate, Relation, proposition, whole
 from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.device import (
+from symhaptic.proof.theorems.familiar import (
+    both_ways,
+    decided,
     device_at_rest,
     device_comes_to_rest,
     device_exists,
+    held_steady_state,
+    linear,
     loop_of_device,
+    ordered,
+    rising,
+    sign_of,
+    square,
 )
-from symhaptic.proof.theorems.energy import held_steady_state
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -46,25 +53,18 @@ from symhaptic.proof.theorems.kernel import (
     chosen,
     conjoined,
     cut,
-    decided,
-    ordered,
     part,
     placed,
     substituted,
-    whole,
 )
 from symhaptic.proof.theorems.leaves import (
-    both_ways,
     combined,
     is_whole,
     mirrored,
     number,
-    rising,
-    sign_of,
-    square,
     tends,
 )
-from symhaptic.proof.theorems.roots import all_inside, linear, roots_stay
+from symhaptic.proof.theorems.roots import all_inside, roots_stay
 from symhaptic.proof.theorems.tactics import at, closed, positive
 
 NUMBERS = (n_1, n_0, a, e)
@@ -147,14 +147,14 @@ def passive_is_stable() -> Theorem:
         Ne((1 - a + e) + y * (n_1 + n_0) * alpha, 0), [pushed, stiff], [static, -sp.S.One]
     )
     path = (z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one)
-    held = all_inside(z, d + 1, device_comes_to_rest(device, z))
+    held = all_inside(z, d + 1, device_comes_to_rest(device))
     sprung = roots_stay(*path, held)
     free = _from_a_pole_at_one(static, pushed, decay)
     spring = ordered(sp.S.Zero, gamma)
     nothing = both_ways(assume(gamma <= 0), assume(gamma >= 0))
     stable = by_cases(spring, sprung, cut(free, nothing))
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = loop_of_device(NUMBERS, LOOP, z)
+    found = loop_of_device(NUMBERS, LOOP)
     readings = [part(found, reading) for reading in found.conclusion.of]  # type: ignore[attr-defined]
     both = conjoined(*(applied(reading, closed(stable, *steps)) for reading in readings))
     return chosen(device_exists(gamma, delta, NUMBERS), both)

@@ -17,10 +17,11 @@ from symhaptic.notation.proposition import (
     Proposition,
     both,
     proposition,
+    whole,
 )
-from symhaptic.proof.theorems.definitions import whole_delay
 from symhaptic.proof.theorems.energy import toeplitz
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part, whole
+from symhaptic.proof.theorems.familiar import whole_delay
+from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part
 from symhaptic.proof.theorems.leaves import is_whole
 from symhaptic.proof.theorems.tactics import (
     at,
@@ -52,7 +53,7 @@ def every_margin(delay: Expr = d) -> Proposition:
 @cache
 def passive_by_angle(delay: Expr = d) -> Theorem:
     """passive <=> K >= 0 and the margin at every angle, under the hypotheses T > 0 and d whole."""
-    energy = whole_delay((*WALL[:-1], delay), z)
+    energy = whole_delay((*WALL[:-1], delay))
     wanted = every_margin(delay)
     sampled = energy.conclusion.of[1]  # type: ignore[attr-defined]
     form = toeplitz(*(sampled.of[0], z), sampled.of[1], theta)

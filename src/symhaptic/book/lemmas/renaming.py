@@ -8,7 +8,11 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation.proposition import Proposition, Relation, is_complex
-from symhaptic.proof.theorems.kernel import Theorem, assume, substituted
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    substituted,
+)
 from symhaptic.proof.theorems.leaves import combined
 
 

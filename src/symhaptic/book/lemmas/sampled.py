@@ -12,7 +12,9 @@ from sympy import Expr, Ne, exp, sqrt
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, X, X_d, b, d, k, m, s, t, z
-from symhaptic.notation.proposition import Proposition, Relation, proposition
+from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
+from symhaptic.proof.theorems.axioms import answers, transfer
+from symhaptic.proof.theorems.familiar import in_units, shifted
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -22,17 +24,9 @@ from symhaptic.proof.theorems.kernel import (
     part,
     placed,
     weakened,
-    whole,
 )
 from symhaptic.proof.theorems.leaves import combined, factor
-from symhaptic.proof.theorems.samples import (
-    answers,
-    held_answer,
-    in_units,
-    one_answer,
-    shifted,
-    transfer,
-)
+from symhaptic.proof.theorems.samples import held_answer, one_answer
 from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, positive
 
 DEVICE = (m, b, k)
@@ -86,7 +80,7 @@ def answer(late: bool = False) -> Theorem:
     Of a device with m, T > 0, c_1 != 0 and gamma != 0.
     """
     claim, found, delay = (LATE, X_d, d) if late else (PROMPT, X, sp.S.Zero)
-    units = in_units(DEVICE, delay * T, s, z, found, T, (T, m / T**2))
+    units = in_units(DEVICE, delay * T, z, found, T, (T, m / T**2))
     device = (sp.S.One, RATE, SPRING)
     held = held_answer(device, (delay, 0), s, z, m / T**2 * found, motion(device), t)
     given = applied(held, applied(units, assume(claim)))
@@ -110,7 +104,7 @@ def positive_square() -> Theorem:
 @cache
 def late_answer() -> Theorem:
     """X_d = z^-d X behind whole delays, for every device."""
-    later = applied(shifted(DEVICE, 0, s, z, X, T, d), assume(PROMPT))
+    later = applied(shifted(DEVICE, 0, z, X, T, d), assume(PROMPT))
     return one_answer(assume(LATE), later)
 
 

@@ -11,9 +11,14 @@ from sympy import Expr, S, Symbol, pi
 from symhaptic.book.lemmas.sampled import DEVICE, motion
 from symhaptic.notation import B, K, T, X, b, d, k, m, s, t, z
 from symhaptic.notation.proposition import Predicate, Proposition, Relation, negated
+from symhaptic.proof.theorems.familiar import amplified
 from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, applied, conjoined
-from symhaptic.proof.theorems.samples import amplified, held_answer
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    applied,
+    conjoined,
+)
+from symhaptic.proof.theorems.samples import held_answer
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, fact
 
 SWINGING = {m: 1, b: 0, k: pi**2, T: 1, K: 1, B: 0, d: 1, z: 4}
@@ -60,7 +65,7 @@ def completed(
             value, shown = answered(known, late=s in before.free_symbols)
             if before != 1 and s not in before.free_symbols:  # a gain
                 device, gain = [values[p] for p in DEVICE], before.xreplace(values)
-                more = amplified(device, 0, s, values[z], value, S.One, gain)
+                more = amplified(device, 0, values[z], value, S.One, gain)
                 more = closed(more, *(fact(h) for h in more.hypotheses))
                 value, shown = gain * value, applied(more, shown)
             values[claimed.of[2]] = value

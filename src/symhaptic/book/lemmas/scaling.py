@@ -9,10 +9,11 @@ import sympy as sp
 from sympy import Eq, Expr, Ne, Rational, S, Symbol
 
 from symhaptic.notation import B, K, T, b, k, m, z
-from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation
+from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation, whole
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, in_units
 from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -22,11 +23,18 @@ from symhaptic.proof.theorems.kernel import (
     chosen,
     part,
     substituted,
-    whole,
     witnessed,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, number, square
-from symhaptic.proof.theorems.roots import jury, last_coefficient, zero_on_circle
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    number,
+)
+from symhaptic.proof.theorems.roots import (
+    jury,
+    last_coefficient,
+    zero_on_circle,
+)
 from symhaptic.proof.theorems.tactics import closed, either_way, fact, positive
 
 RATE = [Eq(DAMPER, 2 * b), Eq(SPRING, 4 * k)]

@@ -9,7 +9,14 @@ from symhaptic.notation.proposition import TRUE, Not, Proposition, Relation, Ter
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.slips import END, ENDS, below
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, absurd, anything, applied, assume, by_cases
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    by_cases,
+)
 from symhaptic.proof.theorems.tactics import at, fact
 
 

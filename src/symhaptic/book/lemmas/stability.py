@@ -11,9 +11,10 @@ from sympy import Expr, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
+from symhaptic.notation.proposition import whole
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.device import loop_of_device
-from symhaptic.proof.theorems.kernel import Theorem, applied, part, whole
+from symhaptic.proof.theorems.familiar import loop_of_device
+from symhaptic.proof.theorems.kernel import Theorem, applied, part
 from symhaptic.proof.theorems.leaves import root_outside, roots_inside
 from symhaptic.proof.theorems.roots import jury
 from symhaptic.proof.theorems.tactics import chained, closed, denied_by, fact
@@ -46,7 +47,7 @@ def unstable_at(point: Mapping[Symbol, Expr]) -> Theorem:
 def by_inequalities(delay: int) -> Theorem:
     """stable <=> Jury's inequalities, in the four numbers of the device, for a whole delay."""
     late = sp.Integer(delay)
-    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late), z)
+    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
     loop = part(readings, readings.conclusion.parts[1])
     zeros: Any = loop.conclusion.parts[1]
     return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))

@@ -19,8 +19,20 @@ from symhaptic.book.lemmas.region import (
 )
 from symhaptic.notation import B, K, N, T, b, d, phi, psi, x, y
 from symhaptic.notation.proposition import Relation
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part, placed
-from symhaptic.proof.theorems.leaves import combined, identity, is_whole, number, sign_of
+from symhaptic.proof.theorems.familiar import sign_of
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    conjoined,
+    part,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    is_whole,
+    number,
+)
 from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
 
 TURN = pi / (4 * (d + 1))

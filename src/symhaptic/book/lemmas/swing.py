@@ -8,7 +8,7 @@ from sympy import Eq, Expr, Ne, S, Symbol, pi, sqrt
 
 from symhaptic.notation import T, b, delta, gamma, k, m, omega, x
 from symhaptic.notation.proposition import Predicate, Relation, proposition
-from symhaptic.proof.theorems.device import swinging
+from symhaptic.proof.theorems.familiar import divided, sign_of, swinging
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     applied,
@@ -18,7 +18,11 @@ from symhaptic.proof.theorems.kernel import (
     placed,
     witnessed,
 )
-from symhaptic.proof.theorems.leaves import combined, divided, identity, number, sign_of
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    number,
+)
 from symhaptic.proof.theorems.tactics import chained, closed, either_way, one, over, positive
 
 RATE = Symbol("sigma")

@@ -24,12 +24,11 @@ from symhaptic.book.lemmas.envelope import (
 from symhaptic.notation import N, phi, psi, x
 from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.proof.theorems.analysis import above_its_start, increases
+from symhaptic.proof.theorems.familiar import decided, ordered, sign_of, strictly
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     by_cases,
-    decided,
-    ordered,
     placed,
     substituted,
 )
@@ -37,8 +36,6 @@ from symhaptic.proof.theorems.leaves import (
     combined,
     identity,
     number,
-    sign_of,
-    strictly,
     tends,
 )
 from symhaptic.proof.theorems.tactics import closed, over, positive

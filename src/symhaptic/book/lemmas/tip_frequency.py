@@ -11,8 +11,19 @@ from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.stiffest_passive import TURN, divisors, waves
 from symhaptic.notation import K, T, b, d, omega, x
 from symhaptic.notation.proposition import Relation
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, substituted, weakened
-from symhaptic.proof.theorems.leaves import combined, identity, number, sign_of
+from symhaptic.proof.theorems.familiar import sign_of
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    conjoined,
+    substituted,
+    weakened,
+)
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    number,
+)
 from symhaptic.proof.theorems.tactics import closed, for_all, over, positive, sine_of_half
 
 

@@ -31,16 +31,15 @@ from symhaptic.book.lemmas.tip import (
 )
 from symhaptic.notation import N, phi, psi, x
 from symhaptic.notation.proposition import proposition
+from symhaptic.proof.theorems.familiar import decided, ordered, strictly
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     by_cases,
-    decided,
-    ordered,
     placed,
     substituted,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, strictly
+from symhaptic.proof.theorems.leaves import combined, identity
 from symhaptic.proof.theorems.tactics import closed, over, positive
 
 WALL = stiffness(phi), damping(phi)

@@ -12,23 +12,25 @@ from symhaptic.notation import B, K, T, b, d, omega, theta
 from symhaptic.notation.proposition import Or, Relation, proposition
 from symhaptic.paper.propositions.passivity import SIX
 from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.familiar import (
+    bounded,
+    magnitude,
+    ordered,
+    sign_of,
+    square,
+    strictly,
+)
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     by_cases,
     cut,
-    ordered,
     widened,
 )
 from symhaptic.proof.theorems.leaves import (
-    bounded,
     combined,
     identity,
-    magnitude,
     number,
-    sign_of,
-    square,
-    strictly,
     tends,
 )
 from symhaptic.proof.theorems.tactics import (

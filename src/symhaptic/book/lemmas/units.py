@@ -10,9 +10,16 @@ from symhaptic.book.lemmas.renaming import renamed
 from symhaptic.book.lemmas.sampled import DEVICE, positive_square
 from symhaptic.notation import B, K, T, X, alpha, b, beta, d, delta, gamma, k, m, s, t_d, z
 from symhaptic.notation.proposition import Iff, Proposition, Terms
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, placed
+from symhaptic.proof.theorems.axioms import answers, transfer
+from symhaptic.proof.theorems.familiar import in_units
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    applied,
+    assume,
+    placed,
+)
 from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.samples import answers, in_units, one_answer, transfer, turns
+from symhaptic.proof.theorems.samples import one_answer, turns
 from symhaptic.proof.theorems.tactics import closed, positive
 
 DELAYED = answers(transfer(DEVICE, t_d, s), s, z, X, T)
@@ -26,7 +33,7 @@ WALL = Eq(alpha, K * T**2 / m), Eq(beta, B * T / m)
 @cache
 def in_own_units() -> Theorem:
     """DELAYED <=> SCALED, by Table I, for m and T > 0."""
-    units = in_units(DEVICE, t_d, s, z, X, T, (T, m / T**2))
+    units = in_units(DEVICE, t_d, z, X, T, (T, m / T**2))
     mass, period = positive(Ne(m, 0), m > 0), positive(Ne(T, 0), T > 0)
     force = positive(Ne(m / T**2, 0), [assume(m > 0), positive_square()])
     named = renamed(units, Iff((DELAYED, SCALED)), *map(assume, TABLE))

@@ -10,18 +10,20 @@ from sympy import Expr, Ne, Rational, S, cos, pi, sin
 from symhaptic.book.lemmas.passive_is_stable import MARGIN
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.notation import alpha, beta, d, delta, gamma, omega, theta, z
-from symhaptic.notation.proposition import Proposition, Relation
+from symhaptic.notation.proposition import Proposition, Relation, whole
 from symhaptic.paper.propositions.comparison import passive
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.kernel import Theorem, assume, whole
-from symhaptic.proof.theorems.leaves import (
+from symhaptic.proof.theorems.familiar import (
     bounded,
+    sign_of,
+    square,
+)
+from symhaptic.proof.theorems.kernel import Theorem, assume
+from symhaptic.proof.theorems.leaves import (
     combined,
     identity,
     number,
     root_outside,
-    sign_of,
-    square,
 )
 from symhaptic.proof.theorems.roots import zero_beyond, zero_on_circle
 from symhaptic.proof.theorems.tactics import (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from symhaptic.book.record import Settled
 from symhaptic.notation.proposition import (
     ForAll,
     Not,
@@ -17,7 +18,6 @@ from symhaptic.proof.change import Change
 from symhaptic.proof.settle import WRONG
 from symhaptic.proof.theorems.judge import Judged, taken_apart
 from symhaptic.proof.verdict import Kind, Unfounded
-from symhaptic.record import Settled
 
 CONTRARY = "the contrary"
 

@@ -19,12 +19,12 @@ from symhaptic.notation.proposition import (
     both,
     implied,
     proposition,
+    whole,
 )
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.passivity import at_every_frequency
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
-from symhaptic.proof.theorems.kernel import whole
 
 LOOP = (alpha, beta, gamma, delta, d)
 q = sp.Symbol("q")

@@ -20,16 +20,24 @@ from symhaptic.notation.proposition import (
     Relation,
     both,
     term,
+    whole,
 )
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+from symhaptic.proof.theorems.kernel import (
+    Judgement,
+    NotShown,
+    Theorem,
+    predicate,
+    relation,
+    rule,
+    without,
+)
 
 SOURCES = {
     "increases": "mean value theorem; Rudin, Principles of Mathematical Analysis, 3rd ed., 5.10",
     "grows": "mean value theorem; Rudin, 5.10 and 5.11",
     "above_its_start": "monotone functions have one-sided limits; Rudin, 4.29",
-    "from_there_on": "definition of an increasing function; Rudin, 4.28",
     "no_other_limit": "a limit is unique; Rudin, 4.2 and 3.2",
     "in_the_limit": "limits keep weak inequalities; Rudin, 3.19 and 4.2",
     "induction": "mathematical induction",
@@ -62,21 +70,20 @@ def _rising(
     defined: Sequence[Theorem],
 ) -> set[Proposition]:
     """What is left to show so that f is defined and rises on (lower, upper)."""
-    claim = slope.conclusion
-    if not (isinstance(claim, Relation) and claim.sign == "<" and claim.left == 0):
-        raise NotShown(f"{claim} is not the sign of a slope")
+    claim = relation(slope, "<")
     if expr.has(sp.Abs, sp.re, sp.im, sp.conjugate) or not real(expr):
         raise NotShown(f"{expr} is not differentiable, or not real, by its form")
-    if not is_zero(sp.diff(expr, variable) - claim.right):
-        raise NotShown(f"{claim.right} is not the derivative of {expr}")
-    between = {Relation(lower, "<", variable), Relation(variable, "<", upper)}
-    shown = {d.conclusion for d in defined}
-    open_ = conditions(expr) - shown
-    hypotheses = slope.hypotheses.union(open_, *(d.hypotheses for d in defined)) - between
-    for hypothesis in hypotheses:
-        if variable in hypothesis.free:
-            raise NotShown(f"{hypothesis} is not known on all of the interval")
+    if claim.left != 0 or not is_zero(sp.diff(expr, variable) - claim.right):
+        raise NotShown(f"{claim} is not the sign of the derivative of {expr}")
+    open_ = conditions(expr) - {d.conclusion for d in defined}
+    hypotheses = slope.hypotheses.union(open_, *(d.hypotheses for d in defined))
+    hypotheses -= _between(lower, variable, upper)
+    without([variable], hypotheses)
     return set(hypotheses)
+
+
+def _between(lower: Expr, variable: Symbol, upper: Expr) -> set[Proposition]:
+    return {Relation(lower, "<", variable), Relation(variable, "<", upper)}
 
 
 @rule
@@ -99,38 +106,16 @@ def grows(
     return hypotheses, Relation(ends[0], "<", ends[1])
 
 
-def _increasing(theorem: Theorem) -> tuple[Symbol, Expr, Expr, Expr]:
-    claim = theorem.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "increasing"):
-        raise NotShown(f"{claim} does not say that something increases")
-    return (claim.over[0], *claim.of)
-
-
 @rule
 def above_its_start(theorem: Theorem, start: Theorem) -> Judgement:
     """What increases on (lower, upper) lies above its limit at the lower end."""
-    variable, expr, lower, upper = _increasing(theorem)
-    claim = start.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "limit"):
-        raise NotShown(f"{claim} is no limit")
+    rise, claim = predicate(theorem, "increasing"), predicate(start, "limit")
+    [variable], (expr, lower, upper) = rise.over, rise.of
     if claim != Predicate("limit", (variable,), (expr, lower, claim.of[2])):
         raise NotShown(f"{claim} is not the limit at the lower end")
-    between = {Relation(lower, "<", variable), Relation(variable, "<", upper)}
-    if any(variable in p.free for p in theorem.hypotheses | start.hypotheses):
-        raise NotShown(f"a hypothesis is about {variable}")
-    return theorem.hypotheses | start.hypotheses | between, Relation(claim.of[2], "<", expr)
-
-
-@rule
-def from_there_on(theorem: Theorem, smaller: Any, larger: Any) -> Judgement:
-    """f(x) < f(y) for lower < x < y < upper, where f increases."""
-    variable, expr, lower, upper = _increasing(theorem)
-    x, y = term(smaller), term(larger)
-    if not (real(x) and real(y)):
-        raise NotShown(f"{x} or {y} is not real by its form")
-    at = [expr.xreplace({variable: v}) for v in (x, y)]
-    order = {Relation(lower, "<", x), Relation(x, "<", y), Relation(y, "<", upper)}
-    return theorem.hypotheses | order | conditions(*at, x, y), Relation(at[0], "<", at[1])
+    hypotheses = theorem.hypotheses | start.hypotheses
+    without([variable], hypotheses)
+    return hypotheses | _between(lower, variable, upper), Relation(claim.of[2], "<", expr)
 
 
 @rule
@@ -142,36 +127,23 @@ def in_the_limit(
     ``end`` is the limit of the difference of its two sides.
     """
     lower, upper = term(lower), term(upper)
-    claim, limit = theorem.conclusion, end.conclusion
-    if not (isinstance(claim, Relation) and claim.sign in ("<", "<=")):
-        raise NotShown(f"{claim} is no order relation")
-    ends = [
-        Predicate("limit", (variable,), (claim.right - claim.left, e, limit.of[2]))
-        for e in (lower, upper)
-        if isinstance(limit, Predicate) and limit.name == "limit"
-    ]
+    claim, limit = relation(theorem, "<", "<="), predicate(end, "limit")
+    difference = claim.right - claim.left
+    ends = (Predicate("limit", (variable,), (difference, e, limit.of[2])) for e in (lower, upper))
     if limit not in ends:
-        raise NotShown(f"{limit} is no limit of {claim.right - claim.left} at an end")
-    assert isinstance(limit, Predicate)
-    between = {Relation(lower, "<", variable), Relation(variable, "<", upper)}
-    hypotheses = (theorem.hypotheses - between) | end.hypotheses
-    if any(variable in p.free for p in hypotheses):
-        raise NotShown(f"a hypothesis is about {variable} on more than the interval")
+        raise NotShown(f"{limit} is no limit of {difference} at an end")
+    hypotheses = (theorem.hypotheses - _between(lower, variable, upper)) | end.hypotheses
+    without([variable], hypotheses)
     return hypotheses | {Relation(lower, "<", upper)}, Relation(_ZERO, "<=", limit.of[2])
 
 
 @rule
 def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
     """Where f tends to p, it does not tend to q != p."""
-    claim, other = limit.conclusion, apart.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "limit"):
-        raise NotShown(f"{claim} is no limit")
-    expr, at, value = claim.of
-    if not (isinstance(other, Relation) and (other.left, other.sign) == (value, "!=")):
-        raise NotShown(f"{other} does not say that something is not {value}")
-    if set(claim.over) & other.right.free_symbols:
-        raise NotShown(f"{other.right} is no number")
-    denied = Not((Predicate("limit", claim.over, (expr, at, other.right)),))
+    claim, other = predicate(limit, "limit"), relation(apart, "!=")
+    if other.left != claim.of[2] or set(claim.over) & other.right.free_symbols:
+        raise NotShown(f"{other} does not say that a number is not {claim.of[2]}")
+    denied = Not((Predicate("limit", claim.over, (*claim.of[:2], other.right)),))
     return limit.hypotheses | apart.hypotheses, denied
 
 
@@ -181,6 +153,6 @@ def induction(claim: Proposition, number: Symbol, start: Theorem, step: Theorem)
     following = Implies((both([whole(number), claim]), claim.at({number: number + 1})))
     if start.conclusion != claim.at({number: _ZERO}) or step.conclusion != following:
         raise NotShown("the start or the step is another claim")
-    if any(number in p.free for p in start.hypotheses | step.hypotheses):
-        raise NotShown(f"a hypothesis is about {number}")
-    return start.hypotheses | step.hypotheses | {whole(number)}, claim
+    hypotheses = start.hypotheses | step.hypotheses
+    without([number], hypotheses)
+    return hypotheses | {whole(number)}, claim

@@ -16,28 +16,12 @@ from symhaptic.notation.proposition import (
     Not,
     Predicate,
     Proposition,
-    Relation,
     term,
+    whole,
 )
 from symhaptic.proof.ball import sign
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule, whole
-
-
-@rule
-def whole_delay(wall: Sequence[Any], variable: Symbol) -> Judgement:
-    """Behind whole delays d the wall's force is (K + B (z-1)/(Tz)) z^-d x, held.
-
-    A device burns b p^2/T at least while it moves by p within a period, at constant speed, and the
-    held force works F p: Colgate and Schenkel, J. Robot. Syst. 14(1), 1997.
-    """
-    K, B, b, T, late = (term(t) for t in wall)
-    if any(variable in t.free_symbols for t in (K, B, b, T, late)):
-        raise NotShown(f"{variable} is bound")
-    response = (K + B * (variable - 1) / (T * variable)) * variable**-late
-    sampled = Predicate("passive", (variable,), (response, b / T))
-    period = Relation(sp.S.Zero, "<", T)
-    return {whole(late), period}, Iff((Predicate("passive_wall", (), (K, B, b, T, late)), sampled))
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule
 
 
 @rule

@@ -28,6 +28,7 @@ from symhaptic.notation.proposition import (
     negated,
 )
 from symhaptic.notation.written import listed, point, written
+from symhaptic.proof.theorems.derivation import leaves_of
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
@@ -36,7 +37,6 @@ from symhaptic.proof.theorems.kernel import (
     applied,
     assume,
     instance,
-    leaves_of,
     part,
     witnessed,
 )

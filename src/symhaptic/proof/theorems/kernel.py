@@ -3,10 +3,11 @@
 A theorem says that its conclusion is true for all values of the free symbols (real ones, or complex
 where the notation says so) for which its hypotheses are true.  Nobody but a rule makes one: each
 rule takes theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and
-what it was given, so that :func:`replayed` can derive it once more, elsewhere, from nothing.
+what it was given, so that it is derived once more, from nothing, where it arrives in
+another process.
 
-Rules are functions of this module, of ``leaves``, ``analysis``, ``energy``, ``roots``,
-``samples``, ``definitions`` and ``device``; no other module can add one.
+Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``energy``,
+``roots``, ``samples`` and ``definitions``; no other module can add one.
 """
 
 from __future__ import annotations
@@ -83,16 +84,21 @@ class Theorem:
         return self._rule
 
     @property
+    def given(self) -> tuple[Any, ...]:
+        """What the rule was given."""
+        return (*self._given[0], *(v for _, v in self._given[1]))
+
+    @property
     def premises(self) -> tuple[Theorem, ...]:
         """The theorems that the rule was given."""
-        return tuple(_theorems([*self._given[0], *(v for _, v in self._given[1])]))
+        return tuple(_theorems(self.given))
 
     def __repr__(self) -> str:
         return f"<theorem by {self._rule}: {len(self.hypotheses)} hypotheses, {self.conclusion}>"
 
 
 _RULES: dict[str, Callable[..., Judgement]] = {}
-MODULES = ("kernel", "leaves", "analysis", "energy", "roots", "samples", "definitions", "device")
+MODULES = ("kernel", "leaves", "axioms", "analysis", "energy", "roots", "samples", "definitions")
 """The modules of rules, all that has to be believed beside the deciders."""
 
 _HOMES = tuple(f"symhaptic.proof.theorems.{name}" for name in MODULES)
@@ -148,44 +154,28 @@ def _theorems(parts: Iterable[Any]) -> Iterator[Theorem]:
             yield from _theorems(part.values())
 
 
-def replayed(theorem: Theorem) -> Theorem:
-    """The theorem derived once more, all its leaves decided again."""
-    done: dict[int, Theorem] = {}
-
-    def again(part: Any) -> Any:
-        if isinstance(part, Theorem):
-            if id(part) not in done:
-                args, named = part._given
-                done[id(part)] = _derived(
-                    part._rule, again(args), tuple((n, again(v)) for n, v in named)
-                )
-            return done[id(part)]
-        if isinstance(part, (tuple, list)):
-            return type(part)(again(p) for p in part)
-        if isinstance(part, Mapping):
-            return {k: again(v) for k, v in part.items()}
-        return part
-
-    found: Theorem = again(theorem)
-    if (found.hypotheses, found.conclusion) != (theorem.hypotheses, theorem.conclusion):
-        raise NotShown("a theorem says something else when it is derived again")
-    return found
+def relation(theorem: Theorem, *signs: str) -> Relation:
+    """What a theorem concludes, a relation with one of these signs; of any, without."""
+    claim = theorem.conclusion
+    if not isinstance(claim, Relation) or (signs and claim.sign not in signs):
+        raise NotShown(f"{claim} is no relation with {' or '.join(signs or ('a sign',))}")
+    return claim
 
 
-def leaves_of(theorem: Theorem) -> dict[str, int]:
-    """The rules that a theorem rests on, with how often each is used."""
-    seen: set[int] = set()
-    counts: dict[str, int] = {}
+def predicate(theorem: Theorem, name: str) -> Predicate:
+    """What a theorem concludes, a predicate of this name."""
+    claim = theorem.conclusion
+    if not (isinstance(claim, Predicate) and claim.name == name):
+        raise NotShown(f"{claim} does not say {name}")
+    return claim
 
-    def visit(part: Theorem) -> None:
-        if id(part) not in seen:
-            seen.add(id(part))
-            counts[part.rule] = counts.get(part.rule, 0) + 1
-            for premise in part.premises:
-                visit(premise)
 
-    visit(theorem)
-    return counts
+def without(symbols: Iterable[Symbol], *parts: Iterable[Proposition]) -> None:
+    """Nothing, where no hypothesis is about one of the symbols."""
+    for claim in (p for some in parts for p in some):
+        for symbol in symbols:
+            if symbol in claim.free:
+                raise NotShown(f"a hypothesis is about {symbol}")
 
 
 # -- hypotheses ------------------------------------------------------------------------
@@ -288,22 +278,6 @@ def by_cases(cover: Theorem, *cases: Theorem) -> Judgement:
 
 
 @rule
-def ordered(left: Any, right: Any) -> Judgement:
-    """a < b or b <= a, where both are real and defined."""
-    left, right = term(left), term(right)
-    if not (real(left) and real(right)):
-        raise NotShown(f"{left} or {right} is not real by its form")
-    return conditions(left, right), Or((Relation(left, "<", right), Relation(right, "<=", left)))
-
-
-@rule
-def decided(left: Any, right: Any) -> Judgement:
-    """a = b or a != b, where both are defined."""
-    left, right = term(left), term(right)
-    return conditions(left, right), Or((Relation(left, "=", right), Relation(left, "!=", right)))
-
-
-@rule
 def absurd(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
     """p and not p give the negation of a hypothesis; without one, falsehood.
 
@@ -324,36 +298,15 @@ def absurd(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
 def _against(claim: Relation) -> set[Proposition]:
     """Relations that cannot hold beside one."""
     left, right = claim.left, claim.right
-    found: set[Proposition] = {negated(claim)}
+    against: set[Proposition] = {negated(claim)}
     if claim.sign in ("=", "!="):
-        found.add(Relation(right, negated(claim).sign, left))
+        against.add(Relation(right, negated(claim).sign, left))
     if claim.sign == "=":
-        found |= {Relation(left, "<", right), Relation(right, "<", left)}
+        against |= {Relation(left, "<", right), Relation(right, "<", left)}
     if claim.sign == "<":
-        found |= {
-            Relation(right, "<", left),
-            Relation(left, "=", right),
-            Relation(right, "=", left),
-        }
-    return found
-
-
-@rule
-def denied(theorem: Theorem, wanted: Any) -> Judgement:
-    """From b <= a the negation of a < b, and so on for each relation that cannot hold beside."""
-    wanted = proposition(wanted)
-    if not isinstance(wanted, Relation) or theorem.conclusion not in _against(wanted):
-        raise NotShown(f"{theorem.conclusion} does not contradict {wanted}")
-    return theorem.hypotheses, Not((wanted,))
-
-
-@rule
-def reductio(falsehood: Theorem, given: Any) -> Judgement:
-    """p |- false gives not p."""
-    if falsehood.conclusion != FALSE:
-        raise NotShown("the premise is not false")
-    claim = proposition(given)
-    return falsehood.hypotheses - {claim, *conjuncts(claim)}, Not((claim,))
+        against |= {Relation(right, sign, left) for sign in ("<", "=")}
+        against.add(Relation(left, "=", right))
+    return against
 
 
 @rule
@@ -379,19 +332,26 @@ def equivalent(one: Theorem, other: Theorem) -> Judgement:
 @rule
 def general(theorem: Theorem, *symbols: Symbol) -> Judgement:
     """What holds for a symbol that no hypothesis knows holds for all of its values."""
-    for symbol in symbols:
-        if any(symbol in p.free for p in theorem.hypotheses):
-            raise NotShown(f"a hypothesis is about {symbol}")
+    without(symbols, theorem.hypotheses)
     return theorem.hypotheses, ForAll(symbols, theorem.conclusion)
 
 
 @rule
 def instance(theorem: Theorem, values: Terms) -> Judgement:
-    """For all x: p(x) gives p(a), a real term; its definedness becomes a hypothesis."""
+    """For all x: p(x) gives p(a), a real term; its definedness becomes a hypothesis.
+
+    Not where p(x) is an implication from a relation or a predicate of x itself, which is false of
+    what has no value; nor need a be real by its form where that is an order relation.
+    """
     claim = theorem.conclusion
     if not isinstance(claim, ForAll) or set(values) != set(claim.over):
         raise NotShown(f"{claim} is not for all {', '.join(map(str, values))}")
-    return theorem.hypotheses | _allowed(values, claim.body), claim.body.at(values)
+    given = conjuncts(claim.body.parts[0]) if isinstance(claim.body, Implies) else ()
+    said = {t for p in given if isinstance(p, (Relation, Predicate)) for t in p.terms}
+    sided = {t for p in given if isinstance(p, Relation) and p.sign in ("<", "<=") for t in p.terms}
+    extra = _real({s: v for s, v in values.items() if s not in sided})
+    extra |= conditions(*(term(v) for s, v in values.items() if s not in said))
+    return theorem.hypotheses | extra | _lost(values, claim.body), claim.body.at(values)
 
 
 @rule
@@ -409,10 +369,15 @@ def placed(theorem: Theorem, values: Terms) -> Judgement:
 
 def _allowed(values: Terms, claim: Proposition) -> set[Proposition]:
     """What has to hold so that a claim at these terms is the claim at their values."""
+    return _real(values) | set(conditions(*map(term, values.values()))) | _lost(values, claim)
+
+
+def _real(values: Terms) -> set[Proposition]:
+    """Nothing, if each term is real whose symbol is."""
     for symbol, value in values.items():
         if not is_complex(symbol) and not real(term(value)):
             raise NotShown(f"{value} is not real by its form, {symbol} is")
-    return set(conditions(*map(term, values.values()))) | _lost(values, claim)
+    return set()
 
 
 def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
@@ -453,9 +418,7 @@ def _kept(divisor: Expr, known: frozenset[Proposition]) -> bool:
 @rule
 def substituted(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
     """p(a) and a = b give p(b); ``pattern`` is p, with a symbol in the place of its term."""
-    pattern, equal = proposition(pattern), equation.conclusion
-    if not (isinstance(equal, Relation) and equal.sign == "="):
-        raise NotShown(f"{equal} is no equation")
+    pattern, equal = proposition(pattern), relation(equation, "=")
     before, after = {place: equal.left}, {place: equal.right}
     if theorem.conclusion != pattern.at(before):
         raise NotShown(f"{theorem.conclusion} is not {pattern} there")
@@ -493,8 +456,3 @@ def unfolded(theorem: Theorem) -> Judgement:
         raise NotShown("the conclusion is no implication")
     given, then = theorem.conclusion.of
     return theorem.hypotheses | set(conjuncts(given)), then
-
-
-def whole(value: Any) -> Predicate:
-    """``value`` is a whole number, zero included."""
-    return Predicate("whole", (), (term(value),))

@@ -7,29 +7,31 @@ is a hypothesis.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
 
+from symhaptic.notation import a, delta, e, gamma, n_0, n_1
 from symhaptic.notation.proposition import (
-    And,
-    Exists,
     Not,
     Predicate,
     Proposition,
     Relation,
     proposition,
     term,
+    whole,
 )
 from symhaptic.proof.ball import largest_root, sign
 from symhaptic.proof.certificate import Positive
 from symhaptic.proof.normal import Field, is_zero
+from symhaptic.proof.plants import AT_ONE, LOSS, TOGETHER, Named
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term
 from symhaptic.proof.theorems.definedness import conditions, differs, mirrors, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule
 
 _ZERO = sp.S.Zero
 
@@ -63,15 +65,6 @@ def number(claim: Any) -> Judgement:
     if found not in holds or not (claim.sign in ("=", "!=") or real(claim.left)):
         raise NotShown(f"{claim} is not shown by balls")
     return conditions(claim.left, claim.right), claim
-
-
-@rule
-def square(of: Any) -> Judgement:
-    """0 <= x^2 for a real x."""
-    of = term(of)
-    if not real(of):
-        raise NotShown(f"{of} is not real by its form")
-    return conditions(of), Relation(_ZERO, "<=", of**2)
 
 
 Product: TypeAlias = "Sequence[Theorem | Expr | int]"
@@ -149,61 +142,6 @@ def _signed(products: Sequence[Product]) -> bool:
 
 
 @rule
-def divided(claim: Any, numerator: Theorem, denominator: Theorem) -> Judgement:
-    """0 < p/q from 0 < p and 0 < q, and 0 <= p/q from 0 <= p and 0 < q.
-
-    >>> from symhaptic.proof.theorems.kernel import assume
-    >>> x = sp.Symbol("x")
-    >>> positive = number(sp.Gt(1, 0, evaluate=False))
-    >>> len(divided(1/x > 0, positive, assume(x > 0)).hypotheses)
-    1
-    """
-    claim = proposition(claim)
-    top, bottom = numerator.conclusion, denominator.conclusion
-    if not all(isinstance(r, Relation) and r.sign in ("<", "<=") for r in (claim, top, bottom)):
-        raise NotShown("a quotient of signs is wanted")
-    assert isinstance(claim, Relation)
-    assert isinstance(top, Relation)
-    assert isinstance(bottom, Relation)
-    if bottom.sign != "<" or (claim.sign == "<" and top.sign != "<"):
-        raise NotShown("the divisor may vanish, or the quotient")
-    if not (real(claim.left) or real(claim.right)):
-        raise NotShown(f"neither side of {claim} is real by its form")
-    quotient = (top.right - top.left) / (bottom.right - bottom.left)
-    if not _same(claim.right - claim.left, quotient):
-        raise NotShown(f"{claim.right - claim.left} is not {quotient}")
-    shown: set[Proposition] = {Relation(bottom.right - bottom.left, "!=", _ZERO)}
-    shown |= conditions(top.left, top.right, bottom.left, bottom.right)
-    left = conditions(claim.left, claim.right) - shown
-    return numerator.hypotheses | denominator.hypotheses | left, claim
-
-
-@rule
-def strictly(weak: Theorem, apart: Theorem) -> Judgement:
-    """a <= b and a != b give a < b."""
-    claim, other = weak.conclusion, apart.conclusion
-    if not (isinstance(claim, Relation) and isinstance(other, Relation) and claim.sign == "<="):
-        raise NotShown("a <= b and a != b are wanted")
-    if other not in (
-        Relation(claim.left, "!=", claim.right),
-        Relation(claim.right, "!=", claim.left),
-    ):
-        raise NotShown(f"{other} is not about the two sides of {claim}")
-    return weak.hypotheses | apart.hypotheses, Relation(claim.left, "<", claim.right)
-
-
-@rule
-def both_ways(one: Theorem, other: Theorem) -> Judgement:
-    """a <= b and b <= a give a = b."""
-    claim, back = one.conclusion, other.conclusion
-    if not (isinstance(claim, Relation) and claim.sign == "<="):
-        raise NotShown("a <= b and b <= a are wanted")
-    if back != Relation(claim.right, "<=", claim.left):
-        raise NotShown(f"{back} is not the converse of {claim}")
-    return one.hypotheses | other.hypotheses, Relation(claim.left, "=", claim.right)
-
-
-@rule
 def factor(of: Any, product: Theorem, other: Any) -> Judgement:
     """p != 0 from p q != 0, or from a p q of either sign."""
     of, other, claim = term(of), term(other), product.conclusion
@@ -224,75 +162,6 @@ def mirrored(theorem: Theorem) -> Judgement:
         raise NotShown(f"the conjugate of {claim} is not found by exchanging j and -j")
     left, right = (side.xreplace({sp.I: -sp.I}) for side in (claim.left, claim.right))
     return theorem.hypotheses | conditions(left, right), Relation(left, claim.sign, right)
-
-
-# -- elementary functions --------------------------------------------------------------
-
-
-def _about(function: type, x: Expr) -> tuple[list[Proposition], Relation]:
-    """What is known of an elementary function at a real x, and on which hypotheses."""
-    low, high = Relation(_ZERO, "<", x), Relation(x, "<", sp.pi)
-    inside: list[Proposition] = [Relation(-sp.pi / 2, "<", x), Relation(x, "<", sp.pi / 2)]
-    if function is sp.sin:
-        return [low, high], Relation(_ZERO, "<", sp.sin(x))
-    if function is sp.cos:
-        return inside, Relation(_ZERO, "<", sp.cos(x))
-    if function is sp.exp:
-        return [], Relation(_ZERO, "<", sp.exp(x))
-    if function is sp.cosh:
-        return [], Relation(sp.S.One, "<=", sp.cosh(x))
-    if function is sp.Abs:
-        return [], Relation(_ZERO, "<=", sp.Abs(x))
-    if function is sp.sqrt:
-        return [Relation(_ZERO, "<=", x)], Relation(_ZERO, "<=", sp.sqrt(x))
-    raise NotShown(f"nothing is known of {function}")
-
-
-@rule
-def sign_of(function: Any, of: Any) -> Judgement:
-    """0 < sin x on (0, pi), 0 < cos x on (-pi/2, pi/2), 0 < exp x, 1 <= cosh x, 0 <= |x|."""
-    of = term(of)
-    if not real(of):
-        raise NotShown(f"{of} is not real by its form")
-    hypotheses, claim = _about(function, of)
-    return conditions(of).union(hypotheses), claim
-
-
-@rule
-def rising(function: Any, smaller: Any, larger: Any) -> Judgement:
-    """x < y gives f(x) < f(y): exp, sinh, atan, sin on [-pi/2, pi/2] and -cos on [0, pi]."""
-    x, y = term(smaller), term(larger)
-    if not (real(x) and real(y)):
-        raise NotShown(f"{x} or {y} is not real by its form")
-    hypotheses: list[Proposition] = [Relation(x, "<", y)]
-    if function is sp.cos:
-        hypotheses += [Relation(_ZERO, "<=", x), Relation(y, "<=", sp.pi)]
-        return conditions(x, y).union(hypotheses), Relation(sp.cos(y), "<", sp.cos(x))
-    if function is sp.sin:
-        hypotheses += [Relation(-sp.pi / 2, "<=", x), Relation(y, "<=", sp.pi / 2)]
-    elif function not in (sp.exp, sp.sinh, sp.atan):
-        raise NotShown(f"{function} is not known to rise")
-    return conditions(x, y).union(hypotheses), Relation(function(x), "<", function(y))
-
-
-@rule
-def bounded(function: Any, of: Any) -> Judgement:
-    """f(x)^2 <= 1 for the sine and the cosine of a real x."""
-    of = term(of)
-    if function not in (sp.sin, sp.cos) or not real(of):
-        raise NotShown(f"{function} of {of} is not known to be bounded")
-    return conditions(of), Relation(function(of) ** 2, "<=", sp.S.One)
-
-
-@rule
-def magnitude(of: Any, negative: bool = False) -> Judgement:
-    """|x| = x where 0 <= x, and |x| = -x where x <= 0."""
-    of = term(of)
-    if not real(of):
-        raise NotShown(f"{of} is not real by its form")
-    side = Relation(of, "<=", _ZERO) if negative else Relation(_ZERO, "<=", of)
-    value = Relation(sp.Abs(of, evaluate=False), "=", -of if negative else of)
-    return conditions(of) | {side}, value
 
 
 # -- whole numbers ---------------------------------------------------------------------
@@ -322,46 +191,12 @@ def is_whole(value: Any, *known: Theorem) -> Judgement:
 
 
 @rule
-def not_negative(of: Theorem) -> Judgement:
-    """A whole number is not negative."""
-    claim = of.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "whole"):
-        raise NotShown(f"{claim} does not say that something is whole")
-    return of.hypotheses, Relation(_ZERO, "<=", claim.of[0])
-
-
-@rule
 def broken(value: Any) -> Judgement:
     """A rational number that is no whole number, zero included, is not whole."""
     value = term(value)
     if not value.is_Rational or (value.is_Integer and value >= 0):
         raise NotShown(f"{value} is not seen not to be whole")
     return (), Not((whole(value),))
-
-
-@rule
-def full_turns(angle: Any, turns: Theorem) -> Judgement:
-    """sin (x + 2 pi k) = sin x and cos (x + 2 pi k) = cos x for a whole k."""
-    x, claim = term(angle), turns.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "whole"):
-        raise NotShown(f"{claim} does not say that something is whole")
-    further = x + 2 * sp.pi * claim.of[0]
-    same = tuple(Relation(f(further), "=", f(x)) for f in (sp.sin, sp.cos))
-    return turns.hypotheses | conditions(x), And(same)
-
-
-@rule
-def with_rest(of: Any, divisor: Any, turns: Symbol) -> Judgement:
-    """For 0 <= a and 0 < p there is a whole k with k p <= a < (k + 1) p.
-
-    Archimedes; Rudin, Principles of Mathematical Analysis, 3rd ed., 1.20.
-    """
-    of, divisor = term(of), term(divisor)
-    if not (real(of) and real(divisor)) or turns in of.free_symbols | divisor.free_symbols:
-        raise NotShown(f"{of} or {divisor} is not real by its form, or {turns} is taken")
-    between = Relation(turns * divisor, "<=", of), Relation(of, "<", (turns + 1) * divisor)
-    given = Relation(_ZERO, "<=", of), Relation(_ZERO, "<", divisor)
-    return conditions(of, divisor).union(given), Exists((turns,), And((whole(turns), *between)))
 
 
 # -- boxes, series, roots --------------------------------------------------------------
@@ -385,6 +220,31 @@ def on_certificate(certificate: Positive, expr: Expr) -> Judgement:
         for x, y in ((term(low), s), (s, term(high)))
     ]
     return ends, Relation(_ZERO, "<", expr)
+
+
+@rule
+def on_plants(certificate: Positive) -> Judgement:
+    """0 < f on a box of plants, f being made of their numbers n1, n0, a and e and of other symbols.
+
+    The certificate's balls are those of exp of the device's matrix (:mod:`symhaptic.proof.plants`)
+    for each piece of gamma and delta; it is checked again.
+    """
+    given = certificate.given if isinstance(certificate, Positive) else None
+    if type(given) is not Named:
+        raise NotShown("a certificate of a box of plants is wanted")
+    plant = {LOSS: 1 - e, TOGETHER: n_1 + n_0, AT_ONE: 1 - a + e}
+    numbers = {gamma, delta, n_1, n_0, a, e}
+    meanings = {s: term(m).xreplace(plant) for s, m in given.meanings.items()}
+    if set(certificate.box) & (numbers - {gamma, delta} | set(meanings)):
+        raise NotShown("a number of the plant is no side of the box")
+    expr = term(certificate.expr).xreplace(meanings)
+    allowed = set(certificate.box) | numbers
+    if not {gamma, delta} <= set(certificate.box) or not expr.free_symbols <= allowed:
+        raise NotShown(f"{expr} is not made of the plant's numbers and the sides of the box")
+    device = Predicate("device", (), (gamma, delta, n_1, n_0, a, e))
+    fresh = replace(certificate, given=Named(dict(given.meanings)))
+    ends, claim = on_certificate(fresh, expr)
+    return {device, *ends}, claim
 
 
 @rule

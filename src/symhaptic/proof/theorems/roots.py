@@ -21,16 +21,24 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     term,
+    whole,
 )
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, differs, real
 from symhaptic.proof.theorems.definitions import loop_polynomial
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+from symhaptic.proof.theorems.kernel import (
+    Judgement,
+    NotShown,
+    Theorem,
+    predicate,
+    relation,
+    rule,
+    without,
+)
 
 SOURCES = {
     "roots_stay": "zeros of a polynomial are continuous in its coefficients; Marden, Geometry of "
     "Polynomials, Theorem 1.4",
-    "linear": "definition of a zero",
     "all_inside": "zeros of a product are those of its factors",
     "zero_beyond": "a real polynomial that is not positive at 1 and grows has a zero there or "
     "beyond: intermediate value theorem; Rudin, 4.23",
@@ -39,7 +47,6 @@ SOURCES = {
     "jury": "half of Jury's inner determinants, and half planes, are enough; Anderson and Jury, "
     "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
     "pole_at": "definition of a pole",
-    "held_by_a_pole": "definition of stability",
     "degree": "definition of the degree",
     "not_of_degree": "different powers are linearly independent",
 }
@@ -55,15 +62,20 @@ def zero_on_circle(polynomial: Any, variable: Symbol, angle: Any, zero: Theorem)
     if not real(angle):
         raise NotShown(f"{angle} is not real by its form")
     exponents = _whole(_powers(polynomial, variable))
-    claim = zero.conclusion
-    there = _on_circle(polynomial, variable, angle)
-    if not (isinstance(claim, Relation) and (claim.sign, claim.right) == ("=", _ZERO)):
-        raise NotShown(f"{claim} is no zero")
-    if not is_zero(claim.left - there):
-        raise NotShown(f"{claim.left} is not the value of {polynomial} there")
-    return zero.hypotheses | conditions(angle) | exponents, Not(
-        (Predicate("stable", (variable,), (polynomial,)),)
-    )
+    _says(zero, "=", _on_circle(polynomial, variable, angle))
+    return zero.hypotheses | conditions(angle) | exponents, Not((_zeros(polynomial, variable),))
+
+
+def _says(theorem: Theorem, sign: str, value: Expr) -> None:
+    """Nothing, where a theorem concludes that a value is, or is not, zero, or is positive."""
+    claim = relation(theorem, sign)
+    side, zero = (claim.right, claim.left) if sign == "<" else (claim.left, claim.right)
+    if zero != 0 or not is_zero(side - value):
+        raise NotShown(f"{claim} is not said of {value}")
+
+
+def _zeros(polynomial: Expr, variable: Symbol) -> Predicate:
+    return Predicate("stable", (variable,), (polynomial,))
 
 
 @rule
@@ -80,7 +92,7 @@ def zero_beyond(polynomial: Any, variable: Symbol, value: Theorem) -> Judgement:
     at_one = polynomial.xreplace({variable: sp.S.One})
     if claim not in (Relation(at_one, "<=", _ZERO), Relation(at_one, "<", _ZERO)):
         raise NotShown(f"{claim} does not say that {at_one} is not positive")
-    return value.hypotheses, Not((Predicate("stable", (variable,), (polynomial,)),))
+    return value.hypotheses, Not((_zeros(polynomial, variable),))
 
 
 def _coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
@@ -92,20 +104,6 @@ def _coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
 
 
 @rule
-def linear(variable: Symbol, below: Theorem, above: Theorem) -> Judgement:
-    """The zero of z - v lies inside for -1 < v < 1."""
-    claim, other = below.conclusion, above.conclusion
-    if not (isinstance(claim, Relation) and (claim.sign, claim.left) == ("<", -sp.S.One)):
-        raise NotShown(f"{claim} does not say that something is above -1")
-    value = claim.right
-    if other != Relation(value, "<", sp.S.One) or variable in value.free_symbols:
-        raise NotShown(f"{other} does not say that {value} is below 1")
-    return below.hypotheses | above.hypotheses, Predicate(
-        "stable", (variable,), (variable - value,)
-    )
-
-
-@rule
 def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
     """All zeros of z^m f g lie inside if those of f and of g do; m is whole."""
     product = term(variable) ** term(power)
@@ -114,7 +112,7 @@ def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
         polynomial = _stable(theorem, variable)
         product *= polynomial
         hypotheses |= theorem.hypotheses
-    return hypotheses, Predicate("stable", (variable,), (product,))
+    return hypotheses, _zeros(product, variable)
 
 
 @rule
@@ -123,9 +121,7 @@ def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
 
     f is real and of degree 1 at least; ``power`` is m.  That exponents are whole is a hypothesis.
     """
-    claim, lowest = inside.conclusion, sp.expand(term(power))
-    if not (isinstance(claim, Predicate) and claim.name == "stable"):
-        raise NotShown(f"{claim} does not say that zeros lie inside")
+    claim, lowest = predicate(inside, "stable"), sp.expand(term(power))
     [polynomial], [variable] = claim.of, claim.over
     powers = _powers(polynomial, variable)
     last = powers.get(lowest, _ZERO)
@@ -154,8 +150,7 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     inners = [inner(falling, order) for order in range(1 + degree % 2, degree, 2)]
     positive = [*half_planes(falling[::-1]), *(m.det(method="berkowitz") for m in inners)]
     wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
-    zeros = Predicate("stable", (variable,), (polynomial,))
-    return conditions(*falling), Iff((zeros, wanted))
+    return conditions(*falling), Iff((_zeros(polynomial, variable), wanted))
 
 
 @rule
@@ -187,21 +182,11 @@ def roots_stay(
     part_way = {Relation(_ZERO, "<", share), Relation(share, "<=", sp.S.One)}
     circle = {Relation(_ZERO, "<", angle), Relation(angle, "<=", sp.pi)}
     hypotheses = _monic_above(f, g, variable)
-    for theorem, value, within in (
-        (crossing, turned, part_way | circle),
-        (static, f_one + share * g_one, part_way),
-    ):
-        claim = theorem.conclusion
-        if not (
-            isinstance(claim, Relation)
-            and claim.right == 0
-            and (claim.sign == "!=")
-            and is_zero(claim.left - value)
-        ):
-            raise NotShown(f"{claim} does not say that the path avoids the circle")
+    path = f_one + share * g_one
+    for theorem, value, within in ((crossing, turned, part_way | circle), (static, path, part_way)):
+        _says(theorem, "!=", value)
         hypotheses |= theorem.hypotheses - within
-    if any({share, angle} & p.free for p in hypotheses):
-        raise NotShown(f"a hypothesis is about {share} or {angle}")
+    without([share, angle], hypotheses)
     inside = _stable(begin, variable)
     hypotheses |= begin.hypotheses
     if not is_zero(inside - f):
@@ -210,15 +195,9 @@ def roots_stay(
         for theorem, value in zip(
             inwards, (g_one, _on_circle(inside, variable, _ZERO)), strict=True
         ):
-            claim = theorem.conclusion
-            if not (
-                isinstance(claim, Relation)
-                and (claim.sign, claim.left) == ("<", _ZERO)
-                and is_zero(claim.right - value)
-            ):
-                raise NotShown(f"{claim} does not say that the zero at 1 moves inwards")
+            _says(theorem, "<", value)
             hypotheses |= theorem.hypotheses
-    return hypotheses, Predicate("stable", (variable,), (f + g,))
+    return hypotheses, _zeros(f + g, variable)
 
 
 @rule
@@ -242,31 +221,13 @@ def pole_at(
         raise NotShown(f"{variable} is bound")
     powers = _powers(zeros.of[0], variable, real_only=False)
     there = sp.Add(*(c * sp.exp(exponent * n / share) for n, c in powers.items()))
-    claim = zero.conclusion
-    if not (isinstance(claim, Relation) and (claim.sign, claim.right) == ("=", _ZERO)):
-        raise NotShown(f"{claim} is no zero")
-    if not is_zero(claim.left - there):
-        raise NotShown(f"{claim.left} is not the value of the polynomial there")
+    _says(zero, "=", there)
     found = tuple(term(v) for v in values)
     hypotheses = zero.hypotheses | divisors | conditions(exponent)
     hypotheses |= _whole([*powers, share, sp.expand(share * found[4])])
     if not share.is_number:
         hypotheses |= {Relation(_ZERO, "<", share)}
     return hypotheses, Predicate("pole", (), (*found, sp.exp(exponent)))
-
-
-@rule
-def held_by_a_pole(pole: Theorem, outside: Theorem) -> Judgement:
-    """A real pole z with 1 <= z^2 is not inside: as the paper has it, the loop is not stable."""
-    claim = pole.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "pole"):
-        raise NotShown(f"{claim} names no pole")
-    *loop_, place = claim.of
-    if not real(place) or outside.conclusion != Relation(sp.S.One, "<=", place**2):
-        raise NotShown(f"{outside.conclusion} does not say that {place} is not inside")
-    return pole.hypotheses | outside.hypotheses, Not(
-        (Predicate("stable_substituted", (), tuple(loop_)),)
-    )
 
 
 @rule
@@ -302,11 +263,8 @@ def not_of_degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
 
 def _stable(theorem: Theorem, variable: Symbol) -> Expr:
     """The polynomial of which a theorem says that all its zeros lie inside."""
-    claim = theorem.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "stable"):
-        raise NotShown(f"{claim} does not say that zeros lie inside")
-    [polynomial] = claim.of
-    return polynomial.xreplace({claim.over[0]: variable})
+    claim = predicate(theorem, "stable")
+    return claim.of[0].xreplace({claim.over[0]: variable})
 
 
 def _powers(polynomial: Expr, variable: Symbol, real_only: bool = True) -> dict[Expr, Expr]:

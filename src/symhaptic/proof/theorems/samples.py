@@ -14,32 +14,22 @@ import sympy as sp
 from sympy import Expr, Matrix, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.notation.proposition import And, Iff, Predicate, Proposition, Relation, term
+from symhaptic.notation.proposition import And, Iff, Proposition, Relation, term, whole
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule, whole
+from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, predicate, rule
 
 SOURCES = {
     "held_answer": "a linear differential equation has one solution from each state; Coddington "
     "and Levinson, Theory of Ordinary Differential Equations, 1.8 and 3.1",
-    "in_units": "other units of time and force",
+    "turns": "the definition of an answer",
+    "one_answer": "the definition of an answer",
 }
 """Each rule of this module with its source."""
 
 _ZERO, _ONE = sp.S.Zero, sp.S.One
-
-
-def transfer(device: Sequence[Any], late: Any, variable: Symbol) -> Expr:
-    """exp(-late s)/(m s^2 + b s + k)."""
-    mass, damping, stiffness = device
-    below = mass * variable**2 + damping * variable + stiffness
-    return sp.sympify(sp.exp(-late * variable) / below)
-
-
-def answers(response: Any, variable: Symbol, at: Any, answer: Any, period: Any) -> Predicate:
-    """A force at^k that is held in period k is answered by the position answer at^k at sample k."""
-    return Predicate("answers", (variable,), (response, at, answer, period))
 
 
 @rule
@@ -122,112 +112,15 @@ def _moves(
 
 
 @rule
-def in_units(
-    device: Sequence[Any],
-    late: Any,
-    variable: Symbol,
-    at: Any,
-    answer: Any,
-    period: Any,
-    units: Sequence[Any],
-) -> Judgement:
-    """The same answer in other units: of time, and of force per length.
-
-    A device m, b and k, late by t, with the period T and in units u and f, has the answer X if and
-    only if m/(u^2 f), b/(u f) and k/f, late by t/u, with the period T/u, has f X.
-    """
-    mass, damping, stiffness, delay, found, length = (
-        term(v) for v in (*device, late, answer, period)
-    )
-    z, (unit, force) = term(at), (term(v) for v in units)
-    given = Relation(z, "=", mass + damping + stiffness + delay + found + length + unit + force)
-    if variable in given.free:
-        raise NotShown(f"{variable} is bound")
-    if not (real(unit) and real(length)):
-        raise NotShown(f"{unit} or {length} is not real by its form")
-    theirs = (mass / (unit**2 * force), damping / (unit * force), stiffness / force)
-    ours = transfer((mass, damping, stiffness), delay, variable)
-    other = transfer(theirs, delay / unit, variable)
-    hypotheses: set[Proposition] = {Relation(_ZERO, "<", unit), Relation(force, "!=", _ZERO)}
-    hypotheses |= conditions(mass, damping, stiffness, delay, found, length, unit, force)
-    return hypotheses, Iff(
-        (
-            answers(ours, variable, z, found, length),
-            answers(other, variable, z, force * found, length / unit),
-        )
-    )
-
-
-@rule
-def shifted(
-    device: Sequence[Any],
-    late: Any,
-    variable: Symbol,
-    at: Any,
-    answer: Any,
-    period: Any,
-    periods: Any,
-) -> Judgement:
-    """A force that comes whole periods l later is z^-l times the same force."""
-    found, z, length, later = (term(v) for v in (answer, at, period, periods))
-    delay, parts = term(late), [term(v) for v in device]
-    if variable in Relation(z, "=", found + length + later + delay + sum(parts)).free:
-        raise NotShown(f"{variable} is bound")
-    return {whole(later)}, Iff(
-        (
-            answers(transfer(parts, delay, variable), variable, z, found, length),
-            answers(
-                transfer(parts, delay + later * length, variable),
-                variable,
-                z,
-                z**-later * found,
-                length,
-            ),
-        )
-    )
-
-
-@rule
 def turns(answered: Theorem) -> Judgement:
     """Only a force z^k with z != 0 has an answer, for k may be negative."""
-    claim = answered.conclusion
-    if not (isinstance(claim, Predicate) and claim.name == "answers"):
-        raise NotShown(f"{claim} is no answer")
-    return answered.hypotheses, Relation(claim.of[1], "!=", _ZERO)
-
-
-@rule
-def amplified(
-    device: Sequence[Any],
-    late: Any,
-    variable: Symbol,
-    at: Any,
-    answer: Any,
-    period: Any,
-    gain: Any,
-) -> Judgement:
-    """A gain that is not zero multiplies the answer."""
-    found, z, times = term(answer), term(at), term(gain)
-    if variable in times.free_symbols | z.free_symbols | found.free_symbols:
-        raise NotShown(f"{variable} is bound")
-    response = transfer([term(v) for v in device], term(late), variable)
-    return {Relation(times, "!=", _ZERO)} | conditions(found, times), Iff(
-        (
-            answers(response, variable, z, found, period),
-            answers(times * response, variable, z, times * found, period),
-        )
-    )
+    return answered.hypotheses, Relation(predicate(answered, "answers").of[1], "!=", _ZERO)
 
 
 @rule
 def one_answer(one: Theorem, other: Theorem) -> Judgement:
     """Two answers of the same device to the same force are equal."""
-    claim, again = one.conclusion, other.conclusion
-    for p in (claim, again):
-        if not (isinstance(p, Predicate) and p.name == "answers"):
-            raise NotShown(f"{p} is no answer")
-    assert isinstance(claim, Predicate)
-    assert isinstance(again, Predicate)
+    claim, again = predicate(one, "answers"), predicate(other, "answers")
     response, at, answer, period = claim.of
     if again != answers(response, claim.over[0], at, again.of[2], period):
         raise NotShown(f"{again} is about another device or another force")

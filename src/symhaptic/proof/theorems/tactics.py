@@ -9,6 +9,7 @@ import sympy as sp
 from sympy import Symbol
 
 from symhaptic.notation.proposition import (
+    TRUE,
     ForAll,
     Not,
     Or,
@@ -21,31 +22,29 @@ from symhaptic.notation.proposition import (
     negated,
     proposition,
 )
+from symhaptic.proof.theorems.familiar import divided, sign_of
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
     absurd,
+    anything,
     applied,
     assume,
     by_cases,
     conjoined,
     cut,
-    denied,
     discharged,
     equivalent,
     general,
     instance,
     part,
-    reductio,
 )
 from symhaptic.proof.theorems.leaves import (
     broken,
     combined,
-    divided,
     is_whole,
     number,
-    sign_of,
 )
 
 
@@ -193,3 +192,13 @@ def not_all(claim: Proposition, denial: Theorem) -> Theorem:
         except NotShown:
             continue
     raise NotShown(f"{denial.conclusion} denies no part of {claim}")
+
+
+def denied(theorem: Theorem, wanted: Any) -> Theorem:
+    """From b <= a the negation of a < b, and so on for each relation that cannot hold beside."""
+    return absurd(assume(wanted), theorem, wanted)
+
+
+def reductio(falsehood: Theorem, given: Any) -> Theorem:
+    """p |- false gives not p."""
+    return absurd(anything(falsehood, TRUE), anything(falsehood, Not((TRUE,))), given)

@@ -1,0 +1,97 @@
+"""A formula of the paper: as printed, as derived, with its units, its domain and its verdict."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import sympy as sp
+
+from symhaptic.book.chapters import run, shipped
+from symhaptic.book.listing import needed
+from symhaptic.notation import SYMBOLS, Notation
+from symhaptic.notation.latex import latex
+from symhaptic.notation.suggest import suggested
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.reading import Printed
+from symhaptic.proof.units import UnitError, dimension_of, shown
+from symhaptic.proof.verdict import Verdict
+
+
+@dataclass(frozen=True)
+class Formula:
+    """One formula of the paper.
+
+    ``printed`` is the transcription, misprints included; ``derived`` what the package derives in
+    its place.  Both are tuples, of one relation per printed line or vector component.
+    """
+
+    id: str
+    location: str
+    says: str
+    printed: Printed
+    derived: Printed
+    domain: str
+    verdict: Verdict
+
+    @property
+    def symbols(self) -> dict[sp.Symbol, Notation]:
+        """The symbols of both forms, with unit, domain and meaning."""
+        found: set[sp.Symbol] = set()
+        for part in (*self.printed, *self.derived):
+            found |= part.free_symbols
+        return {s: SYMBOLS[s.name] for s in sorted(found, key=str) if s.name in SYMBOLS}
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """The unit of each printed line, or what is wrong with its units."""
+        units = []
+        for part in self.printed:
+            try:
+                units.append(shown(dimension_of(part)))
+            except UnitError as wrong:
+                units.append(str(wrong))
+        return tuple(units)
+
+    def _repr_latex_(self) -> str:
+        lines = r" \\ ".join(latex(part) for part in self.derived)
+        return rf"$\displaystyle \begin{{gathered}} {lines} \end{{gathered}}$"
+
+
+@cache
+def _settled(path: Path) -> dict[str, tuple[Printed, Verdict]]:
+    """What one derivation settles."""
+    return {
+        id: (settled.settlement.derived, settled.verdict)
+        for id, settled in run(path).page.settled.items()
+    }
+
+
+def formula(id: str) -> Formula:
+    """The formula with this id, such as ``"eq11"``; runs its derivation when first called.
+
+    Raises :class:`ValueError` for an id that has no printed or derived form.
+
+    >>> eq6 = formula("eq6")
+    >>> eq6.derived[0], str(eq6.verdict.kind), eq6.units
+    (b > K*T/2 + Abs(B), 'qualified', ('Ns/m',))
+    """
+    found: dict[str, tuple[Printed, Verdict]] = {}
+    for path in needed([id], shipped()):
+        found |= _settled(path)
+    statement = STATEMENTS.get(id)
+    derived, verdict = found.get(id, ((), None))
+    if statement is None or verdict is None or not (statement.printed or derived):
+        known = [k for k, known in STATEMENTS.items() if known.printed]
+        close = suggested(id, known, "`symhaptic verify --list` lists all")
+        raise ValueError(f"id: {id!r} is not a formula; {close}")
+    return Formula(
+        id,
+        statement.location,
+        statement.says,
+        statement.printed,
+        derived,
+        statement.domain,
+        verdict,
+    )

@@ -1,0 +1,137 @@
+"""What may stand as a ground of a verdict: nothing assumed, nothing put in, nothing idle."""
+
+from __future__ import annotations
+
+import ast
+import itertools
+import linecache
+from collections.abc import Iterable, Mapping, Sequence
+from types import CodeType
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.notation import SYMBOLS
+from symhaptic.proof.decide import equal
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.rewriting import Undefined, Unsupported
+from symhaptic.proof.sign import Fact
+
+Rest = tuple[Expr, bool]
+Definition = tuple[Expr, Expr]
+
+_ENDS: dict[str, tuple[Expr | None, Expr | None]] = {
+    "positive": (sp.S.Zero, None),
+    "nonnegative": (sp.S.Zero, None),
+    "(0, pi)": (sp.S.Zero, sp.pi),
+    "(0, pi/2)": (sp.S.Zero, sp.pi / 2),
+    "[0, 1]": (sp.S.Zero, sp.S.One),
+}
+_CLOSED = frozenset({"nonnegative", "[0, 1]"})
+
+
+def unproved(fact: Fact, written: Iterable[Rest]) -> str | None:
+    """What a fact assumes without its being on the page, or nothing.
+
+    Assumptions are ``written`` with a fact that :meth:`~symhaptic.book.page.Page.positive` showed;
+    those that the notation makes, and that squares are not negative, need not be.
+    """
+    if fact.made is None:
+        return f"{fact.expr} is assumed, not proved"
+    if any(_same(expr, fact.expr) for expr, _ in fact.rests):
+        return f"{fact.expr} rests on itself"
+    known = set(written)
+    for rest in sorted(fact.rests - known, key=str):
+        if not _follows(*rest):
+            sign = ">" if rest[1] else ">="
+            return f"{fact.expr} rests on {rest[0]} {sign} 0, which is not on the page"
+    return None
+
+
+def _same(one: Expr, other: Expr) -> bool:
+    """Whether two expressions differ by a positive factor only."""
+    if one == other:
+        return True
+    if one.free_symbols != other.free_symbols or not (
+        one.is_polynomial() and other.is_polynomial()
+    ):
+        return False
+    ratio = sp.cancel(one / other)
+    return bool(ratio.is_Rational and ratio > 0)
+
+
+def _follows(expr: Expr, strict: bool) -> bool:
+    """Whether the symbols' domains, or a square, make an assumption true."""
+    if expr.is_Pow and expr.exp == 2 and not strict:
+        return all(_domain(s) not in (None, "complex") for s in expr.free_symbols)
+    if len(expr.free_symbols) != 1:
+        return False
+    (symbol,) = expr.free_symbols
+    domain = _domain(symbol) or ""
+    slope = sp.diff(expr, symbol)
+    if domain not in _ENDS or slope.free_symbols or slope == 0:
+        return False
+    end = _ENDS[domain][0 if slope.is_positive else 1]
+    if end is None:
+        return False
+    least = expr.subs(symbol, end)
+    return bool(least > 0 or (least == 0 and not (strict and domain in _CLOSED)))
+
+
+def _domain(symbol: Expr) -> str | None:
+    entry = SYMBOLS.get(str(symbol))
+    return entry.domain if entry else None
+
+
+def not_defined(given: Mapping[Expr, Expr], definitions: Sequence[Definition]) -> str | None:
+    """What is put into a statement without being a definition on the page, or nothing.
+
+    A definition may be put in as it stands or solved for one of its symbols.
+    """
+    for name, meaning in given.items():
+        if meaning.is_number:
+            return f"{name} = {meaning} restricts the statement; a definition is allowed"
+        if not any(_says(definition, name, meaning, given) for definition in definitions):
+            return f"{name} = {meaning} is not a definition on the page; `define` it there"
+    return None
+
+
+def _says(definition: Definition, name: Expr, meaning: Expr, given: Mapping[Expr, Expr]) -> bool:
+    known, stands_for = definition
+    try:
+        if known == name:
+            return _alike(stands_for, meaning, given)
+        if name in stands_for.free_symbols and name not in known.free_symbols:
+            solved = stands_for.xreplace({name: meaning})
+            return is_zero(known**2 - solved**2)
+    except (Unsupported, Undefined):
+        return False
+    return False
+
+
+def _alike(one: Expr, other: Expr, given: Mapping[Expr, Expr]) -> bool:
+    return one == other or equal(one.xreplace(dict(given)), other.xreplace(dict(given)))
+
+
+def written_twice(call: CodeType, at: int, skipped: int) -> str | None:
+    """An argument of a call that is written twice in a row, or nothing; ``skipped`` come before.
+
+    SymPy evaluates what it is given, so that two sides that were worked out on different ways can
+    be one expression.  Only what the author wrote tells whether a thing is compared with itself.
+    """
+    line, last, first, end = next(itertools.islice(call.co_positions(), at // 2, None))
+    if line is None or last is None or first is None or end is None:
+        return None
+    lines = linecache.getlines(call.co_filename)[line - 1 : last]
+    source = "".join(lines).encode()
+    cut = len("".join(lines[:-1]).encode()) + end
+    try:
+        asked = ast.parse(source[first:cut].decode().strip(), mode="eval").body
+    except SyntaxError:
+        return None
+    if not isinstance(asked, ast.Call):
+        return None
+    for one, other in itertools.pairwise(asked.args[skipped:]):
+        if not isinstance(one, ast.Starred) and ast.dump(one) == ast.dump(other):
+            return ast.unparse(one)
+    return None

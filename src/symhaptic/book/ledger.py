@@ -1,0 +1,219 @@
+"""All statements with their verdicts: what `verify` prints and what is committed."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from symhaptic.book.chapters import Chapter, run
+from symhaptic.book.consequences import CONSEQUENCES
+from symhaptic.book.record import Settled
+from symhaptic.notation.latex import latex
+from symhaptic.notation.proposition import Proposition
+from symhaptic.paper import STATEMENTS, Statement
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.theorems.judge import Judged
+from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
+
+GENERATED = "written by `symhaptic report`; do not edit"
+
+
+class Twice(ValueError):
+    """A statement that two derivations settle."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One statement, its verdict, and the derivation that settles it."""
+
+    statement: Statement
+    verdict: Verdict
+    derivation: str | None
+    seconds: float
+    own: bool = False
+    """Whether it is a user's statement rather than the paper's."""
+    judged: Judged | None = None
+    """The theorems on which it is settled; sent to another process they are derived there anew."""
+    claim: Proposition | None = None
+    """What a statement of one's own claims."""
+
+    @property
+    def consequence(self) -> str | None:
+        """What it means for somebody who built a device on it, where something is wrong."""
+        return CONSEQUENCES.get(self.statement.id)
+
+    def as_json(self) -> dict[str, Any]:
+        """The record of contract `verify --format json`."""
+        v = self.verdict
+        corrected = _corrected(v)
+        return {
+            "id": self.statement.id,
+            "location": self.statement.location,
+            "statement": self.statement.text,
+            "verdict": str(v.kind),
+            "argued_for": v.argued_for and str(v.argued_for),
+            "proposition": v.proposition,
+            "rests": list(v.rests),
+            "method": v.method,
+            "condition": v.condition,
+            "corrected": None if corrected is None else corrected.replace(r"\br ", ""),
+            "counterexample": None if v.counterexample is None else dict(v.counterexample),
+            "shows": v.shows,
+            "note": v.note,
+            "consequence": self.consequence,
+            "value": v.value,
+            "radius": v.radius,
+            "derivation": self.derivation,
+            "seconds": round(self.seconds, 3),
+        }
+
+
+def of_chapter(chapter: Chapter) -> list[Entry]:
+    """The statements that a chapter settles, or states without settling them."""
+    found = {
+        id: Entry(
+            s.statement,
+            s.verdict,
+            chapter.source,
+            s.seconds,
+            own=id not in STATEMENTS,
+            judged=s.settlement.judged,
+            claim=_own_claim(s),
+        )
+        for id, s in chapter.page.settled.items()
+    }
+    for id, statement in chapter.page.own.items():
+        found.setdefault(id, Entry(statement, UNSETTLED, chapter.source, 0.0, own=True))
+    return list(found.values())
+
+
+def _own_claim(settled: Settled) -> Proposition | None:
+    claim = settled.settlement.claim
+    if claim is None or settled.statement.id in STATEMENTS:
+        return None
+    return claim(settled.statement.printed)
+
+
+def judged_again(entry: Entry) -> str | None:
+    """What is wrong with the verdict that another process gives by theorems, if anything is.
+
+    The theorems were derived again when they arrived; here they are held against what the
+    statement claims.
+    """
+    judged, statement = entry.judged, entry.statement
+    if judged is None:
+        return None
+    known, claim = STATEMENTS.get(statement.id), entry.claim
+    claimed = CLAIMED.get(statement.id) if known else None if claim is None else lambda _: claim
+    try:
+        found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
+    except Unfounded as wrong:
+        return f"{statement.id}: {wrong}"
+    numbers = entry.verdict.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
+    same = found.kind is entry.verdict.kind or numbers
+    if not same or found.condition != entry.verdict.condition:
+        return f"{statement.id}: judged again it is {found.kind}"
+    return None
+
+
+def of_derivation(path: Path) -> list[Entry]:
+    """Run a derivation; its statements with their verdicts, ready to be sent between processes."""
+    return [
+        replace(entry, verdict=replace(v, corrected=None, corrected_latex=_corrected(v)))
+        for entry in of_chapter(run(path))
+        for v in (entry.verdict,)
+    ]
+
+
+def _corrected(verdict: Verdict) -> str | None:
+    """LaTeX of the right form."""
+    if verdict.corrected_latex is None and verdict.corrected is not None:
+        return latex(verdict.corrected)
+    return verdict.corrected_latex
+
+
+def once(
+    settled: Iterable[Entry], places: Mapping[str, str]
+) -> tuple[list[Entry], dict[str, list[str]]]:
+    """The entries of statements that one file settles, and the files of each that several do.
+
+    ``places`` are the files of the committed statements, which need not have been run.  None of
+    two verdicts on one statement counts.
+    """
+    by_id: dict[str, list[Entry]] = {}
+    for entry in settled:
+        by_id.setdefault(entry.statement.id, []).append(entry)
+    kept, several = [], {}
+    for id, entries in by_id.items():
+        files = [entry.derivation or "" for entry in entries]
+        files += [places[id]] if id in places and places[id] not in files else []
+        if len(files) == 1:
+            kept += entries
+        else:
+            several[id] = files
+    return kept, several
+
+
+def twice(id: str, files: Iterable[str]) -> str:
+    """What is wrong with a statement that several files settle."""
+    return f"{id!r} has a verdict in {' and in '.join(files)}; one file may settle a statement"
+
+
+def ledger(settled: Iterable[Entry]) -> list[Entry]:
+    """Every statement of the paper in its order, then the users' own.
+
+    Raises :class:`Twice` where two files settle one of them.
+    """
+    entries, several = once(settled, {})
+    for id, files in several.items():
+        raise Twice(twice(id, files))
+    found = {entry.statement.id: entry for entry in entries}
+    entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
+    return entries + [entry for entry in found.values() if entry.own]
+
+
+def counted(entries: Iterable[Entry]) -> str:
+    """The verdicts counted, the undecided ones aloud."""
+    counts = Counter(entry.verdict.kind for entry in entries)
+    return ", ".join(f"{counts[kind]} {kind}" for kind in Kind if counts[kind])
+
+
+def committed(entries: Iterable[Entry]) -> str:
+    """The ledger as committed text: no times, so that it is the same from run to run."""
+    records = [{k: v for k, v in entry.as_json().items() if k != "seconds"} for entry in entries]
+    return json.dumps({"generated": GENERATED, "statements": records}, indent=1) + "\n"
+
+
+def expected(path: Path) -> dict[str, str]:
+    """The committed verdict of each statement."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {record["id"]: record["verdict"] for record in data["statements"]}
+
+
+def places(path: Path) -> dict[str, str]:
+    """The derivation of each statement, as far as the committed ledger tells."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {r["id"]: r["derivation"] for r in data["statements"] if r["derivation"]}
+
+
+def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
+    """Statements whose verdict is not the committed one; a user's own must hold.
+
+    In a ``whole`` ledger each of the committed ones is there.
+    """
+    entries = list(entries)
+    gone = set(known) - {entry.statement.id for entry in entries} if whole else set()
+    lines = [f"{id}: nothing, but the ledger says {known[id]}" for id in sorted(gone)]
+    for entry in entries:
+        id, kind = entry.statement.id, entry.verdict.kind
+        if entry.own:
+            if kind not in PASSES | {Kind.QUALIFIED, Kind.EXTERNAL, Kind.ARGUED}:
+                lines.append(f"{id}: {entry.verdict}")
+        elif kind != known.get(id):
+            lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")
+    return lines

@@ -1,0 +1,150 @@
+"""Puts every statement and every step to the test: changed in one place, it must be refused.
+
+What comes out is committed as ``reports/mutants.json``: how many changes of which kind were
+refused, and each one that was not, by name and with the reason why it may stand.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+
+from symhaptic.book import parallel
+from symhaptic.book.chapters import BadChapter, Chapter, run
+from symhaptic.book.mutation.statements import changes_of
+from symhaptic.book.mutation.tables import changes_of_tables
+from symhaptic.proof.change import Change
+from symhaptic.proof.changes import changes
+from symhaptic.proof.checks import Check, Sign, confirmed
+from symhaptic.proof.sign import facts_below
+
+GENERATED = "written by `symhaptic mutants`; do not edit"
+
+
+@dataclass(frozen=True)
+class Survivor:
+    """A change that is not refused, and why it may stand; without a reason it is a defect."""
+
+    of: str
+    kind: str
+    change: str
+    why: str | None
+
+
+@dataclass
+class Trial:
+    """What became of the changes of one chapter."""
+
+    chapter: str
+    statements: dict[str, Counter[str]] = field(default_factory=dict)
+    """How many changes of each kind were refused, of a statement and of its grounds."""
+    steps: Counter[str] = field(default_factory=Counter)
+    """The same of the chapter's other steps."""
+    survivors: list[Survivor] = field(default_factory=list)
+
+    @property
+    def refused(self) -> int:
+        """How many changes were refused."""
+        return sum(c.total() for c in (*self.statements.values(), self.steps))
+
+    @property
+    def accepted(self) -> list[Survivor]:
+        """Changes that were taken for right and are not."""
+        return [s for s in self.survivors if s.why is None]
+
+    def put(self, of: str, tried: Iterable[Change], counts: Counter[str]) -> None:
+        """Ask for each change, and note the answer."""
+        for change in tried:
+            if change.check is None or confirmed(change.check):
+                survivor = Survivor(of, change.kind, change.what, change.excuse())
+                if survivor not in self.survivors:
+                    self.survivors.append(survivor)
+            else:
+                counts[change.kind] += 1
+
+    def as_json(self) -> dict[str, Any]:
+        """The record of the chapter."""
+        return {
+            "statements": {id: dict(sorted(c.items())) for id, c in self.statements.items()},
+            "steps": dict(sorted(self.steps.items())),
+            "survivors": [[s.of, s.kind, s.change, s.why] for s in self.survivors],
+        }
+
+
+def trial(chapter: Chapter) -> Trial:
+    """Every check and every verdict of a chapter, changed in one place at a time."""
+    page, found = chapter.page, Trial(chapter.name)
+    done: list[Check] = []
+    for id, settled in page.settled.items():
+        counts = found.statements.setdefault(id, Counter())
+        found.put(id, changes_of(settled), counts)
+        for check in _once(settled.grounds, done):
+            found.put(id, changes(check), counts)
+    for title, kept in page.checks:
+        for check in _once([kept], done):
+            found.put(title, changes(check), found.steps)
+    found.put(chapter.name, changes_of_tables(chapter), found.steps)
+    return found
+
+
+def _once(checks: Iterable[Check], done: list[Check]) -> Iterator[Check]:
+    """Checks that were not changed before, and the facts below them."""
+    for check in checks:
+        below = [Sign(f) for f in facts_below(check.fact)] if isinstance(check, Sign) else [check]
+        for each in below:
+            if each not in done:
+                done.append(each)
+                yield each
+
+
+def _tried(path: Path) -> Trial:
+    return trial(run(path))
+
+
+def trials(paths: list[Path], workers: int = 1) -> Iterator[Trial]:
+    """The trials of chapters, in their order."""
+    ended: dict[int, Trial] = {}
+    next_ = 0
+    for number, result in parallel.each(_tried, paths, workers):
+        if isinstance(result, BadChapter):
+            raise result
+        ended[number] = result
+        while next_ in ended:
+            yield ended.pop(next_)
+            next_ += 1
+
+
+def ours(path: Path) -> bool:
+    """Whether a file may be written: it is not there, or an earlier record of trials."""
+    if not path.is_file():
+        return True
+    with path.open("rb") as stream:
+        return GENERATED.encode() in stream.read(200)
+
+
+def committed(found: Iterable[Trial]) -> str:
+    """The trials as committed text.
+
+    How SymPy orders the terms of a sum decides which of them are changed; so its version is noted.
+    """
+    records = {one.chapter: one.as_json() for one in found}
+    return (
+        json.dumps({"generated": GENERATED, "sympy": sp.__version__, "chapters": records}, indent=1)
+        + "\n"
+    )
+
+
+def stale(path: Path, found: Iterable[Trial]) -> bool:
+    """Whether a committed record is not that of these trials; another SymPy's is not asked."""
+    if not path.is_file():
+        return True
+    text = path.read_text(encoding="utf-8")
+    if json.loads(text).get("sympy") != sp.__version__:
+        return False
+    return text != committed(found)

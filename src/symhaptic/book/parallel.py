@@ -1,0 +1,153 @@
+"""Derivations side by side, each in a process of its own that has run nothing else before.
+
+What one chapter changes in the package, the next does not see.  Where processes can be forked, a
+chapter's is a copy of one that has only imported the package; elsewhere it starts from nothing.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import multiprocessing
+import os
+import signal
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import BaseContext
+from multiprocessing.process import BaseProcess
+from pathlib import Path
+from typing import NoReturn, TypeVar
+
+from symhaptic.book.chapters import BadChapter, untouched
+from symhaptic.book.ledger import Entry, of_derivation
+
+MOST = 4
+"""Workers unless told otherwise: each has a computer algebra system in memory."""
+
+PAUSE = 0.5
+"""Seconds after which who waits is told again what is under way."""
+
+Result = TypeVar("Result")
+Told = Callable[[int, Path], None]
+
+
+def workers() -> int:
+    """How many processes are worth while here."""
+    return min(MOST, os.cpu_count() or 1)
+
+
+def _raised(wrong: BadChapter) -> NoReturn:
+    raise wrong
+
+
+def settled(
+    paths: Sequence[Path],
+    workers: int,
+    told: Told = lambda done, path: None,
+    failed: Callable[[BadChapter], None] = _raised,
+) -> list[Entry]:
+    """The statements that the derivations settle, in the order of the derivations.
+
+    ``told`` hears how many are done and which one is under way, ``failed`` at once of one that
+    cannot be run; the others are run all the same, unless ``failed`` raises, as it does if not
+    given.
+    """
+    found: dict[int, list[Entry]] = {}
+    for i, result in each(of_derivation, paths, workers, told):
+        if isinstance(result, BadChapter):
+            failed(result)
+        else:
+            found[i] = result
+    return [entry for i in sorted(found) for entry in found[i]]
+
+
+def each(
+    work: Callable[[Path], Result],
+    paths: Sequence[Path],
+    workers: int,
+    told: Told = lambda done, path: None,
+) -> Iterator[tuple[int, Result | BadChapter]]:
+    """What becomes of each derivation, with its number, as they end; they begin in their order."""
+    context = _context()
+    if context.get_start_method() == "fork":
+        _import_for(paths)
+    begun, done, running = 0, 0, dict[Connection, tuple[int, BaseProcess]]()
+    try:
+        while done < len(paths):
+            while begun < len(paths) and len(running) < workers:
+                connection, process = _begin(context, work, paths[begun])
+                running[connection] = begun, process
+                begun += 1
+            told(done, paths[min(number for number, _ in running.values())])
+            for ready in wait(list(running), PAUSE):
+                assert isinstance(ready, Connection)
+                number, process = running[ready]
+                result: Result | BadChapter = _result(ready, process, paths[number])
+                del running[ready]
+                done += 1
+                yield number, result
+    finally:
+        for connection, (_, process) in running.items():
+            process.kill()
+            process.join()
+            connection.close()
+
+
+def _context() -> BaseContext:
+    """Forked where that is safe and nothing was left behind by a chapter; spawned elsewhere."""
+    fork = sys.platform.startswith("linux") and untouched()
+    return multiprocessing.get_context("fork" if fork else "spawn")
+
+
+def _import_for(paths: Sequence[Path]) -> None:
+    """Import once what the chapters take from the package, and nothing of their own."""
+    for path in paths:
+        try:
+            tree = ast.parse(path.read_bytes())
+        except (OSError, SyntaxError, ValueError):
+            continue  # told when it is run
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
+                try:
+                    importlib.import_module(str(node.module))
+                except ImportError:
+                    continue  # the same
+
+
+def _begin(
+    context: BaseContext, work: Callable[[Path], Result], path: Path
+) -> tuple[Connection, BaseProcess]:
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(target=_child, args=(work, path, theirs), daemon=True)  # type: ignore[attr-defined]
+    process.start()
+    theirs.close()
+    return ours, process
+
+
+def _child(work: Callable[[Path], Result], path: Path, connection: Connection) -> None:
+    """What the process of a derivation does; who started it ends it when interrupted."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    result: Result | BadChapter
+    try:
+        result = work(path)
+    except BadChapter as wrong:
+        result = BadChapter(*wrong.args)
+    sys.stderr.flush()
+    connection.send(result)
+
+
+def _result(connection: Connection, process: BaseProcess, path: Path) -> Result | BadChapter:
+    result: Result | BadChapter
+    try:
+        result = connection.recv()
+    except EOFError:
+        process.join()
+        what = f"its process ended without a result (exit status {process.exitcode})"
+        result = BadChapter(path, what)
+    connection.close()
+    process.join(PAUSE)
+    if process.is_alive():
+        process.kill()
+        process.join()
+    return result

@@ -1,0 +1,184 @@
+"""What a page keeps: its blocks, what was asked and confirmed on the way, and the verdicts."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import InitVar, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.paper import Statement
+from symhaptic.paper.propositions import Claim
+from symhaptic.proof.certificate import Certificate
+from symhaptic.proof.checks import Check, Limit, Same
+from symhaptic.proof.decide import Form, compare, parts
+from symhaptic.proof.seal import Sealed
+from symhaptic.proof.series import limit
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.sign import Fact, facts_below
+from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.verdict import Verdict
+
+PACKAGE = Path(__file__).parents[1]
+
+
+class FalseStep(ValueError):
+    """A step that is not true, or that could not be proved."""
+
+
+def line_at_work() -> int:
+    """The line of the chapter that is at work: of the innermost frame outside the package."""
+    package = str(PACKAGE)
+    chapters = str(PACKAGE / "derivations")
+    frame = sys._getframe(1)
+    while frame.f_back is not None:
+        file = frame.f_code.co_filename
+        if not file.startswith(package) or file.startswith(chapters):
+            break
+        frame = frame.f_back
+    return frame.f_lineno
+
+
+@dataclass(frozen=True)
+class Evidence(Sealed):
+    """An exact proof of something said in words."""
+
+    method: str
+    checks: tuple[Check, ...] = ()
+    key: InitVar[object] = None
+
+
+@dataclass(frozen=True)
+class Block:
+    """One element of a page: prose, an equation with its proof, a table or a figure."""
+
+    kind: str
+    title: str = ""
+    text: str = ""
+    lines: tuple[tuple[str, str, Any], ...] = ()
+    """Left side, relation sign and right side of each line; sides are SymPy or LaTeX."""
+    verdict: str = ""
+    method: str = ""
+    number: int = 0
+    boxed: bool = False
+    draw: Callable[..., None] | None = None
+    panels: tuple[int, int] = (1, 1)
+    height: float = 0.62
+    paper: str = ""
+    """Number of the paper's equation that this one stands for."""
+    rows: tuple[tuple[Any, ...], ...] = ()
+    """Cells of a table, its head first."""
+    theorem: Theorem | None = None
+    """The theorem of which hypotheses and conclusion stand in the lines."""
+
+
+@dataclass
+class Settled:
+    """A statement with what settles it and how long that took."""
+
+    statement: Statement
+    settlement: Settlement
+    verdict: Verdict
+    seconds: float
+    grounds: tuple[Check, ...] = ()
+    """The checks that prove what it says in words."""
+
+
+@dataclass
+class Record:
+    """A page without its author's steps."""
+
+    name: str
+    blocks: list[Block] = field(default_factory=list)
+    settled: dict[str, Settled] = field(default_factory=dict)
+    own: dict[str, Statement] = field(default_factory=dict)
+    claimed: dict[str, Claim] = field(default_factory=dict)
+    """What statements of one's own claim."""
+    certificates: list[Certificate] = field(default_factory=list)
+    """Of the balls that the chapter rests on; they are checked again when it has been run."""
+    checks: list[tuple[str, Check]] = field(default_factory=list)
+    """What was asked and confirmed, under its title, to be asked again with something changed."""
+    definitions: list[tuple[Expr, Expr]] = field(default_factory=list)
+    """What a symbol or a function stands for on this page."""
+    supposed: frozenset[tuple[Expr, bool]] = frozenset()
+    """The domains of the signs that the page shows, as what the facts rest on."""
+    _lines: dict[tuple[str, str], int] = field(default_factory=dict)
+    """Where each id was stated and where it was settled."""
+    _count: int = 0
+    _since: float = field(default_factory=time.perf_counter)
+
+    def _record(
+        self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
+    ) -> Verdict:
+        verdict = settlement.decide(statement.printed)
+        self._once("settled", statement.id)
+        now = time.perf_counter()
+        seconds, self._since = now - self._since, now
+        self.settled[statement.id] = Settled(statement, settlement, verdict, seconds, grounds)
+        return verdict
+
+    def _once(self, what: str, id: str) -> None:
+        """An id is stated once and settled once."""
+        line, first = line_at_work(), self._lines.get((what, id))
+        if first is not None:
+            raise FalseStep(f"{id!r} is {what} twice, in lines {first} and {line}")
+        self._lines[what, id] = line
+
+    def _keep(self, fact: Fact) -> None:
+        """The certificates of all that a fact was made from."""
+        self.certificates += [c for below in facts_below(fact) for c in below.certificates]
+
+    def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Limit:
+        """A limit as it was found, and kept as what it was asked for."""
+        found = limit(expr, variable, sp.sympify(at))
+        self._compared(title, found, value)
+        check = Limit(expr, variable, sp.sympify(at), sp.sympify(value))
+        self.checks.append((title, check))
+        return check
+
+    def _proved(self, title: str, left: Form, right: Form) -> str:
+        method = self._compared(title, left, right)
+        self.checks.append((title, Same(parts(left), parts(right))))
+        return method
+
+    def _compared(self, title: str, left: Form, right: Form) -> str:
+        result = compare(left, right)
+        if result.equal:
+            return result.method
+        if result.equal is None:
+            raise FalseStep(f"step {title!r} is undecided: {result.method}")
+        at = ", ".join(f"{s} = {v}" for s, v in (result.point or {}).items())
+        raise FalseStep(f"step {title!r} is false" + (f" at {at}" if at else ""))
+
+    def _equation(
+        self,
+        title: str,
+        lines: Sequence[tuple[Any, str, Any]],
+        verdict: str,
+        method: str,
+        because: str,
+        boxed: bool = False,
+        kind: str = "equation",
+        paper: str = "",
+        theorem: Theorem | None = None,
+    ) -> None:
+        self._count += 1
+        self.blocks.append(
+            Block(
+                kind,
+                title,
+                because,
+                tuple(lines),
+                verdict,
+                method,
+                self._count,
+                boxed,
+                paper=paper,
+                theorem=theorem,
+            )
+        )

@@ -1,0 +1,172 @@
+"""Printed forms as a report shows them: reference, formula, verdict and correction."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from symhaptic.book.record import Settled
+from symhaptic.book.tex.breaking import broken, width
+from symhaptic.book.tex.words import prose
+from symhaptic.notation.latex import latex
+from symhaptic.paper import Statement
+from symhaptic.proof.verdict import Kind, Verdict
+
+FORM = 29.5
+"""Width of the column of printed forms, in em of its own size."""
+
+
+NARROW = 75.0
+"""Width of a proposition in em up to which it stands beside the words, and not below them."""
+
+
+def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
+    """The table of what is printed, beside the verdict and, where needed, the correction.
+
+    ``grounds`` say of each what it rests on.  Neither the first row nor the last stands alone.
+    """
+    rows = []
+    for item, ground in zip(settled, grounds, strict=True):
+        statement, verdict = item.statement, item.verdict
+        shown = _beside(printed(statement), verdict, facing=not statement.latex)
+        beside = _verdict(verdict)
+        if ground:
+            beside += f"\\\\\\textcolor{{black!60}}{{{ground}}}"
+        place = f"\\statementplace{{{statement.id}}}{reference(statement.id)}"
+        rows.append(f"\\form{{{place}}}{{{shown}}}{{{beside}}}")
+        right = correction(verdict)
+        if right:
+            rows.append(f"\\form{{}}{{{right}}}{{\\kind{{proved}}{{proved}} as corrected}}")
+    if len(rows) > 1:
+        rows[0] += "\\together"
+        rows[-2] = rows[-2].removesuffix("\\together") + "\\together"
+    return ["\\printedforms", *rows, "\\formsend", ""]
+
+
+def _beside(shown: str, verdict: Verdict, facing: bool) -> str:
+    """What is printed, the condition under which it is right, and what it claims."""
+    if verdict.condition:
+        for_ = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
+        shown += f"\\\\[4pt]{{\\footnotesize {for_}}}"
+    if not verdict.proposition:
+        return shown
+    claim = running(verdict.proposition)
+    if facing and width(claim) < NARROW:
+        return f"\\facing{{{shown}}}{{\\footnotesize ${claim}$}}"
+    return f"{shown}\\\\[4pt]{{\\footnotesize claims ${claim}$}}"
+
+
+def printed(statement: Statement) -> str:
+    """The formula of a statement, line by line, with its domain; or what it says in words."""
+    lines = [line for text in statement.latex for line in broken(text)]
+    if not lines:
+        return prose(statement.says)
+    shown = stack(lines)
+    if statement.domain:
+        shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
+    if not statement.id.startswith(("eq", "tab")):
+        shown = f"{prose(statement.says)}\\\\[2pt]{shown}"
+    return shown
+
+
+def running(claim: str) -> str:
+    """A proposition as running text: it may break after a comma and before an arrow."""
+    claim = re.sub(r",(?=\w|\\[a-z])", r",\\allowbreak ", claim)
+    claim = claim.replace(r",\ ", r",\allowbreak\ ").replace(r":\ ", r":\allowbreak\ ")
+    return claim.replace(r"\ \Rightarrow\ ", r"\allowbreak\ \Rightarrow\ ")
+
+
+def sentence(given: Sequence[str], then: str) -> str:
+    """Hypotheses and conclusion: let this be, then that is."""
+    found = ", ".join(f"${running(text)}$" for text in given)
+    return f"Let {found}. Then ${running(then)}$." if found else f"${running(then)}$."
+
+
+def condition(verdict: Verdict) -> str:
+    """A condition as running text, which can be broken between its parts."""
+    running = (verdict.condition or "").replace(r",\ ", "$, $")
+    running = running.replace(r"\ \text{and}\ ", "$ and $")
+    return f"${running}$"
+
+
+def reference(id: str) -> str:
+    """The number of an equation or table, or the id of another statement."""
+    if id.startswith("eq"):
+        return f"({id[2:]})"
+    if id.startswith("tab"):
+        return f"Table {'I' * int(id[3:])}"
+    # the column holds thirteen letters; the longest word, "interconnection", breaks after five
+    breaking = re.sub(r"-|\b\w{5}(?=\w{9})", r"\g<0>\\allowbreak ", id)
+    return f"\\texttt{{\\scriptsize {breaking}}}"
+
+
+def stack(lines: list[str]) -> str:
+    """Formula lines, aligned at the left, in the largest size that fits the column."""
+    lines = [_upright(line) for line in lines]
+    widest = max(width(line) for line in lines)
+    size = "" if widest <= FORM else "\\footnotesize" if widest <= 1.12 * FORM else "\\scriptsize"
+    rows = " \\\\[3pt] ".join(
+        f"&{'' if i == 0 or not _continues(line) else chr(92) + 'quad '}{line}"
+        for i, line in enumerate(lines)
+    )
+    return f"{{{size}$\\displaystyle\\begin{{aligned}}[t]{rows}\\end{{aligned}}$}}"
+
+
+def _upright(line: str) -> str:
+    """Fractions in a column vector at full size, those inside them small; a proper relation."""
+    line = line.replace(r"\hat{=}", r"\mathrel{\hat{=}}")
+    if "pmatrix" not in line:
+        return line
+    out, depth = "", 0
+    for token in re.findall(r"\\[A-Za-z]+|\\.|.", line):
+        depth += (token == "{") - (token == "}")
+        out += {r"\frac": r"\dfrac" if depth == 0 else r"\tfrac", r"\\": r"\\[10pt]"}.get(
+            token, token
+        )
+    return out
+
+
+def _continues(line: str) -> bool:
+    return line.lstrip().startswith(("+", "-", r"\left("))
+
+
+def correction(verdict: Verdict) -> str:
+    """The right form, line by line; empty where nothing is corrected."""
+    if verdict.corrected_latex is not None:
+        if verdict.corrected_latex.startswith(r"\forall"):
+            return f"{{\\footnotesize ${running(verdict.corrected_latex)}$}}"
+        lines = [
+            line for text in verdict.corrected_latex.split(r",\quad ") for line in broken(text)
+        ]
+        return stack(lines)
+    if verdict.corrected is not None:
+        return stack([latex(part) for part in verdict.corrected])
+    return ""
+
+
+def _verdict(verdict: Verdict) -> str:
+    head = f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"
+    rest = ([verdict.method] if verdict.kind is Kind.EXTERNAL else []) + shown_by(verdict)
+    if verdict.value and verdict.claimed in (Kind.ENCLOSED, Kind.QUALIFIED):
+        head += f":\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\"
+        return head + "; ".join(rest)
+    return head + (": " if rest else "") + "; ".join(rest)
+
+
+def shown_by(verdict: Verdict) -> list[str]:
+    """What happens at the counterexample, or where it is, and what else is to be said."""
+    parts = []
+    if verdict.shows:
+        parts.append(verdict.shows)
+    elif verdict.counterexample:
+        at = ",\\ ".join(f"{_symbol(k)}={v}" for k, v in verdict.counterexample.items())
+        parts.append(f"differs at ${at}$")
+    if verdict.note:
+        parts.append(verdict.note.replace("^2 s^-2", r"$^2$\,s$^{-2}$"))
+    return parts
+
+
+def _symbol(name: str) -> str:
+    from sympy import Symbol
+
+    return latex(Symbol(name))

@@ -1,0 +1,84 @@
+"""Where a report goes: made beside its place, moved there whole, and nobody else's file lost."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from symhaptic.book.ledger import GENERATED
+from symhaptic.book.tex.tex import ReportError
+
+DRAFT = ".draft-"
+"""Beginning of the name of the folder that a report is made in."""
+
+STALE = 3600
+"""Seconds after which a draft is taken to be left over."""
+
+KEPT = (".tex", ".sty", ".json", ".pdf")
+"""Endings of what a report consists of; the rest is TeX's."""
+
+MARKS = b"/Creator (symhaptic)", b"/GeneratedBy (symhaptic)"
+"""What PDFs of a report say about themselves: figures, and what TeX made."""
+
+
+def refuse_foreign(target: Path, names: Iterable[str]) -> None:
+    """Say that a file stands in the place of a report's, and is none of a report's own."""
+    for name in names:
+        path = target / name
+        if path.is_symlink() or (path.exists() and not _own(path)):
+            raise ReportError(
+                f"-o {target}: {name} there is not written by `symhaptic report`; a folder "
+                "without it is allowed"
+            )
+
+
+def _own(path: Path) -> bool:
+    """Whether a report has written this file, which then says so."""
+    if not path.is_file():
+        return False
+    content = path.read_bytes()
+    if path.suffix == ".pdf":
+        return any(mark in content for mark in MARKS)
+    return GENERATED.encode() in content[:200]
+
+
+def left_over(target: Path, names: Iterable[str]) -> list[Path]:
+    """LaTeX of an earlier report that this one has not, such as that of a chapter now gone."""
+    return [p for p in sorted(target.glob("*.tex")) if p.name not in names and _own(p)]
+
+
+@contextmanager
+def drafted(target: Path) -> Iterator[Path]:
+    """A folder beside the place of a report; what is in it moves there when all of it is made.
+
+    A run that is killed leaves the old report whole.
+    """
+    made_here = not target.exists()
+    try:
+        target.mkdir(parents=True, exist_ok=True)
+        for old in target.glob(f"{DRAFT}*"):  # of a run that was killed, not of one beside this
+            if time.time() - old.stat().st_mtime > STALE:
+                shutil.rmtree(old, ignore_errors=True)
+        draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=target))
+    except OSError as wrong:
+        raise ReportError(
+            f"-o {target}: cannot write there ({wrong.strerror}); a folder that can be written is "
+            "allowed"
+        ) from None
+    try:
+        yield draft
+        made = [p for p in sorted(draft.rglob("*")) if p.is_file() and p.suffix in KEPT]
+        refuse_foreign(target, [path.relative_to(draft).as_posix() for path in made])
+        for path in made:
+            place = target / path.relative_to(draft)
+            place.parent.mkdir(exist_ok=True)
+            os.replace(path, place)
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
+        if made_here and not any(target.iterdir()):
+            target.rmdir()

@@ -1,0 +1,78 @@
+"""LaTeX from templates, and PDF from LaTeX where a TeX is installed."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+NO_TEX = (
+    "no latexmk and pdflatex found; on Debian: "
+    "apt-get install latexmk texlive-latex-recommended lmodern"
+)
+BAD = r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*|.*has been referenced but does not.*)$"
+"""Lines of TeX's log about what a reader would find: a line too long, a link that leads nowhere."""
+
+TITLE = "Passivity and stability of haptic walls, derived and verified"
+
+
+class ReportError(RuntimeError):
+    """The report cannot be written; the message is one line."""
+
+
+def filled(name: str, **words: Any) -> str:
+    """A template with its places filled."""
+    try:
+        from jinja2 import Environment, PackageLoader, StrictUndefined
+    except ImportError:
+        raise ReportError(
+            "reports need jinja2 and matplotlib: pip install 'symhaptic[report]'"
+        ) from None
+    environment = Environment(
+        loader=PackageLoader("symhaptic.book.tex"),
+        undefined=StrictUndefined,
+        autoescape=False,
+        keep_trailing_newline=True,
+        variable_start_string="<<",
+        variable_end_string=">>",
+        block_start_string="<%",
+        block_end_string="%>",
+        comment_start_string="<#",
+        comment_end_string="#>",
+    )
+    return environment.get_template(name).render(title=TITLE, **words)
+
+
+def has_tex() -> bool:
+    """Whether latexmk and pdflatex are installed."""
+    return shutil.which("latexmk") is not None and shutil.which("pdflatex") is not None
+
+
+def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> None:
+    """Run latexmk on a document; overfull lines and undefined references are errors."""
+    say(f"typesetting {name}.pdf")
+    run = subprocess.run(
+        ["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", f"{name}.tex"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        stdin=subprocess.DEVNULL,
+        env=os.environ | {"SOURCE_DATE_EPOCH": "0", "max_print_line": "1000"},
+        check=False,
+    )
+    log_file = folder / f"{name}.log"
+    log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""
+    if run.returncode != 0:
+        first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
+        files = re.findall(r"\(\./(\w+)\.tex", log)
+        raise ReportError(f"latexmk failed in {files[-1] if files else name}.tex: {first}")
+    bad = re.findall(BAD, log, re.MULTILINE)
+    if bad:
+        opened = re.findall(r"\(\./(\w+)\.tex", log[: log.index(bad[0])])
+        where = f"{opened[-1] if opened else name}.tex"
+        raise ReportError(f"{len(bad)} bad lines in the report, the first in {where}: {bad[0]}")

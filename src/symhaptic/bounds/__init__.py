@@ -1,0 +1,6 @@
+"""What holds over a range?  The largest walls of all plants of a box, in balls.
+
+How much each part of a loop costs when a model leaves it out, and the smallest model whose error is
+proved to be small enough.  Imports ``notation``, ``paper`` (its ranges), ``model``, ``proof`` and
+``numeric``; used by ``book`` and ``scene``.
+"""

@@ -1,0 +1,202 @@
+"""Trace, bench, export and kernels: what gives numbers, or functions of them."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from symhaptic.cli.shared import app, folder_allowed, no_folder, progress, refuse, write
+
+
+class TraceFormat(StrEnum):
+    """What `trace` writes."""
+
+    csv = "csv"
+    json = "json"
+    png = "png"
+    svg = "svg"
+
+
+@app.command()
+def bench(
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Fewer points and delays; some two minutes.")
+    ] = False,
+    output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the record.")] = Path(
+        "reports/bench"
+    ),
+) -> None:
+    """Measure speed against error; write bench.json, tables and plots."""
+    import os
+
+    folder_allowed(output)
+    for library in ("OPENBLAS", "MKL", "OMP"):  # one thread, whatever the library
+        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    from symhaptic.bench import measuring
+    from symhaptic.bench import output as written
+    from symhaptic.book.measured.record import FIELDS
+
+    with progress(len(FIELDS)) as told:
+        found = measuring.measured(
+            measuring.QUICK if quick else measuring.FULL, lambda done, name: told(done, Path(name))
+        )
+    try:
+        written.write(found, output)
+    except OSError as wrong:
+        no_folder(output, wrong.strerror)
+    typer.echo(f"wrote {output / 'bench.json'}, tables and plots in {found['seconds']} s")
+
+
+@app.command()
+def trace(
+    gamma: Annotated[str, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m.")],
+    delta: Annotated[str, typer.Option("--delta", metavar="D", help="Damping b T/m.")],
+    delay: Annotated[
+        str, typer.Option("--delay", metavar="d", help="Delay in periods, fractions exact.")
+    ],
+    format: Annotated[
+        TraceFormat | None,
+        typer.Option("--format", help="What to write; as FILE ends, or csv, if not given."),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+    ] = None,
+) -> None:
+    """Trace the stable region of the (alpha, beta) plane."""
+    from symhaptic.book import listing
+    from symhaptic.numeric.tracing import output as written
+    from symhaptic.numeric.tracing.region import stable_region
+
+    format = format_of(output, format)
+    drawn = format in (TraceFormat.png, TraceFormat.svg)
+    if drawn and output is None:
+        refuse(f"--format {format}: needs -o FILE; csv and json can be printed")
+    plant = number("gamma", gamma), number("delta", delta)
+    periods = number("delay", delay)
+    try:
+        region = stable_region(*plant, periods)
+    except ValueError as wrong:
+        refuse(f"--{wrong}")
+    content: str | bytes
+    if drawn:
+        try:
+            from symhaptic.book.figures.region import picture
+
+            content = picture(region, format)
+        except ModuleNotFoundError as missing:
+            refuse(f"--format {format}: needs {missing.name}; pip install 'symhaptic[report]'")
+    else:
+        content = (written.json_text if format is TraceFormat.json else written.csv_text)(region)
+    if output is None:
+        typer.echo(content, nl=False)
+    else:
+        write(listing.replace, output, content)
+
+
+@app.command()
+def export(
+    formulas: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[FORMULA]...", help="Functions, or eq11 and such; all if none."),
+    ] = None,
+    target: Annotated[
+        str | None,
+        typer.Option("--target", help="numpy, c, cpp, fortran, rust, javascript or octave."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", metavar="DIR", help="Folder to write; haptic-TARGET if none."),
+    ] = None,
+    scene: Annotated[
+        str,
+        typer.Option(
+            "--scene",
+            help="What the loop lacks: no-stiffness,no-damping,no-virtual-damping,no-delay.",
+        ),
+    ] = "",
+    delay: Annotated[
+        int | None,
+        typer.Option(
+            "--delay", metavar="D", help="Whole periods, where one delay has to be chosen."
+        ),
+    ] = None,
+    precision: Annotated[
+        str, typer.Option("--precision", help="double, or single where the language has it.")
+    ] = "double",
+    derivative: Annotated[
+        str,
+        typer.Option("--derivative", metavar="X,...", help="Arguments to differentiate by, too."),
+    ] = "",
+    name: Annotated[str, typer.Option("--name", help="Name of the module.")] = "haptic",
+    listing: Annotated[bool, typer.Option("--list", help="Print what can be exported.")] = False,
+) -> None:
+    """Write stable forms as source code that stands alone, with test vectors and a self-test."""
+    from symhaptic.export import request
+    from symhaptic.export.target import Refused
+    from symhaptic.export.targets import TARGETS
+
+    try:
+        by = [word.strip() for word in derivative.split(",") if word.strip()]
+        forms = request.chosen(formulas or [], request.scene(scene), delay, by)
+        if listing:
+            for form in forms:
+                args = ", ".join(symbol.name for symbol in form.arguments)
+                typer.echo(f"{form.name}({args})\n    {form.title}")
+            return
+        if target is None:
+            refuse(f"--target: is needed; allowed are {', '.join(TARGETS)}")
+        language = request.target(target, precision)
+        folder = output or Path(f"{name}-{target}")
+        _, files = request.built(language, forms, name)
+        request.write(files, folder)
+    except Refused as wrong:
+        refuse(str(wrong))
+    typer.echo(f"wrote {folder}")
+
+
+@app.command()
+def kernels(
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; fail where a kernel is stale.")
+    ] = False,
+) -> None:
+    """Write the package's own numeric functions from the stable forms."""
+    from symhaptic.export import kernels as own
+
+    if not check:
+        try:
+            own.write()
+        except OSError as wrong:
+            refuse(f"{own.FOLDER}: cannot write there ({wrong.strerror}); it has to be writable")
+        typer.echo(f"wrote {own.FOLDER}")
+        return
+    diff = own.differences()
+    typer.echo(diff, nl=False)
+    if diff:
+        typer.echo("symhaptic: a kernel is stale; `symhaptic kernels` writes them", err=True)
+        raise typer.Exit(1)
+
+
+def format_of(output: Path | None, given: TraceFormat | None) -> TraceFormat:
+    """The format that is given or that a file's ending names, which have to agree."""
+    ending = "" if output is None else output.suffix.lower().removeprefix(".")
+    if not ending:
+        return given or TraceFormat.csv
+    if given is None and ending not in TraceFormat.__members__:
+        every = ", ".join(f".{name}" for name in TraceFormat)
+        refuse(f"-o {output}: its ending names no format; allowed are {every}, or none")
+    if given not in (None, ending):
+        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+    return TraceFormat(ending)
+
+
+def number(name: str, text: str) -> float:
+    """The number that an option gives."""
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    refuse(f"--{name}: {text!r} is not allowed; a number is")

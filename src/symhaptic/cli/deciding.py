@@ -1,0 +1,213 @@
+"""Verify and mutants: what asks whether the chapters are right."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from symhaptic.cli.shared import app, progress, refuse, writable, write
+from symhaptic.notation.suggest import suggested
+
+if TYPE_CHECKING:
+    from symhaptic.book.chapters import BadChapter
+    from symhaptic.book.ledger import Entry
+
+
+class ListFormat(StrEnum):
+    """How `verify` prints."""
+
+    text = "text"
+    json = "json"
+    junit = "junit"
+
+
+LISTED = "`symhaptic verify --list` lists all"
+
+Derivations = Annotated[
+    list[Path] | None,
+    typer.Option("--derivation", metavar="FILE", help="A chapter of your own; may be repeated."),
+]
+
+
+def settled(paths: list[Path], workers: int, own: list[Path], bad: list[BadChapter]) -> list[Entry]:
+    """The statements that derivations settle; those that cannot be run are told at once."""
+    from symhaptic.book import parallel
+
+    def failed(wrong: BadChapter) -> None:
+        bad.append(wrong)
+        told_bad(wrong, own)
+
+    with progress(len(paths)) as told:
+        return parallel.settled(paths, workers, told, failed)
+
+
+def told_bad(wrong: BadChapter, own: list[Path]) -> None:
+    """One line on what is wrong with a chapter."""
+    given = "--derivation " if wrong.path in own else ""
+    typer.echo(f"symhaptic: error: {given}{wrong}", err=True)
+
+
+def own_chapters(paths: list[Path] | None) -> list[Path]:
+    """A user's chapters, which are looked at before anything is run."""
+    from symhaptic.book.chapters import BadChapter, readable
+
+    try:
+        return list({path.resolve(): readable(path) for path in paths or []}.values())
+    except BadChapter as wrong:
+        refuse(f"--derivation {wrong}")
+
+
+@app.command()
+def verify(
+    ids: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[ID]...", help="Statements, such as eq11; all if none is given."),
+    ] = None,
+    format: Annotated[ListFormat, typer.Option("--format", help="How to print.")] = (
+        ListFormat.text
+    ),
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+    ] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Fail on undecided too.")] = False,
+    workers: Annotated[
+        int | None,
+        typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
+    ] = None,
+    derivation: Derivations = None,
+    listed: Annotated[
+        bool,
+        typer.Option("--list", help="Name the statements, where each stands and what it says."),
+    ] = False,
+) -> None:
+    """Decide the paper's statements; fail where a verdict is not the committed one."""
+    from time import perf_counter
+
+    from symhaptic.book import chapters, ledger, listing, parallel
+
+    writable(output)
+    if listed:
+        name_statements(ids or [], format, output, derivation)
+        return
+    own = own_chapters(derivation)
+    wanted = ids or []
+    known = ledger.expected(chapters.expected_ledger())
+    for id in wanted if not own else []:
+        if id not in known:
+            refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
+    given = {path.resolve() for path in own}
+    shipped = [p for p in listing.needed(wanted, chapters.shipped()) if p.resolve() not in given]
+    bad: list[BadChapter] = []
+    begin = perf_counter()
+    found = settled(own + shipped, workers or parallel.workers(), own, bad)
+    found, several = ledger.once(found, ledger.places(chapters.expected_ledger()))
+    for id, files in several.items():
+        path = next(p for p in (*reversed(own), *shipped) if chapters.source(p) in files)
+        bad.append(chapters.BadChapter(path, ledger.twice(id, files)))
+        told_bad(bad[-1], own)
+    entries = ledger.ledger(found)
+    if wanted:
+        names = {e.statement.id: e for e in entries}
+        for id in wanted:
+            if id not in names and not bad:
+                refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
+        entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
+    surprises = ledger.surprises(entries, known, whole=not wanted)
+    surprises += filter(None, map(ledger.judged_again, found))
+    undecided = [e for e in entries if e.verdict.kind == "undecided"]
+    text = {
+        ListFormat.text: listing.text,
+        ListFormat.json: listing.json_text,
+        ListFormat.junit: listing.junit,
+    }[format](entries, surprises, strict, bad, perf_counter() - begin)
+    if output is None:
+        typer.echo(text, nl=False)
+    elif not (bad and format is ListFormat.text):
+        write(listing.replace, output, text)
+    if bad:
+        raise typer.Exit(2)
+    if surprises or (strict and undecided):
+        raise typer.Exit(1)
+
+
+def name_statements(
+    ids: list[str], format: ListFormat, output: Path | None, derivation: list[Path] | None
+) -> None:
+    """Print what there is to verify."""
+    from symhaptic.book import listing
+
+    if format is ListFormat.junit:
+        refuse("--format junit: nothing is run with --list; allowed are text and json")
+    if derivation:
+        refuse(f"--derivation {derivation[0]}: a chapter is not run with --list; leave one out")
+    records = {record["id"]: record for record in listing.statements()}
+    for id in ids:
+        if id not in records:
+            refuse(f"ID: {id!r} is not a statement; {suggested(id, records, LISTED)}")
+    chosen = [records[id] for id in dict.fromkeys(ids or records)]
+    text = listing.names(chosen, format is ListFormat.json)
+    if output is None:
+        typer.echo(text, nl=False)
+    else:
+        write(listing.replace, output, text)
+
+
+@app.command()
+def mutants(
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o",
+            metavar="FILE",
+            help="Where to write; without chapters of your own, reports/mutants.json.",
+        ),
+    ] = None,
+    workers: Annotated[int, typer.Option("--workers", min=1, help="Processes at a time.")] = 2,
+    derivation: Derivations = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; fail where the file is stale.")
+    ] = False,
+) -> None:
+    """Change every statement and step in one place; fail where a wrong one is not refused.
+
+    With --derivation those of your chapters are changed, and not the paper's.
+    """
+    from symhaptic.book import chapters, listing
+    from symhaptic.book.mutation import trials
+
+    own = own_chapters(derivation)
+    output = output or (None if own else Path("reports/mutants.json"))
+    writable(output)
+    if output is not None and not trials.ours(output):
+        refuse(
+            f"-o {output}: is there and not written by `symhaptic mutants`; another name is allowed"
+        )
+    found = []
+    try:
+        for trial in trials.trials(own or chapters.shipped(), workers):
+            found.append(trial)
+            typer.echo(f"{trial.chapter}: {trial.refused} refused", err=True)
+    except chapters.BadChapter as wrong:
+        told_bad(wrong, own)
+        raise typer.Exit(2) from None
+    accepted = [survivor for trial in found for survivor in trial.accepted]
+    for survivor in accepted:
+        typer.echo(f"ACCEPTED  {survivor.of}: {survivor.change}")
+    stale = False
+    if output is not None and check:
+        stale = trials.stale(output, found)
+    elif output is not None:
+        write(listing.replace, output, trials.committed(found))
+    survivors = sum(len(trial.survivors) for trial in found) - len(accepted)
+    typer.echo(
+        f"{'' if output is None or check else f'wrote {output}: '}"
+        f"{sum(trial.refused for trial in found)} changes refused, "
+        f"{survivors} survive with a reason, {len(accepted)} accepted though wrong"
+    )
+    if stale:
+        typer.echo(f"symhaptic: {output} is stale; `symhaptic mutants` writes it", err=True)
+    if accepted or stale:
+        raise typer.Exit(1)

@@ -1,0 +1,63 @@
+"""The command line: the commands under one name, and what becomes of errors."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated
+
+import typer
+
+from symhaptic.cli import computing, deciding, reporting  # noqa: F401 - each registers its commands
+from symhaptic.cli.shared import Unusable, app
+from symhaptic.notation.suggest import suggested
+
+# Typer carries Click inside or beside itself, depending on its age; this is the base of the
+# errors that its parser raises, in either case.
+ParserError: type[Exception] = next(
+    c for c in typer.BadParameter.__mro__ if c.__name__ in ("TyperException", "ClickException")
+)
+
+
+@app.callback(invoke_without_command=True)
+def _root(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
+    """Derive, verify and typeset the passivity and stability formulas of haptic walls."""
+    if version:
+        from symhaptic import __version__
+
+        typer.echo(f"symhaptic {__version__}")
+    elif context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+
+
+def clearer(said: str) -> str:
+    """What the parser says, with what may have been meant."""
+    if choice := re.search(r"'([^']*)' is not one of ('.*')\.?$", said):
+        names = re.findall(r"'([^']*)'", choice[2])
+        return f"{said[: choice.start()]}{choice[1]!r} is not known; {suggested(choice[1], names)}"
+    if not said.startswith(("No such", "Got unexpected")):
+        return said
+    said = re.sub(r" \(Possible options: (.*)\)", r"; did you mean \1?", said)
+    said = re.sub(r"\. Did you mean (.*)\?", r"; did you mean \1?", said).rstrip(".")
+    return f"{said}{' ' if said.endswith('?') else '; '}allowed is what --help lists"
+
+
+def main() -> None:
+    """Entry point: one line for a bad input, exit status 2, no traceback."""
+    command = typer.main.get_command(app)
+    try:
+        status = command.main(standalone_mode=False)
+    except (ParserError, Unusable) as wrong:
+        said = getattr(wrong, "format_message", wrong.__str__)()
+        said = said.replace("Value error, ", "")
+        if (errors := getattr(wrong.__cause__, "errors", None)) is not None:
+            said = said.replace("Input should", f"{errors()[0]['input']!r} should")
+        said = clearer(said)
+        typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
+        raise SystemExit(2) from None
+    except (typer.Abort, KeyboardInterrupt):
+        typer.echo("symhaptic: interrupted", err=True)
+        raise SystemExit(130) from None
+    raise SystemExit(status if isinstance(status, int) else 0)

@@ -1,0 +1,127 @@
+"""Report: the chapters in print."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from symhaptic.cli.deciding import Derivations, own_chapters
+from symhaptic.cli.shared import app, folder_allowed, progress, refuse
+from symhaptic.notation.suggest import suggested
+
+if TYPE_CHECKING:
+    from symhaptic.book.chapters import Chapter
+
+
+class ReportFormat(StrEnum):
+    """What `report` writes."""
+
+    tex = "tex"
+    pdf = "pdf"
+
+
+@app.command()
+def report(
+    format: Annotated[
+        ReportFormat | None,
+        typer.Option(
+            "--format", help="tex, or pdf; pdf for the book where a TeX is installed, if not given."
+        ),
+    ] = None,
+    output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the report.")] = Path(
+        "reports"
+    ),
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; fail where the text there is stale.")
+    ] = False,
+    chapter: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--chapter",
+            metavar="NAME",
+            help="This chapter alone, to be \\input with symhaptic.sty; may be repeated.",
+        ),
+    ] = None,
+    standalone: Annotated[
+        bool, typer.Option("--standalone", help="With --chapter: also chapters.tex, to compile.")
+    ] = False,
+    listing: Annotated[bool, typer.Option("--list", help="Print the chapters' names.")] = False,
+    derivation: Derivations = None,
+) -> None:
+    """Write the derivations as LaTeX chapters and a book, with figures and the ledger."""
+    from symhaptic.book import chapters as library
+    from symhaptic.book.parts import in_parts
+    from symhaptic.book.tex import build, place, tex
+
+    paths = in_parts(library.shipped(), lambda path: path.stem) + own_chapters(derivation)
+    if listing:
+        typer.echo("\n".join(path.stem for path in paths))
+        return
+    can = tex.has_tex()
+    if format is ReportFormat.pdf and not can and not check:
+        refuse(f"--format pdf: {tex.NO_TEX}")
+    if standalone and not chapter:
+        refuse("--standalone: is for chapters; --chapter NAME names them")
+    some = [named(name, paths) for name in dict.fromkeys(chapter or [])]
+    pdf = format is ReportFormat.pdf if some else can and format is not ReportFormat.tex
+    alone = standalone or pdf
+    try:
+        build.check(paths)
+        if not check:
+            folder_allowed(output)
+            names = build.names_of_excerpt(some, alone, pdf) if some else build.names_of(paths, pdf)
+            place.refuse_foreign(output, names)
+        elif not output.is_dir():
+            refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
+        chapters = chapters_of(some or paths)
+        numbered = [(paths.index(one.path) + 1, one) for one in chapters]
+        if check:
+            files = build.excerpt_files(numbered, alone) if some else build.text_files(chapters)
+            diff = build.differences(files, output, whole=not some)
+            typer.echo(diff, nl=False)
+            if diff:
+                typer.echo(f"symhaptic: {output} is stale; `symhaptic report` writes it", err=True)
+                raise typer.Exit(1)
+            return
+        if some:
+            build.write_excerpt(numbered, output, alone, pdf, say)
+        else:
+            build.write(chapters, output, pdf, say)
+    except tex.ReportError as wrong:
+        refuse(str(wrong))
+    mains = ["book"] if not some else ["chapters"] if alone else [path.stem for path in some]
+    typer.echo("\n".join(f"wrote {output / name}.{'pdf' if pdf else 'tex'}" for name in mains))
+    if not pdf and not some and format is None:
+        typer.echo(f"no PDF: {tex.NO_TEX}", err=True)
+
+
+def say(line: str) -> None:
+    """What is being made."""
+    typer.echo(line, err=True)
+
+
+def named(name: str, paths: list[Path]) -> Path:
+    """The derivation of a chapter that is asked for by its name."""
+    found = {path.stem: path for path in paths}
+    if name not in found:
+        where = "`symhaptic report --list` lists all"
+        refuse(f"--chapter {name}: is no chapter; {suggested(name, found, where)}")
+    return found[name]
+
+
+def chapters_of(paths: list[Path]) -> list[Chapter]:
+    """Run derivations one after the other, whole with their pages."""
+    from symhaptic.book.chapters import BadChapter, run
+
+    done: list[Chapter] = []
+    try:
+        with progress(len(paths)) as told:
+            for path in paths:
+                told(len(done), path)
+                done.append(run(path))
+    except BadChapter as wrong:
+        refuse(f"--derivation {wrong}")
+    return done

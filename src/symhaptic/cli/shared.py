@@ -1,0 +1,91 @@
+"""What the commands share: how a bad input is told, progress, and where results go."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryFile
+from typing import NoReturn
+
+import typer
+
+app = typer.Typer(
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+class Unusable(ValueError):
+    """A bad input, with the line that names the argument, its value and what is allowed."""
+
+
+def refuse(message: str) -> NoReturn:
+    """End with one line that says what is wrong."""
+    raise Unusable(message)
+
+
+@contextmanager
+def progress(total: int) -> Iterator[Callable[[int, Path], None]]:
+    """A progress bar that shows the statement under way, where somebody watches."""
+    if not sys.stderr.isatty():
+        yield lambda done, path: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    from symhaptic.book.listing import under_way
+
+    columns = (TextColumn("{task.description:32}"), BarColumn(), MofNCompleteColumn())
+    console = Console(stderr=True)
+    with Progress(*columns, TimeElapsedColumn(), console=console, transient=True) as bar:
+        task = bar.add_task("", total=total)
+        yield lambda done, path: bar.update(task, completed=done, description=under_way(path))
+
+
+def writable(output: Path | None) -> None:
+    """Say before the work is done that its result has no place."""
+    if output is not None and (output.is_dir() or not output.parent.is_dir()):
+        reason = "Is a directory" if output.is_dir() else "No such file or directory"
+        unwritable(output, reason)
+
+
+def unwritable(output: Path, reason: str | None) -> NoReturn:
+    """End with one line that says why nothing can be written there."""
+    refuse(f"-o {output}: cannot write there ({reason}); a file in a folder that exists is allowed")
+
+
+def folder_allowed(output: Path) -> None:
+    """Say before the work is done that no folder of results can be there.
+
+    Only writing shows it, so folders and a file in them are made for a moment.
+    """
+    made: list[Path] = []
+    try:
+        for folder in (*reversed(output.parents), output):
+            if not folder.exists():
+                folder.mkdir()
+                made.append(folder)
+        with TemporaryFile(dir=output):
+            pass
+    except OSError as wrong:
+        no_folder(output, wrong.strerror)
+    finally:
+        for folder in reversed(made):
+            folder.rmdir()
+
+
+def no_folder(output: Path, reason: str | None) -> NoReturn:
+    """End with one line that says why no folder of results can be there."""
+    refuse(f"-o {output}: cannot write there ({reason}); a folder that can be written is allowed")
+
+
+def write(replace: Callable[[Path, str | bytes], None], output: Path, content: str | bytes) -> None:
+    """A result into its file, whole or not at all."""
+    try:
+        replace(output, content)
+    except OSError as wrong:
+        unwritable(output, wrong.strerror)

@@ -1,1 +1,0 @@
-"""The commands, each thin: it parses, calls, prints."""

@@ -1,0 +1,236 @@
+"""Derivatives of stable forms, which are stable forms again.
+
+The products of :mod:`symhaptic.forms.products` are differentiated as a whole.
+
+By the delay a derivative is that by its fraction, inside a period; at a whole delay it is the slope
+to the right.  A value that is largest at an angle that is searched for has the derivative that it
+has at this angle held still (envelope theorem).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cached_property
+
+import sympy as sp
+from sympy import Expr, Symbol, sin
+
+from symhaptic.forms import worst
+from symhaptic.forms.angle_slopes import Ripple
+from symhaptic.forms.counted import LateRoots, Stable, WholeRoots
+from symhaptic.forms.entire import Chord, CosNext, Entire, Gap, Sinc, SinNext, at_numbers
+from symhaptic.forms.products import WHOLE
+from symhaptic.forms.searched import (
+    LargestNeed,
+    LatePart,
+    NeediestAngle,
+    Pushed,
+    Rated,
+    Searched,
+    SomePart,
+    WholePart,
+)
+from symhaptic.forms.slopes import STABLE
+from symhaptic.forms.stable import Form, NoForm
+from symhaptic.forms.stiffest_angle import StiffestAngle
+from symhaptic.notation import alpha, beta, d, epsilon, l, psi
+
+
+class _By:
+    """Derivatives by one symbol, each subexpression done once."""
+
+    def __init__(self, by: Symbol) -> None:
+        self.by = by
+        self.known: dict[Expr, Expr] = {by: sp.S.One}
+        self.whole = [(whole, slopes[by]) for whole, slopes in WHOLE if by in slopes]
+
+    def __call__(self, expr: Expr) -> Expr:
+        """The derivative of an expression."""
+        if expr not in self.known:
+            self.known[expr] = self._found(expr) if expr.has(self.by) else sp.S.Zero
+        return self.known[expr]
+
+    def _found(self, expr: Expr) -> Expr:
+        if expr.is_Add:
+            return sp.Add(*map(self, expr.args))
+        if expr.is_Mul:
+            return self._product(expr)
+        if expr.is_Pow:
+            base, power = expr.args
+            return power * base ** (power - 1) * self(base)
+        if isinstance(expr, sp.Piecewise):
+            return self._either(expr)
+        if isinstance(expr, Searched):
+            return self._searched(expr)
+        if isinstance(expr, sp.Abs):
+            return expr.args[0] / expr * self(expr.args[0])
+        if isinstance(expr, Entire) and type(expr) not in STABLE:
+            raise NoForm(f"no stable derivative of {type(expr).__name__} is known")
+        return sp.Add(*(expr.fdiff(i + 1) * self(arg) for i, arg in enumerate(expr.args)))
+
+    def _either(self, expr: sp.Piecewise) -> Expr:
+        """Of a form for whole delays and another one for those with a fraction."""
+        (whole, condition), (late, _) = expr.args
+        by = self.inside if self.by == d else self
+        slope = by(late.xreplace({SomePart(d): epsilon, WholePart(d): l}))
+        if self.by == d:
+            right = at_numbers(slope.xreplace({epsilon: sp.S.Zero, l: d}))
+        else:
+            right = self(whole)
+        back = slope.xreplace({epsilon: SomePart(d), l: WholePart(d)})
+        return sp.Piecewise((right, condition), (back, True))
+
+    @cached_property
+    def inside(self) -> _By:
+        """Derivatives by the fraction of a period."""
+        return _By(epsilon)
+
+    def _searched(self, expr: Searched) -> Expr:
+        if isinstance(expr, WholePart):
+            return sp.S.Zero
+        if isinstance(expr, LatePart | SomePart):
+            return self(expr.args[0])
+        if isinstance(expr, Pushed | Rated):
+            return Rated(expr.args[0], self(expr.args[1]))
+        if isinstance(expr, LargestNeed):
+            return Rated(expr.args[0], self._needed(expr))
+        raise NoForm(f"{type(expr).__name__} is searched for")
+
+    def _needed(self, expr: LargestNeed) -> Expr:
+        """That of the need at the worst angle."""
+        stiffness, damping, delay = expr.args
+        whole, part = WholePart(delay), LatePart(delay)
+        angle = NeediestAngle(stiffness, damping, whole, part)
+        at = {alpha: stiffness, beta: damping, l: whole, epsilon: part, psi: angle}
+        need, arguments = worst.need(), {alpha: stiffness, beta: damping, epsilon: delay}
+        return sp.Add(
+            *(_By(s)(need).xreplace(at) * self(arg) for s, arg in arguments.items() if self(arg))
+        )
+
+    def _product(self, expr: Expr) -> Expr:
+        powers = expr.as_powers_dict()
+        for whole, slope in (*self.whole, *self._waves(expr)):
+            parts = whole.as_powers_dict()
+            times = min(_times(powers.get(base, sp.S.Zero), power) for base, power in parts.items())
+            if times >= 1:
+                rest, times = expr / whole ** int(times), int(times)
+                return whole ** (times - 1) * (times * slope * rest + whole * self(rest))
+        first, *others = sorted(expr.args, key=lambda factor: not _below(factor))
+        rest = sp.Mul(*others)
+        if _below(first):  # the square of what is below would leave the range of numbers
+            base, power = first.args
+            return first * (self(rest) + power * rest / base * self(base))
+        return self(first) * rest + first * self(rest)
+
+    def _waves(self, expr: Expr) -> Iterator[tuple[Expr, Expr]]:
+        """sin((k + 1) x) over sin(x) or over x, with its derivative."""
+        for wave in expr.args:
+            if isinstance(wave, SinNext):
+                k, x = wave.args
+                turned = CosNext(k, x)
+                yield wave / sin(x), self(k) * x * turned / sin(x) + self(x) * Ripple(k, x)
+                flat = (wave * Gap(x) - x * Chord(k, x) / 2) / Sinc(x)
+                yield wave / x, self(k) * turned + self(x) * flat
+
+
+def _below(factor: Expr) -> bool:
+    """Whether a factor is one below the line."""
+    return bool(factor.is_Pow and factor.exp.is_number and factor.exp < 0)
+
+
+def _times(power: Expr, whole: Expr) -> Expr:
+    """How often a power holds another one; the exponent of exp is no number."""
+    ratio = power / whole
+    return ratio if ratio.is_number else sp.S.Zero
+
+
+def derivative(expr: Expr, by: Symbol) -> Expr:
+    """The derivative of a stable form, again a stable form.
+
+    >>> from symhaptic.forms.entire_device import Together
+    >>> from symhaptic.notation import delta, gamma
+    >>> derivative(gamma * Together(gamma, delta), gamma)
+    Kick(gamma, delta)
+    """
+    return _By(by)(expr)
+
+
+def counts(form: Form) -> bool:
+    """Whether a form counts roots: whole numbers have no slope."""
+    return any(e.has(WholeRoots, LateRoots, Stable) for e in form.expressions)
+
+
+def _held(expr: Expr, by: _By) -> Expr:
+    """The derivative at the angle that is searched for, which stays as it is."""
+    still = Symbol("still")
+
+    def stopped(e: Expr) -> tuple[Expr, dict[Expr, Expr]]:
+        (angle,) = e.atoms(StiffestAngle)
+        return e.xreplace({angle: still}), {still: angle}
+
+    if not isinstance(expr, sp.Piecewise):
+        one, back = stopped(expr)
+        return by(one).xreplace(back)
+    (whole, condition), (late, _) = expr.args
+    (one, back), (other, back_late) = stopped(whole), stopped(late)
+    slopes = by(sp.Piecewise((one, condition), (other, True))).args
+    return sp.Piecewise(
+        (slopes[0][0].xreplace(back), condition), (slopes[1][0].xreplace(back_late), True)
+    )
+
+
+def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
+    """The form with, beside each result r, its derivative r_by_x for every argument x asked for.
+
+    Of a form with results at an angle that is searched for, only for the results that are largest
+    there.  Raises :class:`NoForm` for what is no argument, for what counts, and for what is
+    searched for in another way.
+    """
+    symbols = {s.name: s for s in form.arguments}
+    for name in by:
+        if name not in symbols:
+            raise NoForm(f"{form.name}: has no argument {name!r}; it has {', '.join(symbols)}")
+    if counts(form):
+        raise NoForm(f"{form.name}: has no derivative, since it counts roots")
+    names = [name for name, _ in form.results]
+    given = zip(names, form.differentiated, strict=True)
+    results = [r for r in given if not form.held or r[0] in form.held]
+    slopes = []
+    for name in by:
+        own = _By(symbols[name])
+        for result, expr in results:
+            try:
+                found = _held(expr, own) if form.held else own(expr)
+            except NoForm as lacking:
+                raise NoForm(
+                    f"{form.name}: has no derivative with respect to {name}, since {lacking}"
+                ) from None
+            slopes.append((f"{result}_by_{name}", found))
+    return replace(
+        form,
+        name=f"{form.name}_and_derivatives",
+        title=f"{form.title}; and its derivatives with respect to {', '.join(by)}",
+        results=(*form.results, *slopes),
+        plain=form,
+    )
+
+
+def differentiable(form: Form) -> tuple[str, ...]:
+    """The names of the arguments by which the form has derivatives.
+
+    >>> from symhaptic.model import stable
+    >>> differentiable(stable.form("passivity_margin_at"))
+    ('theta', 'alpha', 'beta', 'delta', 'd')
+    >>> differentiable(stable.form("is_stable"))
+    ()
+    """
+    return tuple(s.name for s in form.arguments if _has(form, s.name))
+
+
+def _has(form: Form, name: str) -> bool:
+    try:
+        with_derivatives(form, (name,))
+    except NoForm:
+        return False
+    return True

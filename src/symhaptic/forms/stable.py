@@ -1,0 +1,83 @@
+r"""Forms for computing: the same formulas, made so that no digits are lost.
+
+A form is stated for one scene, with the arguments that the scene has, and with the expression
+that it equals, derived from first principles for the same scene; ``written_out`` and the normal
+form prove that both are the same.  Nothing is divided that can be 0/0, at no stiffness, at no
+damping, at critical damping, or at a vanishing angle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache
+
+from symhaptic.forms.device_forms import characteristic_polynomial, discretize, discretize_late
+from symhaptic.forms.form import Form, NoForm
+from symhaptic.forms.passivity_forms import (
+    linear_limit,
+    max_passive_stiffness,
+    passivity_boundary,
+    passivity_margin,
+    passivity_margin_at,
+)
+from symhaptic.forms.stability_forms import (
+    is_stable,
+    max_stable_stiffness,
+    stability_boundary,
+    stability_conditions,
+    unstable_roots,
+)
+from symhaptic.model.parts import FULL, Parts
+
+FORMS: dict[str, Callable[..., Form]] = {
+    f.__name__: f
+    for f in (
+        discretize,
+        discretize_late,
+        characteristic_polynomial,
+        is_stable,
+        unstable_roots,
+        stability_conditions,
+        stability_boundary,
+        max_stable_stiffness,
+        passivity_margin_at,
+        passivity_margin,
+        passivity_boundary,
+        max_passive_stiffness,
+        linear_limit,
+    )
+}
+
+STATEMENTS = {
+    "discretize": ("eq14",),
+    "characteristic_polynomial": ("eq18",),
+    "passivity_margin_at": ("eq5",),
+    "passivity_boundary": ("eq27",),
+    "max_passive_stiffness": ("eq11",),
+    "linear_limit": ("eq25",),
+}
+"""Formulas of the paper that the forms compute."""
+
+FOR_ONE_DELAY = ("characteristic_polynomial", "stability_conditions")
+"""Forms that are made for one whole delay."""
+
+
+@cache
+def form(name: str, parts: Parts = FULL, delay: int | None = None) -> Form:
+    """The form of one function, for one scene and, where it needs one, for one whole delay.
+
+    Raises :class:`NoForm` where the scene has not what it is about.
+    """
+    return FORMS[name](parts, delay) if name in FOR_ONE_DELAY else FORMS[name](parts)
+
+
+def forms(parts: Parts = FULL, delay: int | None = None) -> Iterator[Form]:
+    """All forms of a scene, those left out that it has not."""
+    for name in FORMS:
+        try:
+            yield form(name, parts, delay)
+        except NoForm:
+            continue
+
+
+__all__ = ["FORMS", "FOR_ONE_DELAY", "STATEMENTS", "Form", "NoForm", "form", "forms"]

@@ -1,0 +1,197 @@
+r"""Formulas set as by hand: SymPy expressions to LaTeX, in the order an engineer writes them.
+
+Products run number, parameters, sums, angles, functions; sums start with a positive term and
+fall in powers of z; :math:`\sin d\theta` has no needless brackets; exponents use a slash.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.notation import SYMBOLS
+from symhaptic.notation.term_order import NAMED, base_of, factors, ordered_terms
+
+_RELATIONS = {"==": "=", "!=": r"\ne", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge"}
+
+
+def latex(expr: Expr, inline: bool = False) -> str:
+    r"""LaTeX of an expression, relation or vector; ``inline`` avoids built-up fractions.
+
+    >>> from symhaptic.notation import K, T, d, theta
+    >>> latex(K*T*sp.sin((d + 1)*theta)/2)
+    '\\frac{KT\\sin(d+1)\\theta}{2}'
+    >>> latex(sp.exp(-d/2))
+    'e^{-d/2}'
+    """
+    return _Writer(inline).write(sp.sympify(expr))
+
+
+class _Writer:
+    def __init__(self, inline: bool) -> None:
+        self.inline = inline
+
+    def write(self, expr: Expr) -> str:
+        if isinstance(expr, sp.core.relational.Relational):
+            sign = _RELATIONS[expr.rel_op]
+            return f"{self.write(expr.lhs)} {sign} {self.write(expr.rhs)}"
+        if isinstance(expr, sp.MatrixBase):
+            rows = r" \\ ".join(
+                " & ".join(self.write(e) for e in expr.row(i)) for i in range(expr.rows)
+            )
+            return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
+        if isinstance(expr, (tuple, sp.Tuple)):
+            return r",\quad ".join(self.write(e) for e in expr)
+        if expr.is_Symbol:
+            return SYMBOLS[expr.name].latex if expr.name in SYMBOLS else sp.latex(expr)
+        if expr.is_Rational:
+            if expr.q == 1:
+                return str(expr.p)
+            return ("-" if expr.p < 0 else "") + self.fraction(str(abs(expr.p)), str(expr.q))
+        if expr is sp.I:
+            return "j"
+        if expr.is_Add:
+            return self.sum(expr)
+        if isinstance(expr, sp.exp):
+            return f"e^{{{_Writer(True).write(_joined(expr.args[0]))}}}"
+        if expr.is_Pow and not (expr.args[1].is_Rational and expr.args[1] < 0):
+            return self.power(expr)
+        if expr.is_Mul or expr.is_Pow:
+            return self.product(expr)
+        if expr.func in NAMED:
+            return self.function(expr, 1)
+        if isinstance(expr, sp.Abs):
+            return f"|{self.write(expr.args[0])}|"
+        if isinstance(expr, sp.re):
+            return rf"\Re\{{{self.write(expr.args[0])}\}}"
+        if isinstance(expr, sp.core.function.AppliedUndef):
+            name = expr.func.__name__
+            inner = ",".join(self.write(a) for a in expr.args)
+            return f"{name}({inner})"
+        return str(sp.latex(expr))
+
+    # -- sums -------------------------------------------------------------------------
+
+    def sum(self, expr: Expr) -> str:
+        return joined([self.write(term) for term in ordered_terms(expr)])
+
+    # -- products and powers -----------------------------------------------------------
+
+    def product(self, expr: Expr) -> str:
+        negative, top, bottom = factors(expr)
+        if bottom:
+            lone_sum = len(top) == 1 and top[0].is_Add and all(f.is_Integer for f in bottom)
+            if lone_sum and not self.inline:
+                scale = self.fraction("1", self.factors_of(bottom))
+                text = scale + self.bracketed(top[0])
+            else:
+                lead = _Writer(self.inline)
+                below = lead.factors_of(bottom, alone=True)
+                text = self.fraction(lead.factors_of(top, alone=True), below)
+        else:
+            text = self.factors_of(top)
+        return f"-{text}" if negative else text
+
+    def fraction(self, top: str, bottom: str) -> str:
+        if not self.inline:
+            digits = top.isdigit() and bottom.isdigit()
+            return rf"{chr(92)}{'tfrac' if digits else 'frac'}{{{top}}}{{{bottom}}}"
+        if any(c in top for c in "+-") and not _enclosed(top):
+            top = f"({top})"
+        if not (len(bottom) == 1 or bottom.isdigit() or _one_command(bottom)):
+            bottom = bottom if _enclosed(bottom) else f"({bottom})"
+        return f"{top}/{bottom}"
+
+    def factors_of(self, items: list[Expr], alone: bool = False) -> str:
+        if not items:
+            return "1"
+        if alone and len(items) == 1:
+            return self.write(items[0])
+        texts = [self.factor(f) for f in items]
+        out = texts[0]
+        for before, item, text in zip(items, items[1:], texts[1:], strict=False):
+            spaced = base_of(before).func in NAMED or isinstance(before, sp.exp)
+            if before.is_Integer and (item.is_Integer or text[0].isdigit()):
+                out += r" \cdot "
+            elif spaced:
+                out += r"\,"
+            elif out[-1].isalpha() and "\\" in out.split("{")[-1] and text[0].isalpha():
+                out += " "
+            out += text
+        return out
+
+    def factor(self, expr: Expr) -> str:
+        if expr.is_Add:
+            return self.bracketed(expr)
+        return self.write(expr)
+
+    def bracketed(self, expr: Expr) -> str:
+        inner = self.write(expr)
+        if r"\frac" in inner:
+            return rf"\left({inner}\right)"
+        if r"\tfrac" in inner:
+            return rf"\bigl({inner}\bigr)"
+        if "(" in inner and not self.inline:
+            return rf"\bigl({inner}\bigr)"
+        return f"({inner})"
+
+    def power(self, expr: Expr) -> str:
+        base, exponent = expr.args
+        if exponent == sp.Rational(1, 2):
+            return rf"\sqrt{{{self.write(base)}}}"
+        if base.func in NAMED and exponent.is_Integer:
+            return self.function(base, int(exponent))
+        script = _Writer(True).write(_joined(exponent))
+        if base.is_Symbol and not (base.name in SYMBOLS and "_" in SYMBOLS[base.name].latex):
+            return f"{self.write(base)}^{script if len(script) == 1 else '{' + script + '}'}"
+        inner = self.write(base) if base.is_Symbol else self.bracketed(base)
+        if base.is_Symbol:
+            name, sub = inner.split("_", 1)
+            return f"{name}_{sub}^{{{script}}}"
+        if isinstance(base, sp.exp) or (base.is_number and not base.is_negative):
+            inner = (
+                rf"\left({self.write(base)}\right)"
+                if isinstance(base, sp.exp)
+                else (self.write(base))
+            )
+        return f"{inner}^{{{script}}}"
+
+    def function(self, expr: Expr, power: int) -> str:
+        name = NAMED[expr.func] + (f"^{power}" if power != 1 else "")
+        argument = expr.args[0]
+        if argument.is_Rational or argument.is_Add or argument.could_extract_minus_sign():
+            return f"{name}{self.bracketed(argument)}"
+        shown = _Writer(self.inline).write(argument)
+        if not self.inline:
+            shown = shown.replace(r"\frac", r"\tfrac")
+        return name + (shown if shown[0] in "\\(" else " " + shown)
+
+
+def joined(terms: list[str]) -> str:
+    """Terms written one after the other with their signs.
+
+    >>> joined(["a", "-b", "c"])
+    'a-b+c'
+    """
+    return terms[0] + "".join(t if t.startswith("-") else f"+{t}" for t in terms[1:])
+
+
+def _joined(exponent: Expr) -> Expr:
+    return sp.together(exponent) if exponent.is_Add else exponent
+
+
+def _enclosed(text: str) -> bool:
+    if not (text.startswith("(") and text.endswith(")")):
+        return False
+    depth = 0
+    for i, c in enumerate(text):
+        depth += (c == "(") - (c == ")")
+        if depth == 0:
+            return i == len(text) - 1
+    return False
+
+
+def _one_command(text: str) -> bool:
+    return (text.startswith("\\") and text[1:].isalpha()) or (
+        len(text) <= 5 and text[0].isalpha() and text[1:2] in ("_", "^")
+    )

@@ -1,0 +1,147 @@
+"""The largest stable stiffness, and the largest delay that a wall bears."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize.elementwise import find_root
+
+from symhaptic.numeric import arguments, stability
+from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.boundary import end, point, tangent
+from symhaptic.numeric.containers import kept
+from symhaptic.numeric.crossings import wall
+from symhaptic.numeric.extremum import Extremum
+from symhaptic.numeric.given import Given
+from symhaptic.numeric.plant import Device, device, stuck
+from symhaptic.numeric.stability import SHEETS
+from symhaptic.numeric.tracing.arcs import Loop
+from symhaptic.numeric.tracing.region import farthest
+
+_GRID = np.linspace(0, 1, 25)[1:]
+"""Parts of the first half turn of z^(d+1) at which the first maximum of alpha is looked for."""
+
+_LAST = np.pi * (1 - 1e-4)
+"""Next to theta = pi, where alpha has its limit for d = 0 with no slope: what a maximum beyond
+adds to the limit is of fourth order."""
+
+_STIFFEST = 9.8
+"""Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
+
+
+_FARTHEST = 1e60
+"""Where no force reaches the device, the boundary is at infinity."""
+
+
+@kept(Extremum, alpha=float, beta=float, theta=float)
+def max_stable_stiffness(
+    gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+) -> Extremum:
+    r"""The rightmost point of the stable region: largest alpha = K T^2/m, with its beta and theta.
+
+    For the plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0 periods; arrays broadcast.  It
+    is a supremum: the wall there has roots on the unit circle, at exp(+-j theta).  Where the
+    spring's own frequency lies in the first half turn of the delay, sqrt(gamma) (d+1) <= pi, or
+    for d <= 1, and gamma is at most 9.8, it is the first maximum of the explicit boundary (the
+    end of the curve at theta = pi if there is none), found in a time that ignores the delay; that
+    this is the farthest piece rests on comparison with whole regions, not on a proof.  Elsewhere
+    every piece of the boundary is traced, one element after the other, which takes milliseconds
+    times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
+
+    Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
+
+    >>> alpha, beta, theta = max_stable_stiffness(0.0, 0.0, [0, 1])
+    >>> alpha.round(6).tolist()
+    [0.686292, 0.144469]
+    """
+    arguments.one_of("sheet", sheet, SHEETS)
+    given = Given(gamma=gamma, delta=delta, delay=delay)
+    work = partial(arguments.in_blocks, partial(_rightmost, sheet=sheet))
+    return Extremum(*given.by_numpy(work, 3))
+
+
+def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+    shape = np.broadcast_shapes(gamma.shape, delta.shape, delay.shape)
+    g, dl, dy = (np.broadcast_to(a, shape).reshape(-1) for a in (gamma, delta, delay))
+    found = np.full((3, g.size), np.nan)
+    known = ~np.isnan(g + dl + dy) & ~stuck(g, dl)
+    simple = known & (g <= _STIFFEST) & ((np.sqrt(g) * (dy + 1) <= np.pi) | (dy <= 1))
+    if np.any(simple):
+        found[:, simple] = _first_maximum(g[simple], dl[simple], dy[simple], sheet)
+    for i in np.flatnonzero(known & np.isnan(found[0])):
+        loop = Loop(float(g[i]), float(dl[i]), float(dy[i]), sheet)
+        found[:, i] = farthest(loop, np.array([1.0, 0.0]))
+    return found.reshape(3, *shape)
+
+
+def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+    """The first maximum of alpha along the curve; NaN where it does not border the region."""
+    steps, part = stability.split(delay, sheet)
+    x = device(gamma, delta, part)
+    whole = np.pi / (delay + 1)
+    low, high = np.full_like(whole, np.nan), np.full_like(whole, np.nan)
+    before, rose = np.zeros_like(whole), np.ones_like(whole, dtype=bool)
+    for share in _GRID:
+        theta = np.minimum(share * whole, _LAST)
+        rises = tangent(x, theta, steps)[0] > 0
+        first = rose & ~rises & np.isnan(low)
+        low, high = np.where(first, before, low), np.where(first, theta, high)
+        before, rose = theta, rises
+    found = np.full((3, whole.size), np.nan)
+    numbers = [np.broadcast_to(v, whole.shape) for v in x]
+
+    def bordering(theta: Array, at: NDArray[np.bool_]) -> Array:
+        """alpha, beta and theta, NaN where another root is outside."""
+        some, st = Device(*(v[at] for v in numbers)), steps[at]
+        alpha, beta = point(some, theta, st)
+        others = stability.count(
+            some, wall(alpha, beta), st, part is None, sheet == "principal", on_circle=theta
+        )
+        stable = (others == 0) & (alpha > -gamma[at])
+        return np.where(stable, [alpha, beta, theta], np.nan)
+
+    inner = ~np.isnan(low)
+    if np.any(inner):
+        low = np.maximum(low, high * 1e-3)[inner]
+        args = (steps[inner], *(v[inner] for v in numbers))
+        found[:, inner] = bordering(find_root(_rise, (low, high[inner]), args=args).x, inner)
+    last = ~inner & (delay == 0)
+    if np.any(last):
+        alpha, beta = (v[last] for v in np.broadcast_arrays(*end(x, steps)))
+        stable = ~np.isnan(bordering(np.full(alpha.shape, _LAST), last)[0]) & np.isfinite(alpha)
+        limit = [alpha, beta, np.full_like(alpha, np.pi)]
+        found[:, last] = np.where(stable, limit, np.nan)
+    return found
+
+
+def _rise(theta: Array, steps: Array, *numbers: Array) -> Array:
+    return tangent(Device(*numbers), theta, steps)[0]
+
+
+def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extremum:
+    """The largest stiffness of a stable wall with a given damping, and the angle of its roots.
+
+    At one damping the count of unstable roots can change only where the explicit boundary or a
+    line of a real root has this damping; between neighbours of these it is told in the middle.
+    NaN where no stiffness makes it stable.
+    """
+    nothing = Extremum(*np.array([np.nan, beta, np.nan]))
+    if stuck(np.asarray(gamma), np.asarray(delta)):
+        return nothing
+    loop = Loop(gamma, delta, delay)
+    theta = loop.meets(lambda _, damping: damping - beta)
+    line = [] if loop.line is None else [loop.line - 2 * beta]
+    walls = np.concatenate([loop.curve(theta)[:, 0], [-gamma], line])
+    angles = np.concatenate([theta, [0.0], [np.pi] * len(line)])
+    near = np.abs(walls) < _FARTHEST
+    walls, angles = walls[near], angles[near]
+    order = np.argsort(walls)
+    walls, angles = walls[order], angles[order]
+    middle = (walls[1:] + walls[:-1]) / 2
+    good = stability.is_stable(middle, beta, gamma, delta, delay) & (walls[1:] > walls[:-1])
+    if not np.any(good):
+        return nothing
+    last = int(np.flatnonzero(good)[-1]) + 1
+    return Extremum(walls[last], np.asarray(beta), angles[last])

@@ -1,0 +1,159 @@
+"""Formulas as functions of numbers, without a file between."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import Any
+
+import mpmath
+import sympy as sp
+from sympy import Expr, Symbol
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import Boolean
+
+from symhaptic.export import request
+from symhaptic.export.target import Refused
+from symhaptic.export.targets import TARGETS
+from symhaptic.forms.derivatives import with_derivatives
+from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.forms.stable import STATEMENTS, Form, NoForm
+from symhaptic.forms.values import value
+from symhaptic.model.parts import FULL, Parts, left
+from symhaptic.notation.suggest import suggested
+from symhaptic.numeric.containers import kept
+from symhaptic.scene.scene import Scene
+
+FORMS = ("stable", "derived", "printed")
+MODULES = ("numpy", "jax", "torch", "cupy", "mpmath")
+
+
+def lambdify(
+    id: str,
+    form: str = "stable",
+    modules: str = "numpy",
+    scene: Scene | Parts | str | None = None,
+    derivatives: Sequence[str] | str = (),
+) -> Callable[..., Any]:
+    """A function of numbers from a formula.
+
+    ``id`` is that of a formula of the paper with a stable form, such as ``"eq11"``, or the name of
+    a function that `symhaptic export --list` prints.  ``form`` is ``"stable"``, which keeps its
+    digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
+    ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries (and xarray, Dask,
+    pandas and Pint, which come back as such), or mpmath, which gives as many digits as
+    ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out, as a :class:`Scene` or in the words of
+    the command line (``"no-stiffness,no-delay"``).  The arguments of a
+    stable form are dimensionless and in the order that `--list` prints; those of the others are in
+    the order of their names.  ``derivatives`` names arguments of a stable form: after its results
+    come their derivatives with respect to the first of these, then to the next.  Returns one number
+    or a tuple; ``"is_stable"`` a truth value.  Outside the domain numbers are NaN, the count
+    ``"unstable_roots"`` is -1, and nothing is stable.
+
+    Raises :class:`ValueError` for what is not known, or not in the scene.
+
+    >>> import numpy as np
+    >>> stiffest = lambdify("eq11")
+    >>> alpha, beta, theta = stiffest(1.0, np.array([0.0, 1.0]))
+    >>> alpha.round(6).tolist()
+    [2.0, 0.828427]
+    >>> [float(x) for x in lambdify("discretize", scene=Parts(stiffness=False))(0.0)]
+    [0.5, 0.5, 2.0, 1.0]
+    >>> alpha, alpha_by_d = lambdify("linear_limit", derivatives=["d"])(0.0, 1.0, 1.5)
+    >>> float(alpha), float(alpha_by_d)
+    (0.5, -0.25)
+    """
+    for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
+        if given not in known:
+            raise ValueError(f"{name}: {given!r} is not allowed; {suggested(given, known)}")
+    if form != "stable":
+        if derivatives:
+            raise ValueError(
+                f"derivatives: is not allowed with form={form!r}; stable forms have them"
+            )
+        if scene is not None:
+            raise ValueError(f"scene: is not allowed with form={form!r}; stable forms have scenes")
+        return _of_the_paper(id, form, modules)
+    try:
+        (wanted,) = request.chosen([id], _parts(scene))
+    except Refused as wrong:
+        raise ValueError(f"id: {str(wrong).removeprefix('FORMULA: ')}") from None
+    if isinstance(derivatives, str):
+        derivatives = [name.strip() for name in derivatives.split(",") if name.strip()]
+    if derivatives:
+        try:
+            wanted = with_derivatives(wanted, tuple(derivatives))
+        except NoForm as lacking:
+            raise ValueError(f"derivatives: {lacking}") from None
+    return _in_digits(wanted) if modules == "mpmath" else _on_arrays(wanted)
+
+
+def _parts(scene: Scene | Parts | str | None) -> Parts:
+    """What is in the loop."""
+    if scene is None or isinstance(scene, Parts):
+        return scene or FULL
+    if isinstance(scene, Scene):
+        return scene.parts
+    if not isinstance(scene, str):
+        raise TypeError(f"scene: {scene!r} is not allowed; a Scene or words as 'no-delay' are")
+    try:
+        return left(scene)
+    except ValueError as wrong:
+        raise ValueError(f"scene: {wrong}") from None
+
+
+@cache
+def _on_arrays(form: Form) -> Callable[..., Any]:
+    _, files = request.built(TARGETS["numpy"], [form], "callables", vectors=False)
+    space: dict[str, Any] = {"__name__": f"symhaptic.{form.name}"}
+    exec(compile(files["callables.py"], f"<{form.name}>", "exec"), space)
+    around = kept(None, True, **{name: float for name, _ in form.results})
+    found: Callable[..., Any] = around(space[form.name])
+    return found
+
+
+def _in_digits(form: Form) -> Callable[..., Any]:
+    def function(*numbers: Any) -> Any:
+        if len(numbers) != len(form.arguments):
+            names = ", ".join(s.name for s in form.arguments)
+            raise TypeError(f"{form.name}({names}) takes {len(form.arguments)} numbers")
+        at = dict(zip(form.arguments, map(mpmath.mpmathify, numbers), strict=True))
+        if not all(_inside(*pair) for pair in zip(form.within, at.items(), strict=True)):
+            nothing = (_NOTHING[form.outside],) * len(form.results)
+            return nothing if len(nothing) > 1 else nothing[0]
+        found = tuple(value(expr, at, mpmath.mp.dps) for expr in form.expressions)
+        if form.truth:
+            return found[0] != 0
+        return found if len(found) > 1 else found[0]
+
+    return function
+
+
+_NOTHING = {sp.nan: mpmath.nan, sp.Integer(-1): mpmath.mpf(-1), sp.false: False}
+_NO_END = {LARGEST: sp.Float(10) ** 1000, LONGEST: sp.Float(10) ** 1000, BELOW_PI: sp.pi}
+
+
+def _inside(within: Boolean, argument: tuple[Symbol, mpmath.mpf]) -> bool:
+    """Whether an argument of many digits is in its range."""
+    symbol, number = argument
+    if not mpmath.isfinite(number):
+        return False
+    return bool(within.xreplace({**_NO_END, symbol: sp.Float(number)}))
+
+
+def _of_the_paper(id: str, form: str, modules: str) -> Callable[..., Any]:
+    from symhaptic.book.formulas import formula
+
+    own = next((ids[0] for name, ids in STATEMENTS.items() if name == id), id)
+    lines = getattr(formula(own), form)
+    sides = [_side(line) for line in lines]
+    symbols = sorted(set().union(*(side.free_symbols for side in sides)), key=str)
+    found: Callable[..., Any] = sp.lambdify(
+        symbols, sides[0] if len(sides) == 1 else sides, modules
+    )
+    return found
+
+
+def _side(line: Expr) -> Expr:
+    """What an equation defines; an inequality as it is."""
+    return line.rhs if isinstance(line, Relational) and isinstance(line, sp.Eq) else line

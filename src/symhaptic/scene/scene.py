@@ -1,0 +1,304 @@
+"""What is in the loop, and so which symbols exist at all.
+
+A part that a scene leaves out is not set to zero: the model is derived without it.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from symhaptic.model.parts import Parts
+from symhaptic.notation.quantities import decimal, nearest, number
+
+if TYPE_CHECKING:
+    from symhaptic.bounds.simplest.choose import Simplest
+
+
+class Dimensionless(NamedTuple):
+    """The plant and the delay in units of the mass and the sampling period (Table I)."""
+
+    gamma: float
+    """k T^2/m."""
+    delta: float
+    """b T/m."""
+    delay: float
+    """t_d/T."""
+
+
+class Limit(NamedTuple):
+    """A wall on the border of stability, in SI units."""
+
+    K: float
+    """Virtual stiffness in N/m."""
+    B: float
+    """Virtual damping in Ns/m."""
+    frequency_hz: float
+    """The frequency in Hz at which the loop begins to swing there."""
+
+
+class Stiffness(float):
+    """A stiffness in N/m, with the damping that it needs: ``K``, ``B`` and ``frequency_hz``."""
+
+    B: float
+    """Virtual damping in Ns/m."""
+    frequency_hz: float
+    """The frequency in Hz at which this wall is just at its limit."""
+
+    def __new__(cls, K: float, B: float, frequency_hz: float) -> Stiffness:
+        """A number with two more beside it."""
+        self = super().__new__(cls, K)
+        self.B, self.frequency_hz = B, frequency_hz
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Stiffness, (self.K, self.B, self.frequency_hz)
+
+    @property
+    def K(self) -> float:
+        """The stiffness in N/m."""
+        return float(self)
+
+
+UNITS = {
+    "mass": "kg",
+    "sampling_period": "s",
+    "damping": "N*s/m",
+    "stiffness": "N/m",
+    "delay": "s",
+    "delay_samples": "",
+}
+
+_LONG = 100
+"""A delay in s of more sampling periods than this is warned of."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scene:
+    """gamma = k T^2/m, delta = b T/m, d = t_d/T: a device in SI units, behind a delay.
+
+    ========================  ======  =====  ======================================
+    ``mass``                  m       kg     > 0, device and arm together
+    ``sampling_period``       T       s      > 0
+    ``damping``               b       Ns/m   >= 0, physical
+    ``stiffness``             k       N/m    >= 0, physical
+    ``delay``                 t_d     s      >= 0, computation and transport
+    ``delay_samples``         d              >= 0, the delay in sampling periods instead
+    ========================  ======  =====  ======================================
+
+    Walls have the stiffness K in N/m and the damping B in Ns/m.  A part that is left out
+    (``None``) is not modelled.  Numbers become float64 and count as the decimals that they print
+    as: a delay of 3e-4 s is exactly three periods of 1e-4 s.  Quantities of Pint's are converted.
+
+    Raises :class:`ValueError` for a mass or period that is not positive, a negative damping,
+    stiffness or delay, for anything infinite, NaN, a truth value or of the wrong dimension, and
+    for two delays.  Warns of a ``delay`` of more than 100 periods.
+
+    >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.001)
+    >>> scene.dimensionless
+    Dimensionless(gamma=0.0, delta=0.005, delay=1.0)
+    >>> scene.parts.name
+    'damping, virtual damping, delay'
+    """
+
+    mass: float
+    """m in kg, device and arm together, > 0."""
+    sampling_period: float
+    """T in s, > 0."""
+    damping: float | None = None
+    """b in Ns/m, >= 0."""
+    stiffness: float | None = None
+    """k in N/m, >= 0."""
+    delay: float | None = None
+    """t_d in s, >= 0."""
+    delay_samples: float | None = None
+    """d in sampling periods, >= 0, where the delay is not given in s."""
+
+    def __post_init__(self) -> None:
+        for name, unit in UNITS.items():
+            value = getattr(self, name)
+            if value is not None:
+                least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
+                object.__setattr__(self, name, number(name, value, unit, least))
+        if self.delay is not None and self.delay_samples is not None:
+            raise ValueError(
+                f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
+                "allowed; one of them is"
+            )
+        if self.delay is not None and self.periods > _LONG:
+            warnings.warn(
+                f"delay: {self.delay!r} s are {self.dimensionless.delay:g} sampling periods; "
+                f"a delay of {self.delay!r} periods is delay_samples={self.delay!r}",
+                stacklevel=3,
+            )
+
+    @property
+    def parts(self) -> Parts:
+        """What is in the loop."""
+        return Parts(
+            stiffness=self.stiffness is not None,
+            damping=self.damping is not None,
+            delay=self.delay is not None or self.delay_samples is not None,
+        )
+
+    @property
+    def periods(self) -> Fraction:
+        """The delay in sampling periods, exactly; 0 if there is none."""
+        if self.delay_samples is not None:
+            return decimal(self.delay_samples)
+        return decimal(self.delay or 0) / decimal(self.sampling_period)
+
+    @property
+    def dimensionless(self) -> Dimensionless:
+        """gamma, delta and the delay in periods; 0 for what is not there."""
+        period, mass = decimal(self.sampling_period), decimal(self.mass)
+        return Dimensionless(
+            gamma=nearest(decimal(self.stiffness or 0) * period**2 / mass),
+            delta=nearest(decimal(self.damping or 0) * period / mass),
+            delay=nearest(self.periods),
+        )
+
+    def _wall(self, alpha: Any, beta: Any, theta: Any) -> tuple[float, float, float]:
+        """K, B and the frequency in Hz."""
+        scale, period = self.mass / self.sampling_period, self.sampling_period
+        return (
+            float(alpha) * self.mass / period**2,
+            float(beta) * scale,
+            float(theta) / (2 * math.pi * period),
+        )
+
+    def max_stable_stiffness(self) -> Stiffness:
+        """Largest stiffness in N/m of a stable wall, with the damping ``.B`` that it needs.
+
+        A number, which also knows the virtual damping ``.B`` in Ns/m and the frequency
+        ``.frequency_hz`` at which the loop begins to swing.  With another damping the limit is
+        lower: :meth:`limit_at`.
+
+        >>> scene = Scene(mass=0.1, sampling_period=0.001)  # 4 (2 - r)(r - 1)/r m/T^2, r = sqrt 2
+        >>> stiffest = scene.max_stable_stiffness()
+        >>> round(stiffest, 3), round(stiffest.B, 3)
+        (68629.15, 82.843)
+        """
+        from symhaptic.numeric.tracing.extremes import max_stable_stiffness
+
+        return Stiffness(*self._wall(*max_stable_stiffness(*self.dimensionless)))
+
+    def max_passive_stiffness(self) -> Stiffness:
+        """Largest stiffness in N/m of a passive wall, with the damping ``.B`` that it needs.
+
+        A number, which also knows ``.B`` in Ns/m and the worst frequency ``.frequency_hz``.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
+        >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
+        1000.0
+        """
+        from symhaptic.numeric.passivity import max_passive_stiffness
+
+        _, delta, delay = self.dimensionless
+        return Stiffness(*self._wall(*max_passive_stiffness(delta, delay)))
+
+    def limit_at(self, B: float) -> Limit:
+        """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
+
+        Returns K, ``B`` and the frequency in Hz at which the loop swings there; K is NaN where no
+        stiffness makes a wall of this damping stable.  It is a supremum, found among the crossings
+        of the explicit boundary; K may also have a lower limit.
+
+        Raises :class:`ValueError` for a ``B`` that is no finite number.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> round(scene.limit_at(B=0.0).K, 1)
+        250.4
+        """
+        from symhaptic.numeric.tracing.extremes import stiffest_at
+
+        gamma, delta, delay = self.dimensionless
+        damping = number("B", B, "N*s/m")
+        found = stiffest_at(damping * self.sampling_period / self.mass, gamma, delta, delay)
+        K, _, frequency = self._wall(*found)
+        return Limit(K, damping, frequency)
+
+    def simplest(
+        self,
+        rtol: float,
+        *,
+        mass: float | tuple[float, float] | None = None,
+        damping: float | tuple[float, float] | None = None,
+        stiffness: float | tuple[float, float] | None = None,
+        B: float | tuple[float, float] | None = None,
+    ) -> Simplest:
+        """The smallest model whose stiffness limit is proved to be within ``rtol`` of the scene's.
+
+        The limit is :meth:`max_stable_stiffness`, or the largest stable stiffness of walls with
+        the virtual damping ``B`` (Ns/m) where that is given; the error is |K_model/K - 1|.  Models
+        are, the smallest first: the linear limit (25) (only with ``B``, as it grows with it), the
+        loop without spring and damper, without spring, without damper, and all of it.
+
+        ``mass``, ``damping``, ``stiffness`` and ``B`` take the scene's place: a number, or a range
+        (lowest, highest) over which the bound holds.  Numbers are the decimals that they print as.
+        Bounds are proved by ball arithmetic, for whole delays; what is not proved is infinite,
+        with its reason, and does not count.
+
+        Raises :class:`ValueError` for an ``rtol`` that is not > 0 and for an impossible range.
+
+        >>> arm = Scene(mass=1.0, damping=2.0, stiffness=50.0, sampling_period=0.001, delay=0.001)
+        >>> print(arm.simplest(0.01, damping=(0.0, 20.0)))
+          linear limit: not proved: it has no largest stiffness, but grows with B; give B
+          without stiffness and damping: below 6.66 %
+        * without stiffness: below 0.0169 %
+          without damping: below 6.68 %
+          full: exact
+        """
+        from symhaptic.bounds.simplest.choose import Loop, simplest
+
+        over = {"mass": mass, "damping": damping, "stiffness": stiffness, "B": B}
+        loop = Loop(
+            self.parts, self.periods, self.sampling_period, self.mass, self.stiffness, self.damping
+        )
+        return simplest(loop, rtol, over)
+
+    def to_control(self) -> Any:
+        """The sampled device behind its delay, from N to m, for python-control.
+
+        Raises :class:`ModuleNotFoundError` where that is not installed.
+        """
+        from symhaptic.scene.systems import control_system
+
+        return control_system(self)
+
+    def to_scipy(self) -> Any:
+        """The sampled device behind its delay, from N to m, as a ``scipy.signal.dlti``.
+
+        >>> system = Scene(mass=1.0, sampling_period=1.0, delay=0.5).to_scipy()
+        >>> system.num.tolist(), system.den.tolist()
+        ([0.125, 0.75, 0.125], [1.0, -2.0, 1.0, 0.0])
+        """
+        from symhaptic.scene.systems import scipy_system
+
+        return scipy_system(self)
+
+    def to_sympy(self) -> Any:
+        """The sampled device behind its delay, from N to m, as SymPy's ``TransferFunction``."""
+        from symhaptic.scene.systems import sympy_system
+
+        return sympy_system(self)
+
+    def delay_margin(self, K: float, B: float) -> float:
+        """Largest delay in s up to which the wall of stiffness ``K`` (N/m), ``B`` (Ns/m) is stable.
+
+        The scene's own delay does not count.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
+        >>> round(1000 * scene.delay_margin(K=1000.0, B=5.0), 3)  # ms
+        4.401
+        """
+        from symhaptic.numeric.tracing.margin import delay_margin
+
+        K, B = number("K", K, "N/m"), number("B", B, "N*s/m")
+        gamma, delta, _ = self.dimensionless
+        scale = self.sampling_period / self.mass
+        found = delay_margin(K * scale * self.sampling_period, B * scale, gamma, delta)
+        return float(found) * self.sampling_period

@@ -1,0 +1,84 @@
+"""A scene as a system of other tools: the device, sampled behind its delay, from N to m.
+
+Exact, a fraction of a period included: the held force then changes inside a period, which gives
+one more coefficient (modified z-transform), not an approximation of the delay.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from symhaptic.kernels import haptic
+from symhaptic.notation.quantities import decimal
+
+if TYPE_CHECKING:
+    from symhaptic.scene.scene import Scene
+
+
+def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
+    """Numerator and denominator in z, the highest power first, of position over force in m/N.
+
+    >>> from symhaptic.scene.scene import Scene
+    >>> coefficients(Scene(mass=1.0, sampling_period=1.0, delay=1.0))
+    ([0.5, 0.5], [1.0, -2.0, 1.0, 0.0])
+    """
+    gamma, delta, _ = scene.dimensionless
+    steps = math.floor(scene.periods)
+    part = float(scene.periods - steps)
+    found = haptic.discretize_late(gamma, delta, part) if part else haptic.discretize(gamma, delta)
+    *force, a, e = map(float, found)
+    scale = scene.sampling_period**2 / scene.mass
+    top = [scale * v for v in force]
+    return top, [1.0, -a, e] + [0.0] * (steps + (part > 0))
+
+
+def control_system(scene: Scene) -> Any:
+    """As a ``control.TransferFunction``; needs python-control."""
+    import control
+
+    return control.TransferFunction(*coefficients(scene), scene.sampling_period)
+
+
+def scipy_system(scene: Scene) -> Any:
+    """As a ``scipy.signal.dlti``."""
+    from scipy.signal import dlti
+
+    return dlti(*coefficients(scene), dt=scene.sampling_period)
+
+
+def sympy_system(scene: Scene) -> Any:
+    """As an exact ``TransferFunction`` of SymPy, in z; floats are the decimals that they print as.
+
+    >>> from symhaptic.scene.scene import Scene
+    >>> system = sympy_system(Scene(mass=2.0, sampling_period=1.0, delay=1.0))
+    >>> system.num, system.den
+    (z/4 + 1/4, z*(z**2 - 2*z + 1))
+    """
+    import sympy as sp
+    from sympy.physics.control import TransferFunction
+
+    from symhaptic.model import fractional, plant
+    from symhaptic.notation import z
+
+    period, mass = (_exact(v) for v in (scene.sampling_period, scene.mass))
+    exact = plant.Plant(
+        sp.S.One,
+        _exact(scene.damping) * period / mass if scene.damping else None,
+        _exact(scene.stiffness) * period**2 / mass if scene.stiffness else None,
+    )
+    delay = sp.Rational(*scene.periods.as_integer_ratio())
+    steps = sp.floor(delay)
+    if delay == steps:
+        device = plant.sampled(exact)
+        top, bottom = device.numerator, device.denominator * z**steps
+    else:
+        late = fractional.late(exact, part=delay - steps)
+        top, bottom = late.numerator, late.device.denominator * z ** (steps + 1)
+    return TransferFunction(sp.expand(period**2 / mass * top), bottom, z)
+
+
+def _exact(value: float) -> Any:
+    import sympy as sp
+
+    return sp.Rational(*decimal(value).as_integer_ratio())

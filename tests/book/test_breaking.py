@@ -1,0 +1,50 @@
+"""Long formulas are broken within the line, and lose nothing on the way."""
+
+import pytest
+from sympy import Symbol, cos, sin, symbols
+
+from symhaptic.book.tex.breaking import broken, pieces, width
+from symhaptic.notation import B, K, T, d, theta
+from symhaptic.notation.latex import latex
+
+LONG = K * T * (cos(d * theta) - cos((d + 1) * theta)) + B * (
+    cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta)
+)
+
+
+def test_a_short_formula_stays_whole():
+    assert pieces(K * T, 20) == [latex(K * T)]
+
+
+@pytest.mark.parametrize("limit", [12, 16, 24])
+def test_each_piece_fits(limit):
+    for piece in pieces(LONG, limit):
+        assert width(piece) <= limit + 1.5  # one sign and a bracket may hang over
+
+
+def test_the_pieces_together_are_the_formula():
+    terms = sum(symbols("x_1:30"), Symbol("x_0"))
+    joined = "".join(pieces(terms, 10))
+    assert joined == latex(terms)
+
+
+def test_every_line_but_the_first_starts_with_a_sign():
+    for piece in pieces(sum(symbols("x_1:30")), 10)[1:]:
+        assert piece[0] in "+-"
+
+
+def test_the_print_is_split_at_its_marks():
+    assert broken(r"a \br + b") == ["a ", "+ b"]
+    (stacked,) = broken(r"\frac{a \br + b}{c}")
+    assert r"\begin{gathered}a \\ + b\end{gathered}" in stacked
+
+
+def test_sines_are_wider_than_letters():
+    assert width(r"\sin x") > width("x")
+    assert width(r"\frac{aaaa}{b}") < width("aaaab") + 1
+
+
+def test_a_fraction_with_a_wide_divisor_stacks_its_numerator():
+    wide = LONG / (3 + sin(d * theta) - sin((d + 1) * theta) + sin((d + 2) * theta))
+    (piece,) = pieces(wide, 22)
+    assert "gathered" in piece

@@ -1,0 +1,82 @@
+"""The largest stable stiffness beside whole traced regions and beside companion eigenvalues."""
+
+import numpy as np
+import pytest
+from oracle import radius
+
+from symhaptic import max_stable_stiffness, stable_region
+from symhaptic.numeric.tracing.arcs import Loop
+from symhaptic.numeric.tracing.region import farthest
+
+
+def plants(rng, count):
+    """Plants and delays for which the first maximum is trusted, most of them near its limits."""
+    delay = np.where(rng.random(count) < 0.5, rng.integers(0, 5, count), rng.uniform(0, 8, count))
+    delay[: count // 4] = 0.0
+    limit = np.minimum(np.where(delay <= 1, 9.8, (np.pi / (delay + 1)) ** 2), 9.8)
+    gamma = limit * rng.choice([0.0, 0.5, 0.9, 0.999, 1.0], count) * rng.uniform(0.9, 1, count)
+    delta = rng.choice([0.0, 0.05, 2.0, 20.0], count) * rng.random(count)
+    return gamma, delta, delay
+
+
+def test_the_first_maximum_is_that_of_the_traced_region():
+    rng = np.random.default_rng(31)
+    case = plants(rng, 150)
+    found = max_stable_stiffness(*case).alpha
+    traced = [
+        farthest(Loop(*map(float, one)), np.array([1.0, 0.0]))[0] for one in np.stack(case, 1)
+    ]
+    assert found == pytest.approx(np.array(traced), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        (9.824044752280086, 0.09448959101690874, 0.0),  # a maximum at 3.05, beyond 23/24 pi
+        (9.821654053881902, 2.7016296147788734e-08, 0.0),  # the curve ends at -3e12
+        (8.0, 1.2849501345701888, 0.0),
+        (5.882765301260491, 1.995207574845061, 0.0),
+        (0.001, 0.02, 8.0),
+        (0.001, 0.02, 3.7),
+        (3.0, 0.1, 4.0),  # traced: the spring swings faster than the delay allows
+        (9.0, 0.02, 2.5),
+    ],
+    ids=str,
+)
+def test_stable_on_the_left_and_not_on_the_right(case):
+    """Along the line of its own damping, by eigenvalues."""
+    alpha, beta, theta = max_stable_stiffness(*case)
+    step = 1e-5 * (alpha + case[0])
+    inside, outside = radius(np.array([alpha - step, alpha + step]), beta, *case)
+    assert inside < 1 < outside
+    assert 0 < theta <= np.pi
+
+
+@pytest.mark.parametrize("case", [(0.5, 0.1, 1), (2.0, 0.5, 0), (3.0, 0.1, 4), (1e-3, 0.02, 2.5)])
+def test_no_grid_finds_a_stiffer_wall(case):
+    """Brute force: 200 x 200 walls around the maximum, by eigenvalues."""
+    best = max_stable_stiffness(*case)
+    alphas = np.linspace(0, 1.6 * best.alpha, 200)
+    betas = best.beta + (best.alpha + 0.1) * np.linspace(-2, 2, 200)
+    alpha, beta = (v.ravel() for v in np.meshgrid(alphas, betas))
+    stable = radius(alpha, beta, *case) < 1 - 1e-9
+    reached = alpha[stable].max()
+    assert reached <= best.alpha * (1 + 1e-12)
+    assert reached >= 0.95 * best.alpha  # the grid is fine enough to come close
+
+
+def test_arrays_longer_than_a_block_are_what_their_elements_are():
+    rng = np.random.default_rng(32)
+    gamma, delta = rng.uniform(0, 1e-3, 40_000), rng.uniform(0, 0.02, 40_000)
+    delay = rng.choice([0.0, 0.5, 1.0, 6.0], 40_000)
+    many = max_stable_stiffness(gamma, delta, delay)
+    for i in rng.integers(0, 40_000, 40):
+        one = max_stable_stiffness(gamma[i], delta[i], delay[i])
+        assert np.array(one) == pytest.approx(np.array([v[i] for v in many]), rel=1e-10)
+
+
+def test_the_region_says_the_same():
+    for case in [(0.0, 0.0, 0), (0.001, 0.02, 1), (2.0, 0.3, 1.5)]:
+        region, found = stable_region(*case), max_stable_stiffness(*case)
+        assert float(region.max_stiffness.alpha) == pytest.approx(float(found.alpha), rel=1e-12)
+        assert region.outline[0][:, 0].max() == pytest.approx(float(found.alpha), rel=1e-5)

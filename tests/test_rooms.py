@@ -1,0 +1,155 @@
+"""Rooms: each imports only rooms above it, no import goes in a circle, and nothing lies loose."""
+
+import ast
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import symhaptic
+
+HOME = Path(symhaptic.__file__).parent
+
+ROOMS = (
+    *("notation", "paper", "model", "proof", "forms", "export", "kernels"),
+    *("numeric", "bounds", "book", "scene", "bench", "cli"),
+)
+"""Each may import those before it."""
+
+LOOSE = {"__init__", "__main__"}
+
+
+@cache
+def modules():
+    """Dotted names below the package, with their files."""
+    found = {}
+    for path in sorted(HOME.rglob("*.py")):
+        parts = path.relative_to(HOME).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return found
+
+
+@cache
+def imported(module):
+    """What a module imports, at its top or when a function runs, but for types alone."""
+    tree = ast.parse(modules()[module].read_text(encoding="utf-8"))
+    typed = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+            typed |= set(ast.walk(node))
+    found = set()
+    for node in set(ast.walk(tree)) - typed:
+        if isinstance(node, ast.Import):
+            found |= {a.name for a in node.names if a.name.startswith("symhaptic")}
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic"):
+            found |= {
+                f"{node.module}.{a.name}"
+                if f"{node.module}.{a.name}".removeprefix("symhaptic.") in modules()
+                else node.module
+                for a in node.names
+            }
+    names = {name.removeprefix("symhaptic").removeprefix(".") for name in found}
+    return sorted(names)
+
+
+def room(module):
+    return module.split(".")[0]
+
+
+def test_nothing_lies_loose():
+    assert {p.stem for p in HOME.glob("*.py")} == LOOSE
+    folders = {p.name for p in HOME.iterdir() if p.is_dir() and (p / "__init__.py").is_file()}
+    assert folders == set(ROOMS)
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_a_room_says_its_question_and_its_neighbours(name):
+    """One paragraph: the question, what may be imported there, from where it is used."""
+    said = ast.get_docstring(ast.parse((HOME / name / "__init__.py").read_text(encoding="utf-8")))
+    assert "?" in said.splitlines()[0]
+    assert "mports" in said
+    assert "sed by" in said or "sed from" in said
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_arrows_run_down(name):
+    allowed = {*ROOMS[: ROOMS.index(name) + 1]}
+    up = {
+        f"{module} -> {other or 'the package'}"
+        for module in modules()
+        if room(module) == name
+        for other in imported(module)
+        if room(other) not in allowed and not (other == "" and name in ("bench", "cli", "book"))
+    }
+    assert sorted(up) == []
+
+
+def test_the_package_itself_is_asked_for_its_version_only():
+    """``bench`` measures the public functions by their names."""
+    for module, path in modules().items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module == "symhaptic":
+                bare = [a.name for a in node.names if a.name not in modules()]
+                assert set(bare) <= {"__version__"}, module
+
+
+def chain(start, goal, over):
+    """A way of imports from one module to another, or nothing."""
+    ways, seen = [[start]], {start}
+    while ways:
+        way = ways.pop(0)
+        for other in over(way[-1]):
+            if other == goal:
+                return [*way, goal]
+            if other in modules() and other not in seen:
+                seen.add(other)
+                ways.append([*way, other])
+    return []
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_no_import_goes_in_a_circle(name):
+    """Imports that a function makes count, too."""
+    for module in modules():
+        if room(module) == name:
+            circle = chain(module, module, imported)
+            assert not circle, " -> ".join(circle)
+
+
+@pytest.mark.parametrize(
+    ("start", "goal"),
+    [("model", "paper"), ("forms", "paper"), ("numeric", "book"), ("bounds", "book")],
+)
+def test_a_room_never_reaches_another(start, goal):
+    for module in modules():
+        if room(module) == start:
+            for other in modules():
+                if room(other) == goal:
+                    way = chain(module, other, imported)
+                    assert not way, " -> ".join(way)
+                    break
+
+
+def parents(module):
+    """Packages whose own file is run when a module is imported."""
+    parts = module.split(".")
+    return {".".join(parts[:i]) for i in range(1, len(parts))}
+
+
+@pytest.mark.parametrize("start", ["numeric", "kernels"])
+def test_numbers_never_load_sympy(start):
+    needed = {m for m in modules() if room(m) == start}
+    while more := {o for m in needed for o in {*imported(m), *parents(m)} if o} - needed:
+        needed |= more
+    for module in needed:
+        for node in ast.parse(modules()[module].read_text(encoding="utf-8")).body:
+            names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+            if isinstance(node, ast.ImportFrom):
+                names = [node.module]
+            assert not {n.split(".")[0] for n in names} & {"sympy", "flint", "mpmath"}, module
+
+
+def test_kernels_need_nothing():
+    assert {other for m in modules() if room(m) == "kernels" for other in imported(m)} <= {
+        m for m in modules() if room(m) == "kernels"
+    }
