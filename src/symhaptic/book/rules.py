@@ -8,6 +8,7 @@ from functools import cache
 from importlib import import_module
 from types import ModuleType
 
+from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.proof.theorems.kernel import MODULES
 
@@ -51,6 +52,8 @@ def called(rule: str) -> str:
     """What a classical rule is called in a sentence: "by continuity of roots"."""
     if rule in NAMES:
         return NAMES[rule]
+    if rule in AXIOMS:
+        return rule
     name, _, rest = classical().get(rule, "").partition(";")
     return name if rest and len(name) < 40 else rule.replace("_", " ")
 

@@ -53,7 +53,7 @@ def believed(entries: Iterable[Entry]) -> dict[str, Any]:
                 "says": f"${running(written(AXIOMS[rule].says))}$"
                 if rule in AXIOMS
                 else plain(says(rule)),
-                "source": escaped(source),
+                "source": plain(source),
                 "count": counts[rule],
             }
             for rule, source in classical().items()
