@@ -27,9 +27,9 @@ from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 def derive(page):
     page.lemma("The sine of the larger angle is flatter", flatter())
-    page.lemma("So is that of twice the angles", width())
-    page.lemma("A chord before", chord_before())
-    page.lemma("A chord after", chord_after())
+    page.lemma("The sine of twice the larger angle is flatter, too", width())
+    page.lemma("The chord before the angle is positive", chord_before())
+    page.lemma("The chord after the angle is positive", chord_after())
     rising = bend().conclusion.right
     page.step(
         "A slope that factors",
@@ -37,7 +37,7 @@ def derive(page):
         4 * chord_before().conclusion.right * chord_after().conclusion.right / (N * sin(psi) ** 2),
         name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({latex(rising)}\Bigr)",
     )
-    page.lemma("It rises from zero", bend())
+    page.lemma("The slope's numerator rises from zero", bend())
     wall = {d: N / 2 - 1, theta: 2 * psi}
     divisor = width().conclusion.right
     curve = page.step(
@@ -54,7 +54,7 @@ def derive(page):
         because="its sign is that of $\\cos N\\psi$",
     )
     page.lemma("Up to there a larger angle has the larger stiffness", rises(LOWER))
-    page.lemma("Beyond, it has the smaller one", rises(UPPER))
+    page.lemma("Beyond, a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
         "For a given stiffness the border moves with",
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
@@ -66,7 +66,7 @@ def derive(page):
     )
     page.lemma("The tip leaves a margin at every angle", tip())
     page.lemma(
-        "So does every wall of the envelope",
+        "Every wall of the envelope leaves a margin at every angle",
         touches(),
         because="on its own side by the order of the borders, on the other one since it is softer "
         "than the tip, and damped to the right side of it",

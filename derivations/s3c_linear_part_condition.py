@@ -55,8 +55,8 @@ def _condition(page, nine):
     claim, ten = (CLAIMED[id](STATEMENTS[id].printed) for id in ("eq9", "eq10"))
     printed = claim.body.of[1].of[0]
     enough, needed = decides()
-    page.lemma("It is enough for small damping", enough)
-    page.lemma("It is needed, whatever the damping", needed)
+    page.lemma("The line is enough for small damping", enough)
+    page.lemma("The line is needed, whatever the damping", needed)
     same = either_way(enough, needed, printed, PASSIVE)
     border = Ne(K, LOW)
     late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: S.Half}

@@ -52,7 +52,7 @@ def derive(page):
         "It lies on the envelope", on_curve[0] - stiffness, S.Zero, name=r"K\big|_{\text{(7)}}-K"
     )
     damping = page.step(
-        "Its damping",
+        "The largest stiffness takes this damping",
         on_curve[1],
         b * (cos(angle) - d / (d + 1)) / sin(angle),
         name=B,

@@ -33,7 +33,7 @@ def derive(page):
     motion = page.same("motion", two[0], one[0] * one[0])
     push = page.same("push", two[1], one[0] * one[1] + one[1])
     page.show("The free motion", r"\Phi(2)", r"\Phi(1)\,\Phi(1)", motion)
-    page.show("The same force twice", r"\Gamma(2)", r"\Phi(1)\,\Gamma(1)+\Gamma(1)", push)
+    page.show("Two periods of one force", r"\Gamma(2)", r"\Phi(1)\,\Gamma(1)+\Gamma(1)", push)
     page.say(
         "A delay of $d$ whole periods puts $F_{k-d}$ in place of $F_k$; the force is still held "
         "from one sampling instant to the next. So for whole delays, and as long as the external "

@@ -65,7 +65,7 @@ def _settle(page):
     claim = CLAIMED["s4b-seven-to-five"](())
     symbols, given, then = taken_apart(claim)
     device = page.lemma("The device in its own units", in_own_units())
-    wall = page.lemma("And the wall", scaled_wall(then.of[1]))
+    wall = page.lemma("The wall in units of the device", scaled_wall(then.of[1]))
     page.settle(
         "s4b-seven-to-five",
         for_all(symbols, given, weakened(conjoined(device, wall), *given)),

@@ -80,7 +80,7 @@ def signs(page, damping, bend):
         -diff(bend, theta), [2, size, sine], [size, wide, sine], [size, size, small, cosine]
     )
     page.positive(
-        "And $g=2\\cos(d+1)\\theta-(d+1)\\sin\\theta\\sin(d+1)\\theta$ falls",
+        "The bracket $g=2\\cos(d+1)\\theta-(d+1)\\sin\\theta\\sin(d+1)\\theta$ falls",
         falls,
         ARC,
         name=r"-\frac{dg}{d\theta}",

@@ -44,10 +44,13 @@ def arm(page):
     more = sign.integrated(delta - 2 + (2 + delta) * exp(-delta), up, over)
     square = sign.combined(delta**2, [up.above, up.above])
     page.positive(
-        "For a damped mass", sign.quotient(device.n0, over, square), r"\delta>0", name="n_0"
+        "For a damped mass $n_0$ is positive",
+        sign.quotient(device.n0, over, square),
+        r"\delta>0",
+        name="n_0",
     )
     apart = sign.quotient(device.n1 - device.n0, more, square)
-    page.positive("And", apart, r"\delta>0", name="n_1-n_0")
+    page.positive("For a damped mass $n_1$ is the larger", apart, r"\delta>0", name="n_1-n_0")
 
 
 def stiffness(page):
@@ -95,7 +98,7 @@ def stiffness(page):
         because="approached at $n_0x=\\sqrt{n_0(n_0+en_1)}$ as long as $b_1,b_2,b_3>0$ there",
     )
     page.step(
-        "As before for a free mass",
+        "Without damping the largest stiffness is that of a free mass",
         boundary.largest_undelayed(free),
         12 - 8 * sqrt(2),
         name=r"\alpha_{\max}|_{\delta\to0}",

@@ -26,7 +26,7 @@ def derive(page):
     )
     page.define("Where the boundary begins", r"\beta_0", CORNER)
     here, later = begins_there(), begins_there(d + 1, gamma)
-    page.lemma("It begins there with a delay of $d$ periods", here)
+    page.lemma("The boundary begins there with a delay of $d$ periods", here)
     page.lemma(
         "One more period of delay",
         later,

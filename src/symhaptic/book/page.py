@@ -47,7 +47,6 @@ from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.seal import KEY
 from symhaptic.proof.settle import ACCEPTED, Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact
-from symhaptic.proof.theorems.derivation import leaves_of, sources
 from symhaptic.proof.theorems.judge import Case, Judged
 from symhaptic.proof.theorems.kernel import Theorem, conjoined
 from symhaptic.proof.units import UnitError, dimension_of, shown
@@ -144,11 +143,18 @@ class Page(Record):
         self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
     ) -> Theorem:
         """A theorem of the kernel: its hypotheses, and what they imply."""
-        rules = ", ".join(sorted(leaves_of(theorem).keys() & sources().keys()))
-        method = f"a theorem of the kernel{f' by {rules}' if rules else ''}".replace("_", " ")
         given = sorted(chains(sorted(theorem.hypotheses, key=written)), key=len)
         lines = [("", "", text) for text in (*given, written(theorem.conclusion))]
-        self._equation(title, lines, "proved", method, because, boxed, kind="theorem")
+        self._equation(
+            title,
+            lines,
+            "proved",
+            "a theorem of the kernel",
+            because,
+            boxed,
+            kind="theorem",
+            theorem=theorem,
+        )
         return theorem
 
     def minimal(

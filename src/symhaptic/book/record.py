@@ -21,6 +21,7 @@ from symhaptic.proof.seal import Sealed
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.sign import Fact, facts_below
+from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Verdict
 
 PACKAGE = Path(__file__).parents[1]
@@ -72,6 +73,8 @@ class Block:
     """Number of the paper's equation that this one stands for."""
     rows: tuple[tuple[Any, ...], ...] = ()
     """Cells of a table, its head first."""
+    theorem: Theorem | None = None
+    """The theorem of which hypotheses and conclusion stand in the lines."""
 
 
 @dataclass
@@ -162,6 +165,7 @@ class Record:
         boxed: bool = False,
         kind: str = "equation",
         paper: str = "",
+        theorem: Theorem | None = None,
     ) -> None:
         self._count += 1
         self.blocks.append(
@@ -175,5 +179,6 @@ class Record:
                 self._count,
                 boxed,
                 paper=paper,
+                theorem=theorem,
             )
         )

@@ -53,9 +53,10 @@ def report(
 ) -> None:
     """Write the derivations as LaTeX chapters and a book, with figures and the ledger."""
     from symhaptic.book import chapters as library
+    from symhaptic.book.parts import in_parts
     from symhaptic.book.tex import build, place, tex
 
-    paths = library.shipped() + own_chapters(derivation)
+    paths = in_parts(library.shipped(), lambda path: path.stem) + own_chapters(derivation)
     if listing:
         typer.echo("\n".join(path.stem for path in paths))
         return

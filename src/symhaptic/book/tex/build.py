@@ -11,10 +11,14 @@ from symhaptic.book.chapters import Chapter, expected_bench, expected_mutants
 from symhaptic.book.ledger import GENERATED, Entry, committed, counted, ledger, of_chapter
 from symhaptic.book.measured.chapter import measurement
 from symhaptic.book.measured.record import BadRecord
+from symhaptic.book.parts import in_parts
+from symhaptic.book.tex.believed import believed
 from symhaptic.book.tex.errata import errata
 from symhaptic.book.tex.mutants import mutants_listed
 from symhaptic.book.tex.page import chapter_tex
+from symhaptic.book.tex.parts import parts
 from symhaptic.book.tex.place import drafted, left_over, refuse_foreign
+from symhaptic.book.tex.results import results
 from symhaptic.book.tex.tex import ReportError, filled, typeset
 from symhaptic.book.tex.words import escaped, prose
 from symhaptic.proof.verdict import Kind
@@ -30,7 +34,7 @@ MEANINGS = (
     (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
     (Kind.UNDECIDED, "none of these yet"),
 )
-RESERVED = ("bench", "book", "chapters", "errata", "ledger", "mutants")
+RESERVED = ("believed", "bench", "book", "chapters", "errata", "ledger", "mutants", "results")
 """Names of the report's own files, which no chapter may have."""
 
 PACKAGE = "symhaptic.sty"
@@ -62,37 +66,42 @@ def names_of_excerpt(paths: list[Path], standalone: bool, pdf: bool) -> list[str
 
 def text_files(chapters: list[Chapter]) -> dict[str, str]:
     """Name and content of every text file of the report."""
+    chapters = in_parts(chapters, lambda chapter: chapter.name)
     entries = ledger(entry for chapter in chapters for entry in of_chapter(chapter))
     shared = {"generated": GENERATED, "counts": counted(entries)}
     numbers = {chapter.source: number for number, chapter in enumerate(chapters, 1)}
-    files = _chapter_files([(numbers[chapter.source], chapter) for chapter in chapters])
+    numbered = list(enumerate(chapters, 1))
+    files = _chapter_files(numbered)
     rows = [_row(entry, numbers) for entry in entries]
     trials = mutants_listed(expected_mutants())
     try:
         speed = measurement(expected_bench())
     except BadRecord as wrong:
         raise ReportError(str(wrong)) from None
-    parts: list[tuple[str, dict[str, Any]]] = [
+    sections: list[tuple[str, dict[str, Any]]] = [
         (
             "book",
             {
-                "chapters": [c.name for c in chapters],
+                "parts": parts(numbered),
                 "kinds": [(str(k), m) for k, m in MEANINGS],
                 "count": f"{len(entries)} statements",
                 "appendices": [
                     "errata",
                     "ledger",
+                    "believed",
                     *(["mutants"] if trials else []),
                     *(["bench"] if speed else []),
                 ],
             },
         ),
+        ("results", results(entries, numbers)),
+        ("believed", believed(entries)),
         ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
         ("ledger", {"rows": rows}),
         *([("mutants", trials)] if trials else []),
         *([("bench", speed)] if speed else []),
     ]
-    for name, extra in parts:
+    for name, extra in sections:
         files[f"{name}.tex"] = filled(f"{name}.tex", **shared, **extra)
     files["ledger.json"] = committed(entries)
     return files

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from symhaptic.book.record import Settled
 from symhaptic.book.tex.breaking import broken, width
@@ -15,23 +16,44 @@ FORM = 29.5
 """Width of the column of printed forms, in em of its own size."""
 
 
-def printed_forms(settled: list[Settled]) -> list[str]:
-    """The table of what is printed, beside the verdict and, where needed, the correction."""
-    out = ["\\printedforms"]
-    for item in settled:
+NARROW = 75.0
+"""Width of a proposition in em up to which it stands beside the words, and not below them."""
+
+
+def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
+    """The table of what is printed, beside the verdict and, where needed, the correction.
+
+    ``grounds`` say of each what it rests on.  Neither the first row nor the last stands alone.
+    """
+    rows = []
+    for item, ground in zip(settled, grounds, strict=True):
         statement, verdict = item.statement, item.verdict
-        shown = printed(statement)
-        if verdict.condition:
-            for_ = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
-            shown += f"\\\\[4pt]{{\\footnotesize{for_}}}"
-        if verdict.proposition:
-            shown += f"\\\\[4pt]{{\\footnotesize claims ${running(verdict.proposition)}$}}"
-        out.append(f"\\form{{{reference(statement.id)}}}{{{shown}}}{{{_verdict(verdict)}}}")
+        shown = _beside(printed(statement), verdict, facing=not statement.latex)
+        beside = _verdict(verdict)
+        if ground:
+            beside += f"\\\\\\textcolor{{black!60}}{{{ground}}}"
+        place = f"\\statementplace{{{statement.id}}}{reference(statement.id)}"
+        rows.append(f"\\form{{{place}}}{{{shown}}}{{{beside}}}")
         right = correction(verdict)
         if right:
-            out.append(f"\\form{{}}{{{right}}}{{\\kind{{proved}}{{proved}} as corrected}}")
-    out += ["\\formsend", ""]
-    return out
+            rows.append(f"\\form{{}}{{{right}}}{{\\kind{{proved}}{{proved}} as corrected}}")
+    if len(rows) > 1:
+        rows[0] += "\\together"
+        rows[-2] = rows[-2].removesuffix("\\together") + "\\together"
+    return ["\\printedforms", *rows, "\\formsend", ""]
+
+
+def _beside(shown: str, verdict: Verdict, facing: bool) -> str:
+    """What is printed, the condition under which it is right, and what it claims."""
+    if verdict.condition:
+        for_ = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
+        shown += f"\\\\[4pt]{{\\footnotesize {for_}}}"
+    if not verdict.proposition:
+        return shown
+    claim = running(verdict.proposition)
+    if facing and width(claim) < NARROW:
+        return f"\\facing{{{shown}}}{{\\footnotesize ${claim}$}}"
+    return f"{shown}\\\\[4pt]{{\\footnotesize claims ${claim}$}}"
 
 
 def printed(statement: Statement) -> str:
@@ -49,8 +71,15 @@ def printed(statement: Statement) -> str:
 
 def running(claim: str) -> str:
     """A proposition as running text: it may break after a comma and before an arrow."""
+    claim = re.sub(r",(?=\w|\\[a-z])", r",\\allowbreak ", claim)
     claim = claim.replace(r",\ ", r",\allowbreak\ ").replace(r":\ ", r":\allowbreak\ ")
     return claim.replace(r"\ \Rightarrow\ ", r"\allowbreak\ \Rightarrow\ ")
+
+
+def sentence(given: Sequence[str], then: str) -> str:
+    """Hypotheses and conclusion: let this be, then that is."""
+    found = ", ".join(f"${running(text)}$" for text in given)
+    return f"Let {found}. Then ${running(then)}$." if found else f"${running(then)}$."
 
 
 def condition(verdict: Verdict) -> str:
@@ -104,6 +133,8 @@ def _continues(line: str) -> bool:
 def correction(verdict: Verdict) -> str:
     """The right form, line by line; empty where nothing is corrected."""
     if verdict.corrected_latex is not None:
+        if verdict.corrected_latex.startswith(r"\forall"):
+            return f"{{\\footnotesize ${running(verdict.corrected_latex)}$}}"
         lines = [
             line for text in verdict.corrected_latex.split(r",\quad ") for line in broken(text)
         ]

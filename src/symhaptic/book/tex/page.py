@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sympy import Expr
 
 from symhaptic.book.chapters import Chapter
-from symhaptic.book.record import Block
+from symhaptic.book.record import Block, Settled
+from symhaptic.book.rests import Said, Shown, rests, shown_in
+from symhaptic.book.rules import called
 from symhaptic.book.tex.breaking import broken, pieces, width
-from symhaptic.book.tex.forms import printed_forms, running
-from symhaptic.book.tex.words import escaped, prose
+from symhaptic.book.tex.forms import printed_forms, sentence
+from symhaptic.book.tex.words import anchor, escaped, prose
 from symhaptic.notation.latex import latex
+from symhaptic.proof.theorems.kernel import Theorem
 
 LINE = 29.0
 """Width of an equation in em, the number on its right taken off."""
@@ -27,6 +31,8 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
         prose(chapter.introduction),
         "",
     ]
+    shown = shown_in([(number, chapter)])
+    out += _answer(chapter.page.blocks, number, shown)
     steps = 0
     for block in chapter.page.blocks:
         if block.kind == "prose":
@@ -36,13 +42,14 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
             out += _equation(block, number, steps)
         elif block.kind == "theorem":
             steps += 1
-            out += _theorem(block, number, steps)
+            out += _theorem(block, number, steps, shown)
         elif block.kind == "table":
             out += _table(block)
         elif block.kind == "figure":
             out += _figure(block)
     if chapter.page.settled:
-        out += printed_forms(list(chapter.page.settled.values()))
+        settled = list(chapter.page.settled.values())
+        out += printed_forms(settled, [_grounds(item, shown) for item in settled])
     return "\n".join([*out, "\\end{symhapticchapter}"]) + "\n"
 
 
@@ -76,18 +83,59 @@ def _equation(block: Block, chapter: int, step: int) -> list[str]:
     ]
 
 
-def _theorem(block: Block, chapter: int, step: int) -> list[str]:
-    """Hypotheses and conclusion as a sentence, whose formulas break where TeX finds it best."""
-    *given, then = (f"${running(text)}$" for _, _, text in block.lines)
-    reason = _sentence(prose(block.text)) if block.text else ""
-    lead = f"Let {', '.join(given)}. Then " if given else ""
-    number = f"({chapter}.{block.number})"
-    kind = "boxedclaim" if block.boxed else "claim"
+def _answer(blocks: list[Block], chapter: int, shown: Mapping[Said, Shown]) -> list[str]:
+    """The chapter's theorem, where its author has boxed one: before the steps that lead to it."""
     return [
-        f"\\step{{Step {step}. {prose(block.title)}.}}{{{reason}}}",
-        f"\\{kind}{{{lead}{then}.}}{{{number}}}{{{block.verdict}}}{{{prose(block.method)}}}",
-        "",
+        line
+        for block in blocks
+        if block.kind == "theorem" and block.boxed
+        for line in (
+            f"\\step{{Theorem.}}{{{_sentence(prose(block.title))}}}",
+            _claimed("boxedclaim", block, chapter, shown),
+            "",
+        )
     ]
+
+
+def _theorem(block: Block, chapter: int, step: int, shown: Mapping[Said, Shown]) -> list[str]:
+    """Hypotheses and conclusion as a sentence, whose formulas break where TeX finds it best.
+
+    Of the chapter's theorem, which stands at its head, only the reason is left to say.
+    """
+    reason = _sentence(prose(block.text)) if block.text else ""
+    heading = f"Step {step}. {prose(block.title)}."
+    if block.boxed:
+        number = f"\\theoremlink{{{chapter}.{block.number}}}"
+        return [f"\\step{{{heading}}}{{{reason} This is the theorem {number}.}}", ""]
+    return [f"\\step{{{heading}}}{{{reason}}}", _claimed("claim", block, chapter, shown), ""]
+
+
+def _claimed(kind: str, block: Block, chapter: int, shown: Mapping[Said, Shown]) -> str:
+    """A theorem, what it is, and beside it what it rests on."""
+    *given, then = (text for _, _, text in block.lines)
+    place = f"{chapter}.{block.number}"
+    number = f"\\theoremplace{{{place}}}({place})"
+    method = prose(block.method)
+    if block.theorem is not None:
+        method = _by(method, [block.theorem], shown)
+    return f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{method}}}"
+
+
+def _by(lead: str, theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
+    """What theorems rest on: others of the page by number, classical rules by name."""
+    found = rests(theorems, shown)
+    places = [f"\\theoremlink{{{one.place}}}" for one in found.shown]
+    names = {called(rule): rule for rule in found.rules}
+    rules = [f"\\byrule{{{anchor(rule)}}}{{{prose(name)}}}" for name, rule in names.items()]
+    return f"{lead} by {', '.join([*places, *rules])}" if places or rules else lead
+
+
+def _grounds(item: Settled, shown: Mapping[Said, Shown]) -> str:
+    """What the verdict on a statement rests on."""
+    judged = item.settlement.judged
+    if judged is None:
+        return ""
+    return _by("a theorem", [judged.theorem], shown)
 
 
 def _breakable(method: str) -> str:

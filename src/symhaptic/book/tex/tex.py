@@ -14,6 +14,9 @@ NO_TEX = (
     "no latexmk and pdflatex found; on Debian: "
     "apt-get install latexmk texlive-latex-recommended lmodern"
 )
+BAD = r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*|.*has been referenced but does not.*)$"
+"""Lines of TeX's log about what a reader would find: a line too long, a link that leads nowhere."""
+
 TITLE = "Passivity and stability of haptic walls, derived and verified"
 
 
@@ -68,7 +71,7 @@ def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> Non
         first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
         files = re.findall(r"\(\./(\w+)\.tex", log)
         raise ReportError(f"latexmk failed in {files[-1] if files else name}.tex: {first}")
-    bad = re.findall(r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*)$", log, re.MULTILINE)
+    bad = re.findall(BAD, log, re.MULTILINE)
     if bad:
         opened = re.findall(r"\(\./(\w+)\.tex", log[: log.index(bad[0])])
         where = f"{opened[-1] if opened else name}.tex"

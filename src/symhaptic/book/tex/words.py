@@ -27,3 +27,8 @@ def number(value: float) -> str:
         return mantissa
     ten = f"10^{{{int(power)}}}"
     return ten if mantissa == "1" else rf"{mantissa}\times{ten}"
+
+
+def anchor(name: str) -> str:
+    """A name as the place of a link, in letters that TeX leaves alone."""
+    return re.sub(r"[^A-Za-z0-9]+", "-", name)

@@ -1,0 +1,81 @@
+"""Everything that has to be believed, for one place in the book: rules, deciders and meanings."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable
+from typing import Any
+
+from symhaptic.book.ledger import Entry
+from symhaptic.book.rests import used
+from symhaptic.book.rules import called, classical, others, says
+from symhaptic.book.tex.forms import running
+from symhaptic.book.tex.words import anchor, escaped
+from symhaptic.notation.proposition import MEANINGS
+from symhaptic.notation.written import written
+from symhaptic.proof.theorems.axioms import AXIOMS
+
+TITLES = {
+    "kernel": "Logic: the rules of the kernel",
+    "leaves": "What the deciders know",
+}
+"""Headings of the modules of rules; all others say what predicates mean."""
+
+_SIGNS = {
+    "<=>": r"$\Leftrightarrow$",
+    "=>": r"$\Rightarrow$",
+    "<=": r"$\le$",
+    ">=": r"$\ge$",
+    "!=": r"$\ne$",
+    "|-": r"$\vdash$",
+    "/\\": r"$\wedge$",
+    "\\/": r"$\vee$",
+    "<": "$<$",
+    ">": "$>$",
+    "|": "$|$",
+    "^": r"\^{}",
+}
+
+
+def believed(entries: Iterable[Entry]) -> dict[str, Any]:
+    """What the template of the page needs."""
+    counts = used(entry.verdict.rests for entry in entries)
+    lists: dict[str, list[tuple[str, str, int]]] = {}
+    for module, rules in others().items():
+        title = TITLES.get(module, "What the predicates mean of walls and devices")
+        lists.setdefault(title, []).extend(_row(name, text, counts) for name, text in rules.items())
+    return {
+        "rules": [
+            {
+                "rule": anchor(rule),
+                "name": escaped(called(rule)),
+                "says": f"${running(written(AXIOMS[rule].says))}$"
+                if rule in AXIOMS
+                else plain(says(rule)),
+                "source": plain(source),
+                "count": counts[rule],
+            }
+            for rule, source in classical().items()
+        ],
+        "lists": list(lists.items()),
+        "predicates": [
+            (escaped(name.replace("_", " ")), plain(meaning))
+            for name, (_, _, _, meaning) in MEANINGS.items()
+        ],
+    }
+
+
+def _row(name: str, text: str, counts: Counter[str]) -> tuple[str, str, int]:
+    return escaped(name.replace("_", " ")), plain(text), counts[name]
+
+
+def plain(text: str) -> str:
+    r"""A docstring's plain words and signs for LaTeX.
+
+    >>> plain("p |- p <= 1")
+    'p $\\vdash$ p $\\le$ 1'
+    """
+    signs = "|".join(re.escape(sign) for sign in _SIGNS)
+    parts = re.split(f"({signs})", text.replace("``", ""))
+    return "".join(_SIGNS.get(part) or escaped(part) for part in parts)

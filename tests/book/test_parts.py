@@ -1,0 +1,75 @@
+"""Parts, results, and what rests on what: each chapter, theorem and rule has its place."""
+
+import re
+
+import pytest
+from chapters import chapter
+
+from symhaptic.book.chapters import shipped
+from symhaptic.book.parts import OWN, PARTS, in_parts, part_of
+from symhaptic.book.rests import rests, said, shown_in
+from symhaptic.book.rules import called, classical, others, says
+from symhaptic.book.tex import tex
+from symhaptic.book.tex.page import chapter_tex
+from symhaptic.proof.theorems.axioms import AXIOMS
+
+
+def test_every_chapter_finds_its_part_by_its_name():
+    assert all(part_of(path.stem) is not OWN for path in shipped())
+    assert part_of("s4d_something_new") is PARTS[2]
+    assert part_of("s6z_something_new") is PARTS[5]
+    assert part_of("my_drift") is OWN
+
+
+def test_chapters_of_a_part_stand_together_in_the_order_of_their_names():
+    names = in_parts([path.stem for path in shipped()], str)
+    found = [part_of(name).title for name in names]
+    assert found == sorted(found, key=[part.title for part in PARTS].index)
+    assert [n for n in names if part_of(n) is PARTS[1]] == sorted(
+        n for n in names if part_of(n) is PARTS[1]
+    )
+
+
+def test_each_classical_rule_has_a_name_a_statement_and_a_source():
+    assert classical()
+    for rule, source in classical().items():
+        assert source
+        assert called(rule)
+        assert rule in AXIOMS or says(rule)
+    assert not set(classical()) & {rule for rules in others().values() for rule in rules}
+
+
+def test_a_theorem_rests_on_those_of_its_page_and_not_on_what_is_behind_them():
+    shown = shown_in([(26, chapter("s3c_stiffness_maximum"))])
+    (tip,) = [
+        one
+        for one in shown.values()
+        if one.title == "The wall of (11) is passive, and the stiffest"
+    ]
+    found = rests([tip.theorem], shown)
+    assert [one.title for one in found.shown] == ["No passive wall is stiffer"]
+    assert said(tip.theorem) in shown
+
+
+def test_rules_are_named_beside_what_rests_on_them():
+    text = chapter_tex(chapter("s5a_passive_is_stable"), 69)
+    assert r"\byrule{roots-stay}{continuity of roots}" in text
+
+
+def test_no_row_of_the_printed_forms_stands_alone():
+    text = chapter_tex(chapter("s3c_stiffness_maximum"), 26)
+    rows = re.findall(r"^\\form\{.*$", text, re.MULTILINE)
+    assert len(rows) > 2
+    assert rows[0].endswith(r"\together")
+    assert rows[-2].endswith(r"\together")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "pdfTeX warning (dest): name{rule:gone} has been referenced but does not exist",
+        r"Overfull \hbox (3.5pt too wide) in paragraph at lines 1--2",
+    ],
+)
+def test_a_link_that_leads_nowhere_is_an_error_like_a_line_too_long(line):
+    assert re.findall(tex.BAD, f"a\n{line}\nb", re.MULTILINE) == [line]
