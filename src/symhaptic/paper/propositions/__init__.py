@@ -16,6 +16,7 @@ from symhaptic.paper.propositions import (
     passivity,
     slips,
     stability,
+    words,
 )
 from symhaptic.paper.propositions.registry import CLAIMED, Claim
 
@@ -30,4 +31,5 @@ __all__ = [
     "passivity",
     "slips",
     "stability",
+    "words",
 ]
