@@ -17,6 +17,7 @@ from symhaptic.paper.propositions import (
     ratio,
     slips,
     stability,
+    words,
 )
 from symhaptic.paper.propositions.registry import CLAIMED, Claim
 
@@ -32,4 +33,5 @@ __all__ = [
     "ratio",
     "slips",
     "stability",
+    "words",
 ]
