@@ -60,6 +60,8 @@ class _Writer:
             return self.product(expr)
         if expr.func in NAMED:
             return self.function(expr, 1)
+        if isinstance(expr, sp.atan):
+            return rf"\arctan({self.write(expr.args[0])})"
         if isinstance(expr, sp.Abs):
             return f"|{self.write(expr.args[0])}|"
         if isinstance(expr, sp.re):
