@@ -115,6 +115,7 @@ def test_vectors_of_jax_compiled():
     hold(jax.jit(haptic.discretize)(*map(make, columns)), expected, tolerance)
 
 
+@pytest.mark.slow
 def test_root_counts_of_jax_compiled():
     """NaN gives -1: what is traced raises no error."""
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")
@@ -154,6 +155,7 @@ def test_jax_without_x64_stays_single():
     assert counted.tolist() == [0, 2]  # numpy.roots of the polynomial, below
 
 
+@pytest.mark.slow
 def test_slopes_by_jax():
     """Beside mpmath's numerical derivatives of the definition; no NaN where a guard steps in."""
     jnp = jax_numpy()
@@ -257,6 +259,7 @@ def test_bad_values_are_named_in_every_library(library):
         symhaptic.discretize(0.0, MAKE[library](np.array([1j])))
 
 
+@pytest.mark.slow
 def test_traced_values_are_not_looked_at():
     """Fractions of a delay included; NaN for NaN and never an error."""
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")

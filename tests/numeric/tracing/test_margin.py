@@ -20,6 +20,7 @@ def stable_loops(rng, count):
     return tuple(v[keep] for v in (alpha, beta, gamma, delta))
 
 
+@pytest.mark.slow
 def test_every_delay_of_a_scan_below_the_margin_is_stable():
     """500 loops at all multiples of 1/16 up to 4 periods, by eigenvalues."""
     case = stable_loops(np.random.default_rng(41), 1000)
