@@ -6,6 +6,7 @@ frequency changes the line turns and shifts, and its neighbours cut off a curve:
 
 from sympy import Ne, S, diff, pi, sin
 
+from symhaptic.book.figures.arguments import lines_of_angles
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta, y
@@ -70,6 +71,12 @@ def derive(page):
         diff(line, theta).subs(on_curve),
         S.Zero,
         name=r"\partial F/\partial\theta\,\big|_{(K,B)}",
+    )
+    page.figure(
+        "lines_of_angles",
+        "One line for each angle, behind one period of delay: a wall on the wrong side of any of "
+        "them is not passive. What all lines leave is the passive region, which they envelop.",
+        lines_of_angles,
     )
     page.say(
         "Both coordinates are proportional to $b$. The product $KT$ does not contain $T$: the "

@@ -7,6 +7,7 @@ and that is enough: on the unit circle one complex equation fixes both.
 
 from sympy import Rational, S, cos, sin, tan
 
+from symhaptic.book.figures.arguments import crossing
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
@@ -16,13 +17,7 @@ from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import explicit, on_boundary
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    absurd,
-    assume,
-    part,
-    placed,
-    weakened,
-)
+from symhaptic.proof.theorems.kernel import absurd, assume, part, placed, weakened
 from symhaptic.proof.theorems.tactics import counterexample, every, example, fact, for_all
 
 
@@ -38,9 +33,7 @@ def derive(page):
         name=r"\frac{p_1(z)}{zN(z)}",
         because="vanishes: $\\alpha+\\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
-    page.say(
-        "On the unit circle, $z=e^{j\\theta}$, real and imaginary part are two real equations."
-    )
+    page.say("On the circle, $z=e^{j\\theta}$, real and imaginary part are two real equations.")
     stiffness, damping = boundary.solved(on_circle(q))
     solved = page.same(
         "both solved", on_circle(polynomial).subs({alpha: stiffness, beta: damping}), S.Zero
@@ -61,9 +54,16 @@ def derive(page):
         because="with both, $p_1(e^{j\\theta})$ vanishes identically",
         boxed=True,
     )
+    page.figure(
+        "crossing",
+        "Stiffer and stiffer walls ($d=1$, $\\gamma=0.05$, $\\delta=0.4$), and their roots.",
+        crossing,
+        panels=(1, 2),
+        height=0.45,
+    )
     page.say(
-        "No grid and no iteration: each angle gives one point of the boundary. The other pieces "
-        "are the lines of a root at $z=1$ and at $z=-1$:"
+        "No grid and no iteration: each angle gives one point of the boundary, where a pair of "
+        "roots crosses the circle. The other pieces are the lines of a root at 1 and at $-1$:"
     )
     page.step(
         "A root at 1",

@@ -8,6 +8,7 @@ them is larger, the sum turns with it.
 
 from sympy import I, cos, exp, pi, sin, symbols
 
+from symhaptic.book.figures.arguments import half_circle
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, phi, theta, z
 from symhaptic.notation.proposition import Iff, Relation
@@ -80,6 +81,16 @@ def derive(page):
         "$\\theta=0$ on, and $2k=\\arg g(-1)/\\pi-(d+3)$ for one that lasts to $\\theta=\\pi$. "
         "A square root and a few arctangents: the same work for $d=0$ as for $d=10^6$. For a "
         "plant without damper or spring the count is that of one with a little of it."
+    )
+    page.figure(
+        "half_circle",
+        "A wall with $\\alpha=0.55$, $\\beta=0.5$ behind one period of delay ($\\gamma=0.05$, "
+        "$\\delta=0.4$). The wall leads up to $\\theta_1$, the plant beyond. Up to $\\theta_1$ the "
+        "sum keeps to the wall's argument, and then to the plant's, but for a full turn: $k=-1$ "
+        "where the wall stops to lead, so that two of four roots lie outside.",
+        half_circle,
+        panels=(1, 2),
+        height=0.6,
     )
     page.say(
         "The same angles give the delays at which a root is on the circle: where $\\Phi$ is an odd "
