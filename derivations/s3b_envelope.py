@@ -39,7 +39,7 @@ ONE = S.One
 
 
 def derive(page):
-    line = page.define("The line of one angle", r"F(\theta)", passivity.margin())
+    line = page.define("At one angle the border is a line", r"F(\theta)", passivity.margin())
     stiffness, damping = passivity.envelope()
     page.say(
         "Two neighbouring lines meet where both $F$ and $\\partial F/\\partial\\theta$ vanish: two "
@@ -47,7 +47,7 @@ def derive(page):
     )
     shared = sin(2 * (d + 1) * theta) - 2 * (d + 1) * sin(theta)
     nice_stiffness = page.step(
-        "Stiffness",
+        "Two neighbouring lines meet at this stiffness",
         stiffness,
         2
         * b
@@ -58,7 +58,7 @@ def derive(page):
         paper="7",
     )
     nice_damping = page.step(
-        "Damping",
+        "They meet at this damping",
         damping,
         2 * b * (d * sin((d + 1) * theta) - (d + 1) * sin(d * theta)) / shared,
         name=B,

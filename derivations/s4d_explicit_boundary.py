@@ -27,7 +27,7 @@ def derive(page):
     page.say("With $A=z^2-az+e$ and $N=n_1z+n_0$, a root of the polynomial is a point where")
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
-        "The wall that a root needs",
+        "A root needs this wall",
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zN(z)}",
@@ -39,7 +39,7 @@ def derive(page):
         "both solved", on_circle(polynomial).subs({alpha: stiffness, beta: damping}), S.Zero
     )
     page.show(
-        "Damping on the boundary",
+        "The boundary has this damping",
         beta,
         r"\frac{\Im Q}{\sin\theta}",
         solved,
@@ -47,7 +47,7 @@ def derive(page):
         boxed=True,
     )
     page.show(
-        "Stiffness on the boundary",
+        "It has this stiffness",
         alpha,
         r"\Re Q-\beta(1-\cos\theta)",
         solved,
@@ -66,14 +66,14 @@ def derive(page):
         "roots crosses the circle. The other pieces are the lines of a root at 1 and at $-1$:"
     )
     page.step(
-        "A root at 1",
+        "A root at 1 leaves on the line $\\alpha=-\\gamma$",
         polynomial.subs(z, 1),
         1 - a + e + (n_1 + n_0) * alpha,
         name="p_1(1)",
         because="zero for $\\alpha=-\\gamma$, as $1-a+e=\\gamma(n_1+n_0)$",
     )
     page.step(
-        "A root at $-1$, even delays",
+        "A root at $-1$ leaves on another line, here for even delays",
         polynomial.subs(d, 0).subs(z, -1),
         (n_1 - n_0) * (alpha + 2 * beta) - (1 + a + e),
         name="p_1(-1)",
@@ -83,21 +83,21 @@ def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {a: free.a, e: free.e, n_1: free.n1, n_0: free.n0}
     short_stiffness = page.step(
-        "Stiffness of the free mass",
+        "The free mass has this stiffness on its boundary",
         stiffness.subs(numbers),
         4 * tan(theta / 2) ** 2 * cos((d + 1) * theta),
         name=alpha,
         boxed=True,
     )
     short_damping = page.step(
-        "Damping of the free mass",
+        "The free mass has this damping on its boundary",
         damping.subs(numbers),
         2 * tan(theta / 2) * sin((d + S.Half) * theta) / cos(theta / 2),
         name=beta,
         boxed=True,
     )
     page.limit(
-        "Slope at the origin",
+        "At the origin damping over stiffness is the delay and a half",
         short_damping / short_stiffness,
         theta,
         S.Zero,

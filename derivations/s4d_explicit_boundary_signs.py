@@ -26,14 +26,14 @@ def derive(page):
     high, low = delta / 2, c / 2
     slope_ = sinh(high) / high - sinh(low) / low
     page.show(
-        "The sum",
+        "The sum is a rise of $C$",
         r"\gamma(n_1+n_0)",
         r"2e^{-\delta/2}\,(C(p)-C(q))",
         page.same("sum", (total * gamma).xreplace(given), 2 * fall * (cosh(high) - cosh(low))),
         because="positive for $\\gamma>0$, as $C$ rises with the slope $\\frac12S$",
     )
     page.show(
-        "The difference",
+        "The difference is a rise of $S$",
         r"\gamma(n_1-n_0)",
         r"\delta e^{-\delta/2}\,(S(p)-S(q))",
         page.same(
@@ -44,7 +44,7 @@ def derive(page):
     swing = exp(-delta * t / 2) * sinh(c * t / 2) / (c / 2)
     pushed = plant.normalised(FULL).held(t, c)[0]
     page.show(
-        "The first sample",
+        "The first sample is a mean of the force",
         r"n_1",
         r"\int_0^1e^{-\delta t/2}\,t\,S(qt^2)\,dt",
         page.same("first", diff(pushed, t), swing),
@@ -65,7 +65,7 @@ def derive(page):
         "gap", waves.xreplace(given), (delta * fall / gamma * trapezium).xreplace(given)
     )
     page.show(
-        "The gap",
+        "The gap compares a mean of $S$ with a rise of $C$",
         r"(n_1+n_0)\Bigl(s_1-\delta-\frac\gamma2\Bigr)",
         r"\frac{\delta e^{-\delta/2}}{\gamma}\Bigl(\gamma\,\frac{S(p)+S(q)}2-2(C(p)-C(q))\Bigr)",
         rule,
@@ -92,14 +92,14 @@ def derive(page):
 def roots(page):
     """S and its derivatives."""
     page.step(
-        "The slope of $C$",
+        "$C$ has the slope",
         diff(cosh(sqrt(x)), x),
         sinh(sqrt(x)) / sqrt(x) / 2,
         name="C'(x)",
         because="half of $S(x)$",
     )
     page.show(
-        "$S$ as a mean of $C$",
+        "$S$ is a mean of $C$",
         "S(x)",
         r"\int_0^1C(xt^2)\,dt",
         page.same("mean", diff(sinh(sqrt(x) * t) / sqrt(x), t), cosh(sqrt(x) * t)),
@@ -119,10 +119,10 @@ def mass(page):
     value = arm.denominator.subs(z, -n_0 / n_1)
     found = linear.numbers(arm)
     page.show(
-        "The number $s_2$",
+        "The number $s_2$ is",
         s_2,
         r"\frac{n_1^2\,A(-n_0/n_1)}{(n_1+n_0)^3}",
         page.same("s_2", found[s_2], n_1**2 * value / (n_1 + n_0) ** 3),
         because="positive: the roots of $A$ are not real, or positive",
     )
-    page.step("With $s_1$", found[s_1], (1 - e + gamma * n_0) / (n_1 + n_0), name=s_1)
+    page.step("The number $s_1$ is", found[s_1], (1 - e + gamma * n_0) / (n_1 + n_0), name=s_1)

@@ -64,7 +64,7 @@ def derive(page):
         "where they are equal, the bracket stands at half the phase,"
     )
     page.step(
-        "Equal parts",
+        "Equal parts add up at half the phase",
         1 + exp(I * phi),
         2 * cos(phi / 2) * exp(I * phi / 2),
         because="for $\\varphi=\\Phi-2\\pi k$ between $-\\pi$ and $\\pi$, that is for the whole "
@@ -99,7 +99,7 @@ def derive(page):
     )
     k, turned = symbols("k"), symbols("Phi_0")
     page.step(
-        "Critical delays",
+        "The critical delays are",
         turned - (d + 2) * theta + (2 * k + 1) * pi,
         (((turned + (2 * k + 1) * pi) / theta - 2) - d) * theta,
         because="zero for $d=(\\Phi_0+(2k+1)\\pi)/\\theta-2$ at $\\theta=\\theta_1,\\theta_2$",

@@ -33,7 +33,7 @@ def derive(page):
     page.inside("$\\alpha=0.713$, $\\beta=0.825$ is stable", undelayed.subs(STIFF))
     page.inside("$\\alpha=0.001$, $\\beta=2.02$ is stable", undelayed.subs(BRAKED))
     page.enclosed(
-        "The bounds of the chapter before for $\\delta=\\frac1{100}$",
+        "For $\\delta=\\frac1{100}$ the largest damping and stiffness are",
         [
             (r"\alpha_{\max}", value(LARGEST, {delta: AFTER})),
             (r"1/n_0", value(1 / ARM.n0, {delta: AFTER})),
@@ -87,13 +87,18 @@ def all_scaled(page):
     ]
     loop_before = function("p")(z)
     page.show(
-        "Half the period",
+        "Half the period changes nothing if all else is scaled with it",
         r"p(z)\big|_{T/2,\,4K,\,2B,\,2b,\,4k}",
         loop_before,
         proofs[0],
         because="with damper and spring changed too, or without them, the roots are the same",
     )
-    page.show("Twice the mass", r"p(z)\big|_{2m,\,2K,\,2B,\,2b,\,2k}", loop_before, proofs[1])
+    page.show(
+        "Twice the mass changes nothing if all else is doubled",
+        r"p(z)\big|_{2m,\,2K,\,2B,\,2b,\,2k}",
+        loop_before,
+        proofs[1],
+    )
     return proofs
 
 
