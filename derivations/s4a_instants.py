@@ -39,7 +39,7 @@ def derive(page):
         motion,
     )
     page.show(
-        "So is the answer to a force held for both",
+        "A force held for both periods answers like two in a row",
         r"\Gamma(2)",
         r"\Phi(1)\,\Gamma(1)+\Gamma(1)",
         push,

@@ -60,7 +60,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
 def _equation(block: Block, chapter: int, step: int) -> list[str]:
     heading = "Result" if block.kind == "result" else f"Step {step}"
     reason = _sentence(prose(block.text)) if block.text else ""
-    rows = _rows(block.lines)
+    rows = rows_of(block.lines)
     beside = f"\\quad paper ({block.paper})" if block.paper else ""
     tag = (
         f"\\tag*{{({chapter}.{block.number})"
@@ -173,7 +173,8 @@ def _sentence(text: str) -> str:
     return text if text.endswith((".", "!", "?", ":")) else f"{text}."
 
 
-def _rows(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
+def rows_of(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
+    """Lines of an equation, aligned at their sign, broken where they are too long for one."""
     rows: list[str] = []
     for left, sign, right in lines:
         shown = left if isinstance(left, str) else latex(left)
