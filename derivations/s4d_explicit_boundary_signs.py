@@ -6,11 +6,14 @@ their signs, for every arm that swings by less than half a turn in a period,
 $\gamma-\frac14\delta^2<\pi^2$: the limit (30) of the paper.
 """
 
-from sympy import cosh, diff, exp, sinh, sqrt, symbols
+from sympy import S, cosh, diff, exp, sinh, sqrt
 
+from symhaptic.book.lemmas.arm_numbers import ARM, pushed, signs
 from symhaptic.model import linear, plant
 from symhaptic.model.parts import FULL
-from symhaptic.notation import c, delta, gamma, n_0, n_1, s_1, s_2, t, x, z
+from symhaptic.notation import a, c, delta, e, gamma, n_0, n_1, s_1, s_2, t, x, z
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import every, example, for_all
 
 
 def derive(page):
@@ -76,16 +79,28 @@ def derive(page):
         "So $g\\ge0$, and $g>0$ for $\\gamma\\delta>0$. Without a spring $\\nu$, $s_1=\\delta$ and "
         "$s_2=1$ are the limits, with $g=0$."
     )
+    _settled(page)
+
+
+def _settled(page):
+    page.lemma(
+        "A device that swings by less than half a turn goes forwards under a force held",
+        pushed()[1],
+        because="a blow moves it forwards for all of the period",
+    )
+    numbers, (device, *arms) = (n_1, n_0, a, e), ARM
+    found = for_all(numbers, [device], signs())
     page.state(
         "arm-numbers",
         "for $\\gamma-\\frac14\\delta^2<\\pi^2$: $0<\\nu\\le\\frac12$, $s_2>0$ and "
         "$s_1\\ge\\delta+\\frac12\\gamma$, which is $>$ for $\\gamma\\delta>0$",
+        claim=every((gamma, delta), arms, found.conclusion),
     )
     page.settle(
         "arm-numbers",
-        rule,
-        second,
-        note="and from $S,S',S''>0$ above $-\\pi^2$",
+        for_all((gamma, delta), arms, weakened(found, *arms)),
+        example=example({gamma: S.One, delta: S.One}, arms),
+        note="the start of the boundary is below the line by $\\gamma^2$ times a positive mean",
     )
 
 
@@ -114,7 +129,6 @@ def roots(page):
 
 def mass(page):
     """s_2 by the denominator at the zero of the numerator."""
-    e = symbols("e")
     arm = plant.Sampled(n_1, n_0, 1 + e - gamma * (n_1 + n_0), e)
     value = arm.denominator.subs(z, -n_0 / n_1)
     found = linear.numbers(arm)

@@ -36,7 +36,10 @@ MEANINGS = (
     (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
     (Kind.UNDECIDED, "none of these yet"),
 )
-RESERVED = ("believed", "bench", "book", "chapters", "errata", "ledger", "mutants", "results")
+RESERVED = (
+    *("believed", "bench", "book", "chapters", "errata", "ledger", "mutants", "results"),
+    *("index", "search"),
+)
 """Names of the report's own files, which no chapter may have."""
 
 PACKAGE = "symhaptic.sty"
