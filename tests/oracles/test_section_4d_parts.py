@@ -189,7 +189,7 @@ def test_a_spring_and_a_mass_that_destabilise():
         assert (place[-start:].max() > place[start : 2 * start].max()) == grows
 
 
-@guards("s4d_scaling", "s4d_scaling_kept")
+@guards("s4d_scaling", "s4d_scaling_kept", "s6_scaling")
 def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
     m, b, k, T, K, B = 0.4, 3.0, 250.0, 2e-3, 9e3, 30.0
     for late in (0, 2):
@@ -203,7 +203,7 @@ def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
         assert not np.allclose(kept, before, rtol=0, atol=1e3 * size)
 
 
-@guards("s4d_scaling", "s4d_scaling_kept")
+@guards("s4d_scaling", "s4d_scaling_kept", "s6_scaling")
 def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_stiffness():
     stiffness, damping = decimals(
         "s4d_scaling", "For $\\delta=\\frac1{100}$ the largest damping and stiffness are"
