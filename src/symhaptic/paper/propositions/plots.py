@@ -1,0 +1,114 @@
+"""The claims of the plots of stable walls, and what the text reads from them.
+
+Stable is what the paper calls so, as for Sec. IV-D.  Plots have curves, no numbers: a claim names
+what each curve is, and how near two are that cannot be told apart.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr, Rational, Symbol
+
+from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1
+from symhaptic.notation.proposition import (
+    Exists,
+    ForAll,
+    Iff,
+    Predicate,
+    Proposition,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.propositions.comparison import transcribed
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.stability import DEVICE, NUMBERS
+from symhaptic.paper.reading import Printed
+
+OTHER = Symbol("gamma'")
+"""Another spring."""
+BESIDE = sp.symbols("alpha_1 beta_1")
+"""A wall near (alpha, beta)."""
+THICK = Rational(2, 1000)
+"""The thickness of a line, in the units of Fig. 7, whose regions are 0.7 wide and 2 high."""
+
+ARMS = tuple(map(proposition, transcribed("eq23")))
+"""The ranges of gamma and delta."""
+SPRINGS = tuple(p.at({gamma: OTHER}) for p in ARMS if gamma in p.free)
+
+
+def undelayed(wall: tuple[Expr, ...] = (alpha, beta), spring: Expr = gamma) -> Proposition:
+    """A wall is stable without delay."""
+    return Predicate("stable_substituted", (), (*wall, spring, delta, sp.S.Zero))
+
+
+def near(reach: Expr = THICK) -> list[Expr]:
+    """(alpha_1, beta_1) lies within ``reach`` of (alpha, beta), in each coordinate."""
+    ways = [other - here for other, here in zip(BESIDE, (alpha, beta), strict=True)]
+    return [relation for way in ways for relation in (-reach <= way, way <= reach)]
+
+
+def alike() -> Proposition:
+    """Two springs have the same stable walls, within the thickness of a line.
+
+    Near each wall that is stable with one spring there is one that is stable with the other; and
+    where all walls near one are stable with the other spring, it is stable with the first.
+    """
+    other = undelayed(BESIDE, OTHER)
+    kept = implied([undelayed()], Exists(BESIDE, both([*near(), other])))
+    filled = implied([ForAll(BESIDE, implied(near(), other))], undelayed())
+    walls = ForAll((alpha, beta), both([kept, filled]))
+    return ForAll((gamma, OTHER, delta), implied([*ARMS, *SPRINGS], walls))
+
+
+CURVE = (1 - e + (n_1 - n_0 + a * n_0) * beta - n_0 * (n_0 + n_1) * beta**2) / (
+    n_0 * (1 + n_1 * beta)
+)
+"""The parabola-like curve without delay, a graph over beta."""
+
+
+def between_line_and_curve() -> Proposition:
+    """Above beta = -1 the stable walls are those between alpha = -gamma and the curve."""
+    between = both([alpha > -gamma, alpha < CURVE])
+    symbols = (gamma, delta, *NUMBERS, alpha, beta)
+    return ForAll(symbols, implied([*ARMS, DEVICE, beta > -1], Iff((undelayed(), between))))
+
+
+@claims("fig7")
+def _boundary_without_delay(printed: Printed) -> Proposition:
+    """The regions end on the left at alpha = -gamma, on the right at a parabola-like curve.
+
+    The curve is the exact one, of the arm's numbers.  The effect of gamma is not visible: the
+    regions of two springs of (23) beside one damper are the same within 0.002 in each coordinate,
+    the thickness of a line.  Read for all arms of (23), of which the figure has four corners.
+    """
+    return both([between_line_and_curve(), alike()])
+
+
+@claims("s4d-gamma-invisible")
+def _springs_hardly_matter(printed: Printed) -> Proposition:
+    """The regions of two springs of (23) beside one damper are the same within 0.002.
+
+    That is a third of a percent of the width of Fig. 7, and a thousandth of its height.
+    """
+    return alike()
+
+
+FINE, FRAME = Rational(1, 10**4), (Rational(3, 1000), Rational(25, 1000))
+"""The thickness of a line in Fig. 8, and the ends of what is seen around the origin."""
+
+
+@claims("fig8")
+def _close_up_without_delay(printed: Printed) -> Proposition:
+    """Around the origin the stable walls are those with alpha > -gamma above a line without gamma.
+
+    The line is beta = alpha/2 - delta, to within 0.0001 of beta, a three hundredth of the height.
+    Read for all arms of (23), of which the figure has five springs, and for alpha <= 0.003 and
+    -0.025 <= beta <= 0.025: it shows the springs up to 0.001 and the dampers up to 0.02.
+    """
+    above = beta - (alpha / 2 - delta)
+    wide, high = FRAME
+    given = [*ARMS, alpha <= wide, -high <= beta, beta <= high]
+    inside = implied([undelayed()], both([alpha > -gamma, above > -FINE]))
+    filled = implied([alpha > -gamma, above > FINE], undelayed())
+    return ForAll((alpha, beta, gamma, delta), implied(given, both([inside, filled])))
