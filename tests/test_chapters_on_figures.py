@@ -13,6 +13,7 @@ SETTLED = {
     "fig7": ("s4d_figure7_undelayed", "proved"),
     "s4d-gamma-invisible": ("s4d_figure7_undelayed", "proved"),
     "fig8": ("s4d_figure8_origin", "proved"),
+    "s5c-shape": ("s5c_nyquist_region", "proved"),
 }
 
 

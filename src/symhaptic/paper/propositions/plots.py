@@ -112,3 +112,34 @@ def _close_up_without_delay(printed: Printed) -> Proposition:
     inside = implied([undelayed()], both([alpha > -gamma, above > -FINE]))
     filled = implied([alpha > -gamma, above > FINE], undelayed())
     return ForAll((alpha, beta, gamma, delta), implied(given, both([inside, filled])))
+
+
+# -- springs at the Nyquist frequency ------------------------------------------------------
+
+NYQUIST = sp.pi**2 + delta**2 / 4
+"""The spring of (30) as an equation."""
+LEFT = sp.exp(-delta / 2)
+"""What a period of the swing leaves."""
+DAMPERS = (delta > 0, *(p for p in ARMS if delta in p.free))
+TIMES = 13
+
+
+def triangle() -> list[Expr]:
+    """The three sides."""
+    half = NYQUIST / (1 + LEFT)
+    return [alpha > -NYQUIST, beta > -half, alpha + 2 * beta < half * (1 - LEFT)]
+
+
+@claims("s5c-shape")
+def _other_shape_and_size(printed: Printed) -> Proposition:
+    """A line and a parabola-like curve become a triangle, thirteen times as wide.
+
+    Said without delay.  With a spring of (23) the stable walls are as in Fig. 7; with that of the
+    Nyquist frequency they are a triangle, in which there is a wall 13 times as stiff as any that is
+    stable with a spring of (23).
+    """
+    there = undelayed(spring=NYQUIST)
+    shape = ForAll((alpha, beta, delta), implied(DAMPERS, Iff((there, both(triangle())))))
+    others = ForAll((alpha, beta, gamma), implied([*ARMS, undelayed()], TIMES * alpha < BESIDE[0]))
+    size = Exists(BESIDE, both([undelayed(BESIDE, NYQUIST), others]))
+    return both([between_line_and_curve(), shape, ForAll((delta,), implied(DAMPERS, size))])
