@@ -9,20 +9,41 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Expr, Rational, Symbol
 
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    a,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    e,
+    gamma,
+    n_0,
+    n_1,
+    omega_hat,
+    theta,
+)
 from symhaptic.notation.proposition import (
     Exists,
     ForAll,
     Iff,
+    Not,
+    Or,
     Predicate,
     Proposition,
     both,
     implied,
     proposition,
 )
-from symhaptic.paper.propositions.comparison import transcribed
+from symhaptic.paper.figures import DELAYS
+from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.propositions.stability import DEVICE, NUMBERS
+from symhaptic.paper.propositions.stability import DEVICE, NUMBERS, at_angle, explicit
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.paper.reading import Printed
 
 OTHER = Symbol("gamma'")
@@ -143,3 +164,72 @@ def _other_shape_and_size(printed: Printed) -> Proposition:
     others = ForAll((alpha, beta, gamma), implied([*ARMS, undelayed()], TIMES * alpha < BESIDE[0]))
     size = Exists(BESIDE, both([undelayed(BESIDE, NYQUIST), others]))
     return both([between_line_and_curve(), shape, ForAll((delta,), implied(DAMPERS, size))])
+
+
+# -- passive and stable walls in one plane -------------------------------------------------
+
+
+def one_of(*delays: str) -> Proposition:
+    """The delay is one of these."""
+    return Or(tuple(proposition(sp.Eq(d, Rational(text))) for text in delays))
+
+
+def dashed() -> Proposition:
+    """Each wall of (27), for delta = 0.02 up to its end, is on the boundary of passive walls."""
+    curve = [proposition(line).at({delta: DAMPED}) for line in transcribed("eq27")]
+    given = [omega_hat > 0, omega_hat < sp.pi, omega_hat <= sp.pi / (d + 1), *curve]
+    return implied(given, BORDER.at({K: alpha, B: beta, b: DAMPED, T: sp.S.One}))
+
+
+def solid() -> Proposition:
+    """On the curve are the walls with a zero at exp(j theta), and none of them is stable.
+
+    The principal sheet is meant, z^d = exp(j d theta).
+    """
+    given = [DEVICE, theta > 0, theta < sp.pi, at_angle()]
+    unstable = ForAll((alpha, beta, *NUMBERS, theta), implied(given, Not((STABLE,))))
+    return both([explicit(), unstable])
+
+
+def right_of_the_origin(then: Proposition) -> Proposition:
+    """Said of the passive walls as they are drawn: (5) for delta = 0.02, and alpha > 0."""
+    return implied([alpha > 0, passive().at({delta: DAMPED})], then)
+
+
+@claims("fig11")
+def _both_in_one_plane(printed: Printed) -> Proposition:
+    """For seven delays, gamma = 0.001 and delta = 0.02: dashed and solid curves, and their regions.
+
+    A wall of a dashed curve, (27) up to its end, is on the boundary of the passive walls.  On a
+    solid curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none
+    is stable, and no wall left of alpha = -gamma or on it.  The passive region, (5) and alpha > 0,
+    is inside the stable one.  The dash-dotted line of the largest stiffness is that of Fig. 12.
+    """
+    arm = {gamma: STIFF, delta: DAMPED}
+    left = ForAll((alpha, beta), implied([STABLE.at(arm)], alpha > -STIFF))
+    inside = right_of_the_origin(STABLE.at(arm))
+    then = both([dashed(), solid().at(arm), left, inside])
+    return ForAll((alpha, beta, d, omega_hat), implied([one_of(*DELAYS)], then))
+
+
+PANELS = ("0", "0.5", "1", "2")
+"""Delays of the rows of Fig. 13."""
+
+
+@claims("fig13")
+def _springs_up_to_nyquist(printed: Printed) -> Proposition:
+    """For four delays, delta = 0.02 and delta = 0, and the springs up to that of (30): all of them.
+
+    On a curve are the walls that have a zero at exp(j theta); none is stable.  The green region for
+    delta = 0.02, (5) and alpha > 0, is inside the robustly stable one: its walls are stable with
+    every spring.
+    """
+    springs = [gamma >= 0, gamma <= NYQUIST]
+    curves = [
+        ForAll((gamma,), implied([p.subs(delta, at) for p in springs], solid().at({delta: at})))
+        for at in (DAMPED, sp.S.Zero)
+    ]
+    damped = [p.subs(delta, DAMPED) for p in springs]
+    robust = ForAll((gamma,), implied(damped, STABLE.at({delta: DAMPED})))
+    then = both([*curves, right_of_the_origin(robust)])
+    return ForAll((alpha, beta, d), implied([one_of(*PANELS)], then))
