@@ -11,7 +11,7 @@ import symhaptic
 HOME = Path(symhaptic.__file__).parent
 
 ROOMS = (
-    *("notation", "paper", "model", "proof", "forms", "export", "kernels"),
+    *("notation", "paper", "rules", "model", "proof", "forms", "export", "kernels"),
     *("numeric", "bounds", "book", "scene", "bench", "cli"),
 )
 """Each may import those before it."""

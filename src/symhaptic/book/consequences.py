@@ -120,4 +120,11 @@ CONSEQUENCES: dict[str, str] = {
     "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a "
     "free device to (23) changes the limit many times over.",
     "s6-faster-sampling": "Sampling faster still pays until the delay is some ten periods long.",
+    "rules:twice-damping": "Safe without delay only. One period late keep to 41 per cent of it.",
+    "rules:damping-over-delay": "Count virtual damping up to $bd/(2d+3)$ only; more of it takes "
+    "stiffness away.",
+    "rules:four-masses": "A stiffness is not safe because it is small: what counts is damping.",
+    "rules:two-masses": "As for four masses: without damping every stiffness swings up.",
+    "rules:damped-contact": "Use $2B(2m-BT)/(T(2m+BT))$, which allows nothing from $BT=2m$ on; "
+    "the rule still does there, up to $BT=4m$.",
 }

@@ -10,10 +10,10 @@ import sympy as sp
 
 from symhaptic.book.chapters import run, shipped
 from symhaptic.book.listing import needed
+from symhaptic.book.sources import STATEMENTS
 from symhaptic.notation import SYMBOLS, Notation
 from symhaptic.notation.latex import latex
 from symhaptic.notation.suggest import suggested
-from symhaptic.paper import STATEMENTS
 from symhaptic.paper.reading import Printed
 from symhaptic.proof.units import UnitError, dimension_of, shown
 from symhaptic.proof.verdict import Verdict

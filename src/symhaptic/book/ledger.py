@@ -12,10 +12,11 @@ from typing import Any
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.record import Settled
+from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, source_of
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition
-from symhaptic.paper import STATEMENTS, Statement
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper import Statement
+from symhaptic.paper.statement import Source
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
@@ -43,6 +44,11 @@ class Entry:
     """What a statement of one's own claims."""
 
     @property
+    def source(self) -> Source | None:
+        """Where the statement is from; None of one that a chapter states itself."""
+        return source_of(self.statement.id)
+
+    @property
     def consequence(self) -> str | None:
         """What it means for somebody who built a device on it, where something is wrong."""
         return CONSEQUENCES.get(self.statement.id)
@@ -53,6 +59,7 @@ class Entry:
         corrected = _corrected(v)
         return {
             "id": self.statement.id,
+            "source": self.source and self.source.title,
             "location": self.statement.location,
             "statement": self.statement.text,
             "verdict": str(v.kind),
@@ -175,6 +182,14 @@ def ledger(settled: Iterable[Entry]) -> list[Entry]:
     found = {entry.statement.id: entry for entry in entries}
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
     return entries + [entry for entry in found.values() if entry.own]
+
+
+def by_source(entries: Iterable[Entry]) -> str:
+    """How many statements are from where."""
+    counts = Counter(entry.source for entry in entries)
+    of_sources = [f"{counts[s]} of {s.title}" for s in SOURCES[1:] if counts[s]]
+    own = [f"{counts[None]} found on the way"] if counts[None] else []
+    return ", ".join([f"{counts[PAPER]} of the paper", *of_sources, *own])
 
 
 def counted(entries: Iterable[Entry]) -> str:

@@ -14,7 +14,7 @@ from xml.etree import ElementTree as ET
 from symhaptic import __version__
 from symhaptic.book.chapters import BadChapter, expected_ledger
 from symhaptic.book.ledger import Entry, counted, places
-from symhaptic.paper import STATEMENTS
+from symhaptic.book.sources import STATEMENTS
 from symhaptic.proof.verdict import Kind
 
 

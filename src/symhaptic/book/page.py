@@ -21,12 +21,12 @@ from sympy.core.function import AppliedUndef
 
 from symhaptic.book.grounds import not_defined, unproved, written_twice
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
+from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.notation.written import chains, written
-from symhaptic.paper import STATEMENTS, Statement
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper import Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
 from symhaptic.proof.checks import (

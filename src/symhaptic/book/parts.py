@@ -72,6 +72,14 @@ PARTS = (
         "and their boundaries are derived once more, and held against what a power of $z$ says.",
     ),
     Part(
+        "Rules in circulation",
+        ("8",),
+        "People limit the stiffness of a wall by rules that are shorter than the formulas of this "
+        "book. In this part each of them is a statement like those of the paper, with who uses it: "
+        "is what it allows stable, for which walls, and if not, which wall shows it? The last "
+        "chapter says which rule to use when.",
+    ),
+    Part(
         "What is wrong",
         ("7",),
         "Most slips come up where the formula is derived. Those that belong to no derivation are "

@@ -10,6 +10,18 @@ from symhaptic.paper.reading import Printed, read
 
 
 @dataclass(frozen=True)
+class Source:
+    """Where statements are from; its ``key`` stands in front of their ids, as in "rules:four"."""
+
+    key: str
+    title: str
+    authors: str = ""
+    year: str = ""
+    where: str = ""
+    """Journal, or where else it is found."""
+
+
+@dataclass(frozen=True)
 class Statement:
     r"""A statement of the paper, as printed.
 

@@ -134,6 +134,15 @@ def decides() -> tuple[Theorem, Theorem]:
 
 def passive_below(room: Theorem) -> Theorem:
     """A wall with 0 <= b + B - K T (d + 1/2), K >= 0 and B <= b d/(2d+3) is passive; d whole."""
+    return closed(sufficient(), _half_below(room))
+
+
+def margin_below(room: Theorem) -> Theorem:
+    """Such a wall has a margin at every angle, for every real d >= 0."""
+    return closed(at_every_angle(), _half_below(room))
+
+
+def _half_below(room: Theorem) -> Theorem:
     found, flat, steep = known()
     more, low, high = shares()
     share = over((2 * d + 3) / (d + 1) > 0, high, more)
@@ -155,7 +164,7 @@ def passive_below(room: Theorem) -> Theorem:
         [third, share, room, upper],
         [third, share, rest, flat],
     )
-    return closed(sufficient(), on_first_half(closed(margin, *divisors())))
+    return on_first_half(closed(margin, *divisors()))
 
 
 def met_at_every_frequency(straight: Any) -> Theorem:

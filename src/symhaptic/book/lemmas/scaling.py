@@ -11,7 +11,6 @@ from sympy import Eq, Expr, Ne, Rational, S, Symbol
 
 from symhaptic.notation import B, K, T, b, k, m, y, z
 from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation, whole
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, in_units
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import square
@@ -87,13 +86,13 @@ def _carried(
     other = Symbol(f"{free}'")
     named = Relation(other, "=", value)
     known = [assume(p) for p in (named, named, kept[1], kept[0])]
-    found = _moved(assume(before), after.at({free: other}), known)
+    found = moved(assume(before), after.at({free: other}), known)
     some = witnessed(found, Exists((free,), after), {free: other})
     there_is = witnessed(identity(value, value), Exists((other,), named), {other: value})
     return chosen(assume(Exists((free,), before)), chosen(there_is, some))
 
 
-def _moved(found: Theorem, wanted: Proposition, known: Sequence[Theorem | None]) -> Theorem:
+def moved(found: Theorem, wanted: Any, known: Sequence[Theorem | None]) -> Theorem:
     """A stable loop in other terms, each equal to the old one by an equation or by itself."""
     place = Symbol("q")
     for i, equation in enumerate(known):
@@ -102,9 +101,9 @@ def _moved(found: Theorem, wanted: Proposition, known: Sequence[Theorem | None])
         if equation is not None and difference != 0:
             left, right = equation.conclusion.terms
             share = sp.cancel(difference / (right - left))
-            moved = combined(Relation(terms[i], "=", wanted.terms[i]), [equation, share])
+            same = combined(Relation(terms[i], "=", wanted.terms[i]), [equation, share])
             terms[i] = place
-            found = substituted(Predicate(STABLE.name, (), tuple(terms)), place, found, moved)
+            found = substituted(Predicate(wanted.name, (), tuple(terms)), place, found, same)
     return found
 
 
@@ -125,7 +124,7 @@ def with_the_stiffness(stiffer: Symbol) -> Theorem:
     equally = assume(Eq(stiffer, K * grown))
     same = combined(Eq(stiffer / HEAVY, K / m), [equally, 1 / HEAVY])
     known = [equally, None, None, None]
-    there, back = _moved(assume(before), after, known), _moved(assume(after), before, known)
+    there, back = moved(assume(before), after, known), moved(assume(after), before, known)
     found = conjoined(same, either_way(there, back, before, after))
     return closed(found, *APART)
 
@@ -140,7 +139,7 @@ def with_the_rate() -> Theorem:
 
 def _both_ways(before: Proposition, after: Proposition, kept: list[Any]) -> Theorem:
     known = [None, None, assume(kept[1]), assume(kept[0])]
-    there, back = _moved(assume(before), after, known), _moved(assume(after), before, known)
+    there, back = moved(assume(before), after, known), moved(assume(after), before, known)
     return closed(either_way(there, back, before, after), *APART)
 
 

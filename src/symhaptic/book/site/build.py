@@ -14,7 +14,7 @@ from pathlib import Path
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.figures.passivity import save
 from symhaptic.book.figures.rests import graph
-from symhaptic.book.ledger import Entry, counted, of_chapter
+from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.rests import between, shown_in
@@ -60,7 +60,8 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
 def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -> str:
     out = [*heading(TITLE), OPENING]
     if whole:
-        out += [f"**{len(entries)} statements:** {counted(entries)}.", ""]
+        told = f"**{len(entries)} statements,** {by_source(entries)}: {counted(entries)}."
+        out += [told, ""]
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
         out += [
             "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, or "

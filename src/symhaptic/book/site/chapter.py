@@ -14,12 +14,12 @@ from symhaptic.book.record import Block, Settled
 from symhaptic.book.rests import Said, Shown, rests
 from symhaptic.book.rules import called
 from symhaptic.book.site.words import container, display, heading, math, plain, table, words
+from symhaptic.book.sources import PAPER, source_of
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import right_is, shown_by
 from symhaptic.book.tex.page import rows_of
 from symhaptic.book.tex.words import anchor
 from symhaptic.notation.latex import latex
-from symhaptic.paper import STATEMENTS
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Kind, Verdict
 
@@ -144,7 +144,7 @@ def kind(verdict: str) -> str:
 
 def statement_link(id: str) -> str:
     """The id of a statement, which leads to where it is settled."""
-    return f":ref:`{id} <statement-{id}>`"
+    return f":ref:`{id} <statement-{anchor(id)}>`"
 
 
 def by(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
@@ -178,14 +178,14 @@ def _printed(item: Settled, place: Place) -> list[str]:
     consequence = CONSEQUENCES.get(statement.id)
     if consequence:
         out += [f"*For a device:* {words(consequence)}", ""]
-    if place.whole and statement.id in STATEMENTS and verdict.claimed in dict(CLASSES):
+    if place.whole and source_of(statement.id) is PAPER and verdict.claimed in dict(CLASSES):
         out += [f":ref:`In the errata <erratum-{statement.id}>`", ""]
     judged = item.settlement.judged
     ground = "a theorem" + by([judged.theorem], place.shown) if judged else words(verdict.method)
     shows = [words(text) for text in shown_by(verdict)]
     said = "; ".join([ground, *shows])
     out += container("verdict", [kind(verdict.kind), "", said])
-    return [f".. _statement-{statement.id}:", "", *container("statement", out)]
+    return [f".. _statement-{anchor(statement.id)}:", "", *container("statement", out)]
 
 
 def _right(verdict: Verdict) -> list[str]:

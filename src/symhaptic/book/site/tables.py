@@ -9,6 +9,7 @@ from symhaptic.book.rests import used
 from symhaptic.book.rules import called, classical, says
 from symhaptic.book.site.chapter import in_words, kind, statement_link
 from symhaptic.book.site.words import container, display, heading, math, plain, table, words
+from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import shown_by
 from symhaptic.book.tex.results import USE
@@ -54,7 +55,7 @@ def errata(entries: Sequence[Entry]) -> str:
     """What is wrong, and what is right only under a condition."""
     out = [".. _errata:", "", *heading("Errata")]
     for of, title in CLASSES:
-        listed = [e for e in entries if not e.own and e.verdict.claimed is of]
+        listed = [e for e in entries if e.source is PAPER and e.verdict.claimed is of]
         if listed:
             out += heading(title, "-")
             out += [line for entry in listed for line in _erratum(entry)]

@@ -9,11 +9,20 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book.chapters import Chapter, expected_bench, expected_mutants
-from symhaptic.book.ledger import GENERATED, Entry, committed, counted, ledger, of_chapter
+from symhaptic.book.ledger import (
+    GENERATED,
+    Entry,
+    by_source,
+    committed,
+    counted,
+    ledger,
+    of_chapter,
+)
 from symhaptic.book.measured.chapter import measurement
 from symhaptic.book.measured.record import BadRecord
 from symhaptic.book.parts import in_parts
 from symhaptic.book.rests import between
+from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.believed import believed
 from symhaptic.book.tex.errata import errata
 from symhaptic.book.tex.mutants import mutants_listed
@@ -90,6 +99,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
                 "parts": parts(numbered),
                 "kinds": [(str(k), m) for k, m in MEANINGS],
                 "count": f"{len(entries)} statements",
+                "sources": by_source(entries),
                 "appendices": [
                     "errata",
                     "ledger",
@@ -130,10 +140,10 @@ def _chapter_files(chapters: list[tuple[int, Chapter]]) -> dict[str, str]:
 
 def _errors(entries: list[Entry]) -> str:
     """How many entries the errata have."""
-    kinds = [entry.verdict.claimed for entry in entries if not entry.own]
+    kinds = [entry.verdict.claimed for entry in entries if entry.source is PAPER]
     wrong = kinds.count(Kind.REFUTED) + kinds.count(Kind.MISPRINT)
     return (
-        f"Of {len(kinds)} statements {wrong} are wrong as printed and "
+        f"Of {len(kinds)} statements of the paper {wrong} are wrong as printed and "
         f"{kinds.count(Kind.QUALIFIED)} need a condition that the paper does not give"
     )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from symhaptic.book.ledger import Entry
+from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.forms import condition, correction, printed, reference, shown_by
 from symhaptic.book.tex.words import escaped, prose
 from symhaptic.proof.verdict import Kind
@@ -19,7 +20,7 @@ CLASSES = (
 
 def errata(entries: Iterable[Entry], chapters: Mapping[str, int]) -> list[tuple[str, list[str]]]:
     """Title and LaTeX of the errata of each class; ``chapters`` are numbers by source."""
-    listed = [entry for entry in entries if not entry.own]
+    listed = [entry for entry in entries if entry.source is PAPER]
     found = []
     for kind, title in CLASSES:
         of_kind = [entry for entry in listed if entry.verdict.claimed is kind]

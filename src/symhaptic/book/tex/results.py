@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from symhaptic.book.ledger import Entry
+from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import condition, correction, printed, reference, right_is
 from symhaptic.book.tex.words import prose
@@ -38,7 +39,7 @@ def results(entries: Iterable[Entry], chapters: Mapping[str, int]) -> dict[str, 
         (question, [_use(found[id], chapters) for id in ids if id in found and _settled(found[id])])
         for question, ids in USE
     ]
-    theirs = [entry for entry in found.values() if not entry.own]
+    theirs = [entry for entry in found.values() if entry.source is PAPER]
     listed = {
         kind: [_wrong(entry, chapters) for entry in theirs if entry.verdict.claimed is kind]
         for kind, _ in CLASSES

@@ -1,0 +1,43 @@
+r"""Is a wall stable whose stiffness is at most twice the damping over the period?
+
+Colgate and Schenkel found this limit of a passive wall without delay, for a wall without virtual
+damping. It is used for walls with a delay, too. For which is it safe?
+"""
+
+from sympy import Eq, S
+
+from symhaptic.book.lemmas.circulation import outside, twice_the_damping
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+
+RULE = "rules:twice-damping"
+
+
+def derive(page):
+    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "Without delay such a wall is stable with every mass and every spring",
+        twice_the_damping(given[-1]),
+        because="the margin of passivity is $b-\\frac12KT$ at every angle, and a passive wall is "
+        "stable",
+        boxed=True,
+    )
+    page.say(
+        "One period of delay leaves 41 per cent of this stiffness to a passive wall. With "
+        "$m=T=1$, $b=\\frac12$ and one period of delay the wall $K=1$ is not even stable."
+    )
+    still = {B: S.Zero, k: S.Zero, T: S.One, m: S.One, K: S.One, b: S.Half}
+    late = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Half, d: S.One}
+    page.lemma("One period late that wall has a root outside the unit circle", outside(late))
+    page.settle(
+        RULE,
+        for_all(symbols, [*given, Eq(d, 0)], weakened(found, *given)),
+        example=example(still | {d: S.Zero}, [*given, Eq(d, 0)]),
+        unless=[counterexample(claim, still | {d: S.One}, outside(late), but=Eq(d, 0))],
+        shows="$m=T=1$, $b=\\tfrac12$: the wall $K=2b/T$ is unstable one period late",
+        note="safe without delay for every mass and every hand, and passive too",
+    )

@@ -1,0 +1,45 @@
+r"""Is a wall stable whose stiffness is below the damping over the delay?
+
+Half a period of hold and the delay $t_d$ cost as much as the dampers of device and wall can pay:
+this is the linear condition, and the plainest rule for a loop with a delay. It counts virtual
+damping like that of the device. How much of it may be put in?
+"""
+
+from sympy import Rational, S
+
+from symhaptic.book.lemmas.circulation import damping_over_delay, outside
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+
+RULE = "rules:damping-over-delay"
+RANGE = b * d / (2 * d + 3) >= B
+
+
+def derive(page):
+    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "With little virtual damping such a wall is stable with every mass and every spring",
+        damping_over_delay(given[-1]),
+        because="low frequencies are then the strictest for a passive wall, and leave a margin",
+        boxed=True,
+    )
+    page.say(
+        "More virtual damping raises the bound, but not what is stable: without delay and with "
+        "$m=T=b=1$ the rule allows $K<8$ beside $B=3$, where not even $K=1$ is stable."
+    )
+    wall = {K: S.One, T: S.One, m: S.One, b: S.One, k: S.Zero, d: S.Zero}
+    braked = {alpha: S.One, beta: S(3), gamma: S.Zero, delta: S.One, d: S.Zero}
+    page.lemma("That wall has a root outside the unit circle", outside(braked))
+    page.settle(
+        RULE,
+        for_all(symbols, [*given, RANGE], weakened(found, *given)),
+        example=example(wall | {B: -Rational(1, 10)}, [*given, RANGE]),
+        unless=[counterexample(claim, wall | {B: S(3)}, outside(braked), but=RANGE)],
+        shows="$m=T=b=1$ without delay: $B=3$ allows $K<8$, and $K=1$ is unstable",
+        note="in this range of $B$ the walls are passive, and safe for every mass and every hand; "
+        "without delay that is $B\\le0$",
+    )

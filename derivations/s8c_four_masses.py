@@ -1,0 +1,41 @@
+r"""Is a wall stable whose stiffness is below four masses over the squared period?
+
+The rule knows the mass and the period, and neither damping nor delay. We hold it against the
+plainest device that it could be meant for, a free mass without delay.
+"""
+
+from sympy import S
+
+from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
+
+RULE = "rules:four-masses"
+WALL = {K: S.One, B: S.Zero, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
+ROOTS = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Zero, d: S.Zero}
+
+
+def derive(page):
+    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
+    symbols, (*given, _), _ = taken_apart(claim)
+    found = page.lemma(
+        "Without any damping no stiffness is stable, however small",
+        never_undamped(),
+        because="the force of a spring is half a period late on average, and a late spring drives",
+        boxed=True,
+    )
+    page.lemma("So has the wall $K=1$ of $m=T=1$ a root outside the circle", outside(ROOTS))
+    given = [*given, *NOTHING]
+    page.settle(
+        RULE,
+        for_all(symbols, given, weakened(found, *given)),
+        instead=every(symbols, given, found.conclusion),
+        corrected=[r"\text{no}\ K>0\ \text{is stable for}\ b=k=B=d=0"],
+        misprint=False,
+        example=example(WALL, given),
+        unless=[counterexample(claim, WALL, outside(ROOTS))],
+        shows="a free mass with $m=T=1$: already $K=1$ swings up",
+    )

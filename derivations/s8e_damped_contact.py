@@ -1,0 +1,54 @@
+r"""Is a wall stable whose stiffness is below $2B/T-B^2T/(2m)$?
+
+The rule is found in simulation code for the spring and the damper of a contact, without delay. A
+free mass has an exact limit, which we derive beside it.
+"""
+
+from sympy import S
+
+from symhaptic.book.lemmas.circulation import damped_contact, free_mass, outside
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
+from symhaptic.paper.reading import read
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+
+RULE = "rules:damped-contact"
+RIGHT = r"K < \frac{2B(2m-BT)}{T(2m+BT)}"
+WALL = {K: S.One, B: S.One, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
+
+
+def derive(page):
+    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
+    [right] = read(RIGHT)
+    symbols, given, _ = taken_apart(CLAIMED[RULE]((right,)))
+    page.lemma("A wall of a free mass without delay is stable by four inequalities", free_mass())
+    found = page.lemma(
+        "Below this stiffness a free mass is stable beside a virtual damper",
+        damped_contact(right),
+        because="the last inequality is the rule, and the others follow",
+        boxed=True,
+    )
+    page.say(
+        "As it is written the rule subtracts a damping, $B^2T/(2m)$, from a stiffness: its number "
+        "depends on the unit of time. Even with $B^2/(2m)$, which has the unit of a stiffness, it "
+        "allows more than is stable:"
+    )
+    page.step(
+        "With the unit mended the rule allows too much by",
+        2 * B / T - B**2 / (2 * m) - right.rhs,
+        B**2 * (6 * m - B * T) / (2 * m * (2 * m + B * T)),
+        because="positive wherever it allows anything, $BT<4m$",
+    )
+    driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}
+    page.lemma("With $m=T=B=1$ it allows $K=1$, which has a root outside", outside(driven))
+    page.settle(
+        RULE,
+        for_all(symbols, given, weakened(found, *given)),
+        corrected=[RIGHT],
+        misprint=False,
+        example=example(WALL | {K: S.Half}, given),
+        unless=[counterexample(claim, WALL, outside(driven))],
+        shows="$m=T=B=1$: $K=1$ is allowed, and the limit is $\\tfrac23$",
+    )

@@ -1,0 +1,14 @@
+"""What do people use?  Limits of the stiffness that are in circulation, as they are used.
+
+A second source beside the paper: each rule with who uses it, and what it claims of a wall.  Nothing
+is computed here and nothing is corrected.  Imports ``notation`` and ``paper``; used by ``book``,
+and never reached from ``model``.
+"""
+
+from __future__ import annotations
+
+from symhaptic.rules.statements import RULES, SOURCE
+
+STATEMENTS = {s.id: s for s in RULES}
+
+__all__ = ["SOURCE", "STATEMENTS"]
