@@ -9,7 +9,6 @@ report: .venv/ready
 test: .venv/ready
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	$(BIN)/symhaptic verify --strict
 	$(BIN)/pytest -n 2 --dist worksteal --durations 12
 
 # what takes long by its nature: every test, every change, whatever is written by a command

@@ -1,13 +1,34 @@
 """Adds up the mutants that were tried, over all processes, and says so at the end."""
 
+import gc
 import os
 
+import pytest
+
+# millions of expressions stay, and the collector of cycles finds none among them
+gc.set_threshold(100_000, 50, 50)
+# SymPy, which reads this when it is imported, forgets less
+os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
 # matrices are small here: threads of several processes would only get in each other's way
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # JAX's compiler takes most of the time of its tests, and its best code runs only once there
 os.environ.setdefault(
     "XLA_FLAGS", "--xla_backend_optimization_level=0 --xla_llvm_disable_expensive_passes=true"
 )
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(items):
+    """Tests that look at chapters stand together, so that one process runs these for most of them.
+
+    Each process begins with tests beside each other, and what is left over is shared at the end.
+    """
+    items.sort(key=lambda item: _looks_at_chapters(getattr(item, "module", None)))
+
+
+def _looks_at_chapters(module):
+    taken = {getattr(value, "__module__", None) for value in vars(module or object).values()}
+    return not taken.isdisjoint({"chapters", "oracles.subject"})
 
 
 def pytest_terminal_summary(terminalreporter):

@@ -10,6 +10,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from command import symhaptic
 
 from symhaptic.cli.main import main
 
@@ -30,14 +31,13 @@ def derive(page):
 '''
 
 
-def symhaptic(*arguments, **options):
+def started(*arguments):
     return subprocess.run(
         [sys.executable, "-c", "from symhaptic.cli.main import main; main()", *map(str, arguments)],
         capture_output=True,
         text=True,
         check=False,
         timeout=300,
-        **options,
     )
 
 
@@ -49,7 +49,8 @@ def chapter(folder: Path, text: str, name: str = "my.py") -> Path:
 
 @pytest.fixture(scope="module")
 def everything():
-    run = symhaptic("verify", "--format", "json")
+    """What a strict run says of all statements; `make test` has no other."""
+    run = started("verify", "--strict", "--format", "json")
     assert run.returncode == 0, run.stdout + run.stderr
     return json.loads(run.stdout)
 
@@ -337,6 +338,14 @@ def test_a_chapter_of_ones_own_alone_and_standing_alone(tmp_path):
 def test_help_and_version():
     assert "verify" in symhaptic("--help").stdout
     assert symhaptic("--version").stdout.startswith("symhaptic ")
+    assert started("--version").stdout == symhaptic("--version").stdout
+
+
+@pytest.mark.parametrize("arguments", [["verify", "eq99"], ["verify", "eq1"], ["report", "book"]])
+def test_started_from_nothing_it_says_the_same(arguments):
+    told, anew = symhaptic(*arguments), started(*arguments)
+    assert (told.returncode, told.stderr) == (anew.returncode, anew.stderr)
+    assert told.stdout == anew.stdout
 
 
 @pytest.mark.parametrize("command", ["verify", "mutants"])

@@ -3,21 +3,15 @@
 import csv
 import io
 import json
-import subprocess
-import sys
 
 import numpy as np
 import pytest
+from command import symhaptic
 from scipy.signal import cont2discrete
 
 
 def trace(*arguments):
-    return subprocess.run(
-        [sys.executable, "-m", "symhaptic", "trace", *map(str, arguments)],
-        capture_output=True,
-        check=False,
-        timeout=120,
-    )
+    return symhaptic("trace", *arguments, text=False)
 
 
 def radius(alpha, beta, gamma, delta, d):

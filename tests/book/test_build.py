@@ -102,6 +102,7 @@ def typeset(chapters, tmp_path_factory):
     return target
 
 
+@pytest.mark.slow
 def test_the_pdf_has_every_chapter(chapters, typeset):
     if shutil.which("pdftotext") is None:
         pytest.skip("no pdftotext: poppler-utils is not installed")
@@ -140,7 +141,9 @@ def test_plain_words_are_typeset_as_they_stand(tmp_path):
         assert words in text
 
 
-def test_an_overfull_line_is_an_error(typeset, tmp_path):
+def test_an_overfull_line_is_an_error(tmp_path):
+    if not tex.has_tex():
+        pytest.skip("no TeX: latexmk and pdflatex are not installed")
     (tmp_path / "book.tex").write_text(
         r"\documentclass{article}\begin{document}\hbox to 1cm{" + "x" * 400 + r"}\end{document}"
     )

@@ -25,22 +25,25 @@ JOINT = sorted({step.call.func.__name__ for r in MERGED.values() for step in r.s
 
 @cache
 def program(name):
-    """The steps and the results of a routine as functions of all that is known before."""
+    """Arguments, steps and results of a routine, each as a function of the symbols in it."""
     found = named(name, ROUTINES)
     modules = [{n: partial(alone, n) for n in ROUTINES}, {"ProductError": lambda *_: 0}, "mpmath"]
-    before, steps = list(found.arguments), []
-    for symbol, expr in found.steps:
-        steps.append(sp.lambdify(before, expr, modules))
-        before.append(symbol)
-    return steps, [sp.lambdify(before, expr, modules) for _, expr in found.results]
+
+    def function(expr):
+        needs = sorted(sp.sympify(expr).free_symbols, key=str)
+        return needs, sp.lambdify(needs, expr, modules)
+
+    steps = [(symbol, *function(expr)) for symbol, expr in found.steps]
+    return found.arguments, steps, [function(expr) for _, expr in found.results]
 
 
 def run(name, *values):
     """All results, in as many digits as are asked for."""
-    steps, results = program(name)
-    for step in steps:
-        values = (*values, step(*values))
-    return [result(*values) for result in results]
+    arguments, steps, results = program(name)
+    known = dict(zip(arguments, values, strict=True))
+    for symbol, needs, step in steps:
+        known[symbol] = step(*(known[s] for s in needs))
+    return [result(*(known[s] for s in needs)) for needs, result in results]
 
 
 def alone(name, *values):

@@ -6,6 +6,7 @@ import sys
 from xml.etree import ElementTree
 
 import pytest
+from command import symhaptic
 
 HEAD = '''r"""A title.
 
@@ -24,13 +25,7 @@ WRONG = '    page.settle("{id}", Eq(x, sin(3 * theta)))\n'
 
 
 def verify(*arguments):
-    return subprocess.run(
-        [sys.executable, "-m", "symhaptic", "verify", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=300,
-    )
+    return symhaptic("verify", *arguments)
 
 
 def chapter(folder, name, *lines, id="my-own"):

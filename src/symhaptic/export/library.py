@@ -93,6 +93,7 @@ _MODULES = (
 )  # fmt: skip
 
 
+@cache
 def routine(form: Form, precision: Precision = DOUBLE) -> Routine:
     """A form with its common subexpressions shared, and what its arguments have to be."""
     taken = {s.name for e in form.expressions for s in e.free_symbols}
@@ -156,7 +157,12 @@ def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> 
 def named(name: str, routines: Mapping[str, Routine]) -> Routine:
     """The routine of that name, or the joint one of several names."""
     parts = name.split("_")
-    return joint(parts, routines) if len(parts) > 1 else routines[name]
+    if len(parts) == 1:
+        return routines[name]
+    made = routines.made if isinstance(routines, Known) else {}
+    if name not in made:
+        made[name] = joint(parts, routines)
+    return made[name]
 
 
 def precise(name: str) -> bool:

@@ -130,6 +130,7 @@ def test_a_short_instability_before_the_loop_recovers():
     assert delay_margin(*loop) == pytest.approx(1.47090, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_no_window_of_a_dense_scan_is_missed_on_stiff_springs():
     """240 loops that swing up to one and a half times a period, at every 1/256 to 2 periods."""
     rng = np.random.default_rng(47)
