@@ -58,7 +58,7 @@ def test_inside_is_stable_and_outside_is_not(case):
 
 
 def test_poles_next_to_minus_one():
-    """A swing of 5e-9 more than half a turn: n_1 = n_0, and eigenvalues cannot tell a root at -1 + e.
+    """A swing 5e-9 beyond half a turn: n_1 = n_0, and eigenvalues cannot tell a root at -1 + e.
 
     p = z^3 ((z + 1)^2 - q z) + n_1 (z + 1) ((alpha + beta) z - beta) with q = 2 + a = 2.5e-16, so
     that e = -q/(n_1 (alpha + 2 beta)) and the other roots are those of p/(z + 1) without q.
