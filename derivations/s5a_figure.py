@@ -8,9 +8,18 @@ the chapter before. What do the curves for $d=\tfrac14$ and $d=\tfrac12$ say?
 from sympy import S, cos
 
 from symhaptic.book.figures.stability import passive_and_stable
+from symhaptic.book.lemmas.one_plane import (
+    drawn_at,
+    half_late,
+    in_one_plane,
+    inside,
+    passive_curve,
+    stable_curve,
+)
 from symhaptic.model import boundary, passivity
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import B, K, T, a, d, e, n_0, n_1, theta, z
+from symhaptic.notation.proposition import whole
 
 
 def derive(page):
@@ -60,8 +69,37 @@ def derive(page):
         panels=(1, 2),
         height=0.62,
     )
+    _settled(page)
+
+
+def _settled(page):
+    page.lemma(
+        "A wall of the curve (27) for $\\delta=0.02$ is on the boundary of the passive ones",
+        passive_curve(),
+        because="up to $\\hat\\omega=\\pi/(d+1)$ and behind whole delays, as for Fig. 4",
+    )
+    page.lemma(
+        "The other curve has the walls with a zero on the circle, and none of them is stable",
+        stable_curve(),
+        because="behind whole delays",
+    )
+    page.lemma(
+        "Passive walls with $\\alpha>0$ are stable",
+        inside(),
+        because="by the energy of the chapter before, with every spring",
+    )
+    page.say(
+        "For a fraction of a period this is true of neither region. Fig. 4's dashed curves for "
+        "$d=\\tfrac14$ and $d=\\tfrac12$ do not bound the passive walls, and in $\\zeta$, with "
+        "$z=\\zeta^q$, (18) has roots on other sheets: half a period late the wall "
+        "$\\alpha=0.01$, $\\beta=0.005$ meets (5) and has a root outside."
+    )
     page.settle(
         "fig11",
-        drawn,
-        note="for fractions of a period the curves as the paper reads them",
+        in_one_plane(),
+        example=drawn_at("fig11"),
+        unless=[half_late("fig11", whole(d))],
+        shows=r"half a period late, $(0.01,0.005)$ meets (5) and is not stable by (18)",
+        note="for five of the seven delays; for the other two the curves of the principal sheet "
+        "keep clear of each other as well",
     )

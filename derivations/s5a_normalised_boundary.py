@@ -4,10 +4,18 @@ Table I turns $(K,B)$ into $(\alpha,\beta)$. The passive walls can then be drawn
 ones, and only the damping $\delta$ and the delay are left.
 """
 
-from sympy import Eq, Rational, S
+from sympy import Eq, Rational, S, pi
 
+from symhaptic.book.lemmas.motions import STEPS, half_late, not_passive
+from symhaptic.book.lemmas.normalised_boundary import in_units
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, m, omega_hat, theta
+from symhaptic.notation.proposition import whole
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):
@@ -36,12 +44,47 @@ def derive(page):
         "$d>0$. Beyond, up to $\\pi$, it leaves the passive walls and bounds nothing; for some "
         "delays, such as $d=\\tfrac14$, it even has a pole there."
     )
+    _boundary(page, Eq(alpha, in_plane[0]), Eq(beta, in_plane[1]))
+
+
+def _boundary(page, *forms):
+    """What holds of (7) holds of (27), with Table I."""
+    printed = STATEMENTS["eq27"].printed
+    claim = CLAIMED["eq27"](printed)
+    symbols, given, then = taken_apart(claim)
+    found = page.lemma(
+        "A wall of (27), in SI units, is passive, and needs all of the damping",
+        in_units(given),
+        because="it is the wall of (7) with $\\omega=\\hat\\omega/T$",
+        boxed=True,
+    )
+    end = omega_hat <= pi / (d + 1)
+    more = [*given, whole(d), end]
+    half = _wall(printed, {d: S.Half, omega_hat: pi / 3})
+    late = _wall(printed, {d: S.One, omega_hat: 2 * pi / 3})
     page.settle(
         "eq27",
-        Eq(alpha, in_plane[0]),
-        Eq(beta, in_plane[1]),
-        provided=r"d\in\mathbb{N},\ \alpha\ge0,\ 0<\hat\omega\le\pi/(d+1)",
-        unless={d: S.Zero, delta: S.One, omega_hat: S.One, alpha: S.One, beta: Rational(1, 2)},
-        truth=Eq(delta, alpha / 2 + beta),
-        shows=r"for $d=0$ (27) is the point $(2\delta,0)$; $(1,\tfrac12)\delta$ is on the boundary",
+        for_all(symbols, more, weakened(found, *more)),
+        *forms,
+        example=example(_wall(printed, {d: S.Zero, omega_hat: pi / 2}), more),
+        unless=[
+            counterexample(
+                claim,
+                half,
+                not_passive(then, half, half_late(Rational(17, 10))),
+                holds=[end],
+                but=whole(d),
+            ),
+            counterexample(claim, late, not_passive(then, late, STEPS), holds=[whole(d)], but=end),
+        ],
+        shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it pulls the hand",
+        note=r"without delay (27) is the single point $(2\delta,0)$, and the rest of the boundary "
+        "is (6); for other $d>0$ it bounds the walls of (5); larger angles bound nothing",
     )
+
+
+def _wall(printed, at):
+    """The wall that (27) gives at an angle, beside a damper of 1, in units of mass and period."""
+    unit = {m: S.One, T: S.One, b: S.One, delta: S.One} | at
+    wall = {line.lhs: line.rhs.subs(unit) for line in printed}
+    return unit | wall | {K: wall[alpha], B: wall[beta]}

@@ -5,12 +5,12 @@ loses a root to this motion, and without delay only a quadratic is left: the par
 springs has become a triangle.
 """
 
-from sympy import I, Rational, S, exp, pi, symbols, tanh
+from sympy import I, S, exp, pi, symbols, tanh
 
+from symhaptic.book.lemmas.nyquist_triangle import is_triangle, other_shape_and_size
 from symhaptic.model import jury, loop, plant
 from symhaptic.model.parts import FULL
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.proof import box
 
 AT = {gamma: pi**2 + delta**2 / 4}
 LEFT = exp(-delta / 2)
@@ -64,18 +64,16 @@ def derive(page):
         "$\\gamma(3-f)/(1+f)$: about $\\pi^2$, against $0.71$ for the arms of (23)."
     )
     most = AT[gamma] * (3 - LEFT) / (1 + LEFT)
-    corner = page.same("corner", edge + 2 / force, most)
-    grown = page.positive(
-        "Thirteen times as stiff",
-        box.positive(most - 13 * Rational(72, 100), {delta: (0, Rational(1, 50))}),
-        r"0\le\delta\le0.02",
-        name=r"\gamma\frac{3-f}{1+f}-13\cdot0.72",
-        because="no wall of (23) is stiffer than 0.72 without delay",
+    page.same("corner", edge + 2 / force, most)
+    page.lemma(
+        "The stable walls are this triangle",
+        is_triangle(),
+        because="of Jury's inequalities for the cubic polynomial each is made of the three",
+        boxed=True,
     )
     page.settle(
         "s5c-shape",
-        corner,
-        grown,
+        other_shape_and_size(),
         note=r"for $d=0$ a parabola-like arc up to $\alpha=0.71$, $\beta=2$ becomes a triangle "
         r"with corners at $\beta=\pm\pi^2/2$",
     )

@@ -251,7 +251,7 @@ MUTANTS = [
     ("s5b_soft_contacts", "alpha: Rational(1, 5000)", "alpha: Rational(1, 10**6)"),
     ("s5b_soft_contacts", "d: S.Zero, y: S.Zero}", "d: S.Zero, y: S.Half}"),
     ("s5c_nyquist_region", "LEFT = exp(-delta / 2)", "LEFT = exp(-delta)"),
-    ("s5c_nyquist_region", "- 13 *", "- 14 *"),
+    ("s5c_nyquist_region", "2 / force, most", "2 / force, -most"),
     ("s6_delay_one_period", "* MOST - curve", "* -MOST + curve"),
     ("s6_marginal", "11 * FIRST, {}", "12 * FIRST, {}"),
     ("s6_marginal", "- 16 * FIRST, {}", "- 17 * FIRST, {}"),

@@ -9,7 +9,23 @@ from __future__ import annotations
 
 import sympy as sp
 
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, l, m, omega, y
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    gamma,
+    k,
+    l,
+    m,
+    omega,
+    omega_hat,
+    y,
+)
 from symhaptic.notation.proposition import (
     ForAll,
     Iff,
@@ -22,7 +38,8 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.paper.equations import EQUATIONS
-from symhaptic.paper.propositions.passivity import at_every_frequency
+from symhaptic.paper.propositions.device import normalised
+from symhaptic.paper.propositions.passivity import BORDER, WALL, at_every_frequency
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -50,6 +67,18 @@ def _passive_is_robust(printed: Printed) -> Proposition:
     robust = ForAll((gamma,), implied([gamma >= 0], STABLE))
     walls = tuple(s for s in LOOP if s != gamma)
     return ForAll(walls, implied([delta >= 0, d >= 0, passive()], robust))
+
+
+@claims("eq27")
+def _envelope_in_its_plane(printed: Printed) -> Proposition:
+    """Each wall that (27) gives for an angle is on the boundary, as for (7).
+
+    By Table I it stands for a wall in SI units, of every mass and period.
+    """
+    inside = omega_hat > 0, omega_hat < sp.pi
+    table = normalised(alpha, beta, delta)
+    given = [T > 0, m > 0, b >= 0, d >= 0, *table, *inside, *printed]
+    return ForAll((*WALL, m, alpha, beta, delta, omega_hat), implied(given, BORDER))
 
 
 @claims("s5a-proportional")

@@ -1,0 +1,280 @@
+"""A wall that is stable with one spring is moved a little, and is stable with another one.
+
+It is moved a share eta of its way to (-gamma, 1), and to the right by the difference of the
+springs.  Delays are none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+from sympy import Eq, Expr, Rational, S
+
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.spring_box import (
+    CHANGE,
+    COST,
+    HIGH,
+    LEAST,
+    LITTLE,
+    LOW,
+    MIDDLE,
+    NEAR,
+    PRIMED,
+    PULL,
+    SHARE,
+    SLOPE,
+    START,
+    THIN,
+    WIDE,
+    L,
+    bounds,
+    eta,
+    g,
+    h,
+    m_0,
+    m_1,
+    numbers_near,
+    on_walls,
+    primed,
+    u,
+    y_0,
+    y_1,
+)
+from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.book.lemmas.stiffest_stable import (
+    inequalities,
+    on_box,
+)
+from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1
+from symhaptic.notation.proposition import (
+    Relation,
+    conjuncts,
+)
+from symhaptic.paper.propositions.plots import OTHER, THICK
+from symhaptic.paper.ranges import RANGES, STIFF
+from symhaptic.proof.theorems.familiar import device_exists, of_device
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    applied,
+    assume,
+    chosen,
+    conjoined,
+    placed,
+    relation,
+)
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, positive
+
+
+class Moved:
+    """A wall that is stable with one spring, and where it is moved for the other one.
+
+    ``softer`` says that the other spring is not the stiffer one.
+    """
+
+    def __init__(self, softer: bool) -> None:
+        self.softer = softer
+        self.gap = gamma - OTHER if softer else OTHER - gamma
+        self.share = START + SHARE * self.gap if softer else START
+        self.stiffness = -OTHER + (1 - self.share) * (alpha + gamma)
+        self.damping = beta + self.share * (1 - beta)
+        one, late = PRIMED[n_1], PRIMED[n_0]
+        self.places = {
+            **{u: alpha + gamma, h: self.gap, g: gamma, m_1: one, m_0: late, eta: self.share},
+            **{y_1: one - n_1, y_0: late - n_0, L: 1 - e},
+        }
+        order = gamma >= OTHER if softer else gamma <= OTHER
+        self.apart = positive(self.gap >= 0, order)
+        self.ends = self._ends()
+
+    def on_walls(self, expr: Expr) -> Theorem:
+        """0 < f of this wall and these devices."""
+        return closed(placed(on_walls(expr), self.places), *self.ends)
+
+    def _ends(self) -> list[Theorem]:
+        """That wall and devices lie in the box."""
+        known = bounds()
+        share = self.share
+        some = [
+            positive(alpha + gamma >= 0, [known["right"]]),
+            positive(alpha + gamma <= WIDE, [known["left"]]),
+            positive(beta >= LOW, [known["up"]]),
+            positive(beta <= HIGH, [known["down"]]),
+            self.apart,
+            positive(
+                self.gap <= STIFF,
+                *([gamma <= STIFF], [OTHER >= 0])
+                if self.softer
+                else ([OTHER <= STIFF], [gamma >= 0]),
+            ),
+        ]
+        low, high = Relation(S.Zero, "<=", share), Relation(share, "<=", 2 * THICK)
+        rise = [[SHARE, self.apart]] if self.softer else []
+        self.low = combined(low, [START], *rise)
+        rise = [[SHARE, assume(gamma <= STIFF)], [SHARE, assume(OTHER >= 0)]] if self.softer else []
+        self.high = combined(high, [2 * THICK - START - (SHARE * STIFF if rise else 0)], *rise)
+        some += [self.low, self.high]
+        same = self.same_loss()
+        here, there = numbers_near(), [primed(t) for t in numbers_near()]
+        for number, s in ((n_1, m_1), (n_0, m_0)):
+            low, high = THIN[s]
+            other = PRIMED[number]
+            some += [
+                combined(other >= low, [_of(there, other - low)]),
+                combined(other <= high, [_of(there, high - other)]),
+            ]
+            y = other - number
+            slope = SLOPE[number]
+            middle = MIDDLE - slope * (1 - e)
+            after = middle.subs(e, PRIMED[e])
+            reach = NEAR[number]
+            some += [
+                combined(
+                    y <= 2 * reach,
+                    [_of(there, reach - other + after)],
+                    [_of(here, reach + number - middle)],
+                    [same, -slope],
+                ),
+                combined(
+                    y >= -2 * reach,
+                    [_of(there, reach + other - after)],
+                    [_of(here, reach - number + middle)],
+                    [same, slope],
+                ),
+            ]
+        low, high = THIN[L]
+        some += [
+            combined(1 - e >= low, [_of(here, 1 - e - low)]),
+            combined(1 - e <= high, [_of(here, high - 1 + e)]),
+        ]
+        return some
+
+    def same_loss(self) -> Theorem:
+        """e = e'."""
+        loss = of_device("device's loss", assume(DEVICE))
+        return combined(Eq(e, PRIMED[e]), [loss], [primed(loss), -S.One])
+
+    def there(self) -> tuple[Theorem, list[Theorem]]:
+        """stable <=> Jury's inequalities of the moved wall, and these."""
+        loop = placed(
+            by_inequalities(0), {gamma: OTHER, **PRIMED, alpha: self.stiffness, beta: self.damping}
+        )
+        wanted = list(conjuncts(loop.conclusion.of[1]))  # type: ignore[attr-defined]
+        return loop, [
+            self.first(wanted[0]),
+            self.second(wanted[1]),
+            self.third(wanted[2]),
+            self.minor(wanted[3]),
+        ]
+
+    def static(self) -> tuple[Theorem, Theorem]:
+        """1 - a + e = gamma (n_1 + n_0), of both devices."""
+        found = of_device("device at rest", assume(DEVICE))
+        return found, primed(found)
+
+    def eased(self) -> Theorem:
+        """0 < 1 - eta."""
+        claim = Relation(S.Zero, "<", 1 - self.share)
+        return combined(claim, [self.high], [1 - 2 * THICK])
+
+    def first(self, wanted: Any) -> Theorem:
+        """The zero at 1 is inside."""
+        total = primed(on_box(n_1 + n_0, RANGES))
+        return combined(
+            wanted, [total, self.eased(), bounds()["right"]], [self.static()[1], -S.One]
+        )
+
+    def second(self, wanted: Any) -> Theorem:
+        """The first of the half planes."""
+        here, there = self.static()
+        known = inequalities(0)[1]
+        weight = positive(1 - beta / 3 > 0, [Rational(1, 3), bounds()["down"]], [(3 - HIGH) / 3])
+        rest = self.on_walls(_plane(self.softer))
+        return combined(
+            wanted,
+            [rest],
+            [weight, known],
+            [here, 1 - beta / 3],
+            [there, -S.One],
+            [self.same_loss(), -2],
+        )
+
+    def third(self, wanted: Any) -> Theorem:
+        """The other half plane, far away."""
+        plane = by_inequalities(0).conclusion.of[1].of[2].right  # type: ignore[attr-defined]
+        wide = {**RANGES, alpha: (-2 * STIFF, WIDE), beta: (LOW, HIGH)}
+        found = placed(
+            on_box(plane, wide), {gamma: OTHER, **PRIMED, alpha: self.stiffness, beta: self.damping}
+        )
+        known = bounds()
+        eased, share = self.eased(), self.low
+        ends = [
+            positive(
+                self.stiffness >= -2 * STIFF, [eased, known["right"]], [OTHER <= STIFF], [STIFF]
+            ),
+            positive(self.stiffness <= WIDE, [eased, known["left"]], [OTHER >= 0], [share, WIDE]),
+            positive(self.damping >= LOW, [eased, known["up"]], [share, 1 - LOW]),
+            positive(self.damping <= HIGH, [eased, known["down"]], [share, HIGH - 1]),
+        ]
+        return closed(combined(wanted, [found]), *ends)
+
+    def minor(self, wanted: Any) -> Theorem:
+        """Jury's minor."""
+        here, there = self.static()
+        eased, share = self.eased(), self.low
+        pull = positive(PULL.xreplace(self.places) > 0, [self.on_walls(PULL - LEAST)], [LEAST])
+        late, below = (self.on_walls(e) for e in (m_0, 1 - m_0))
+        cost = self.on_walls(COST)
+        little = Rational(1, 100)
+        if self.softer:
+            rest = positive(
+                LITTLE - little * self.share >= 0,
+                [little, self.high],
+                [LITTLE - 2 * little * THICK],
+            )
+            gain = self.on_walls(SHARE * PULL - COST + little - LITTLE)
+            spring = [[self.apart, gain], [self.apart, share, cost], [self.apart, rest]]
+            loss = self.on_walls(START * PULL - CHANGE)
+        else:
+            spring = [[eased, self.apart, cost]]
+            loss = self.on_walls(START * PULL - CHANGE - little * h)
+        late_ = PRIMED[n_0]
+        return combined(
+            wanted,
+            [eased, inequalities(0)[3]],
+            [eased, loss],
+            [START, share, pull],
+            [share, assume(OTHER >= 0), late, below],
+            *spring,
+            [here, -(1 - self.share) * beta * n_0],
+            [there, self.damping * late_],
+            [self.same_loss(), self.damping * late_ - 1],
+        )
+
+    def stable(self) -> Theorem:
+        """The moved wall is stable with the other spring."""
+        loop, known = self.there()
+        found = closed(applied(loop, conjoined(*known)))
+        found = chosen(device_exists(OTHER, delta, tuple(PRIMED.values())), found)
+        return chosen(device_exists(gamma, delta, NUMBERS), found)
+
+
+def _plane(softer: bool) -> Expr:
+    """The first half plane of the moved wall, less 1 - beta/3 times that of the wall itself."""
+    share, change = (START + SHARE * h, -h) if softer else (START, h)
+    return (
+        2 * L * beta / 3
+        + u * (m_1 - m_0) * (beta / 3 - share)
+        + 2 * m_0 * (change + g * beta / 3)
+        + 2 * (m_1 + m_0) * (beta**2 / 3 + share * (1 - beta))
+        + (1 - beta / 3) * (u * (y_1 - y_0) + 2 * g * y_0 + 2 * beta * (y_1 + y_0))
+    )
+
+
+def _of(known: Sequence[Theorem], expr: Expr) -> Theorem:
+    """Among theorems the one that says this is positive."""
+    found = {sp.expand(relation(t, "<").right): t for t in known}
+    return found[sp.expand(expr)]

@@ -1,0 +1,216 @@
+"""With a spring at the Nyquist frequency the stable walls without delay are a triangle.
+
+One zero of the polynomial is -f, f = exp(-delta/2), whatever the wall; the others are those of
+z^2 + (f + nu (alpha + beta)) z - nu beta, where nu = (1 + f)/gamma.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy import I, Rational, S, exp, pi
+
+from symhaptic.book.lemmas.springs_alike import line_and_curve
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer
+from symhaptic.notation import alpha, beta, delta, gamma, z
+from symhaptic.notation.proposition import (
+    Proposition,
+    Relation,
+    both,
+    conjuncts,
+    proposition,
+    whole,
+)
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.plots import (
+    ARMS,
+    BESIDE,
+    DAMPERS,
+    LEFT,
+    NYQUIST,
+    TIMES,
+    triangle,
+    undelayed,
+)
+from symhaptic.paper.ranges import RANGES
+from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.proof.theorems.familiar import rising, sign_of, square
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    applied,
+    assume,
+    conjoined,
+    part,
+    placed,
+    weakened,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import combined, factor, number
+from symhaptic.proof.theorems.roots import jury
+from symhaptic.proof.theorems.tactics import (
+    chained,
+    closed,
+    either_way,
+    fact,
+    for_all,
+    over,
+    positive,
+)
+
+f, NU = LEFT, (1 + LEFT) / NYQUIST
+SIDES = 1 + f + NU * alpha, 1 + NU * beta, 1 - f - NU * (alpha + 2 * beta)
+"""Each is positive on its side of a line."""
+
+
+@cache
+def shares() -> dict[str, Theorem]:
+    """0 < f < 1 and 0 < nu, for a damper."""
+    left = sign_of(exp, -delta / 2)
+    below = closed(rising(exp, -delta / 2, S.Zero), positive(-delta / 2 < 0, [S.Half, delta > 0]))
+    nyquist = positive(
+        NYQUIST > 0, [Rational(1, 4), square(delta)], [number(Relation(S.Zero, "<", pi**2))]
+    )
+    return {
+        "left": left,
+        "lost": positive(1 - f > 0, [below]),
+        "nyquist": nyquist,
+        "nu": over(NU > 0, positive(1 + f > 0, [left], [S.One]), nyquist),
+        "more": positive(1 + f > 0, [left], [S.One]),
+    }
+
+
+def apart(theorem: Theorem) -> Theorem:
+    """e != 0 from 0 < e."""
+    return positive(Relation(theorem.conclusion.right, "!=", S.Zero), [theorem])  # type: ignore[attr-defined]
+
+
+@cache
+def inequalities() -> Theorem:
+    """stable <=> Jury's inequalities of the loop with this spring."""
+    values = [alpha, beta, NYQUIST, delta, S.Zero]
+    loop = loop_substituted(values, z, 1)
+    found = chained(loop, jury(loop.conclusion.of[1].of[0], z))  # type: ignore[attr-defined]
+    return closed(found, fact(whole(S.Zero)), *_divisors(found.hypotheses))
+
+
+def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
+    """What the polynomial divides by: a multiple of -delta/2 + j pi or of its conjugate."""
+    nyquist, turn = shares()["nyquist"], number(Relation(S.Zero, "<", pi))
+    found = []
+    for claim in claims:
+        if isinstance(claim, Relation):
+            other = claim.left.xreplace({I: -I})
+            grown = [sign_of(exp, e.args[0]) for e in claim.left.atoms(exp)]
+            size: list[Any] = [*grown, *grown, nyquist]
+            if claim.left.coeff(delta).has(pi):
+                size += [4, turn, turn]
+            product = combined(Relation(S.Zero, "<", sp.expand(claim.left * other)), size)
+            found.append(factor(claim.left, product, other))
+    return found
+
+
+def needed() -> Theorem:
+    """The wall of a stable loop is inside the triangle."""
+    found = applied(inequalities(), assume(undelayed(spring=NYQUIST)))
+    known = [part(found, p) for p in conjuncts(found.conclusion)]
+    s = shares()
+    one, three, two = SIDES
+    right = over(one > 0, combined((1 + f) * one > 0, [known[0]]), s["more"])
+    top = over(two > 0, combined((1 - f) * two > 0, [known[2]]), s["lost"])
+    rest = f * two + (1 - f) * (1 - f + f * three)
+    quarter = Rational(1, 4)
+    room = combined(
+        rest > 0,
+        [s["left"], top],
+        [quarter, s["lost"], s["lost"], top],
+        [quarter, s["lost"], known[1]],
+    )
+    low = over(three > 0, combined(three * rest > 0, [known[3]]), room)
+    sides = [
+        over(p, combined(NU * (p.gts - p.lts) > 0, [t]), s["nu"])
+        for p, t in zip(triangle(), (right, low, top), strict=True)
+    ]
+    return closed(conjoined(*sides), *(apart(t) for t in (*s.values(), top, room)))
+
+
+def enough() -> Theorem:
+    """A wall inside the triangle makes a stable loop."""
+    loop, s = inequalities(), shares()
+    right, low, top = (
+        positive(side > 0, [s["nu"], p])
+        for side, p in zip((SIDES[0], SIDES[1], SIDES[2]), triangle(), strict=True)
+    )
+    wanted = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
+    known = [
+        combined(wanted[0], [s["more"], right]),
+        combined(wanted[1], [2, s["more"], low], [s["lost"], right]),
+        combined(wanted[2], [s["lost"], top]),
+        combined(
+            wanted[3],
+            [low, s["left"], top],
+            [low, s["lost"], s["lost"]],
+            [low, s["lost"], s["left"], low],
+        ),
+    ]
+    found = closed(applied(loop, conjoined(*known)), *(apart(t) for t in s.values()))
+    grown = sign_of(exp, 5 * delta)
+    product = [16, grown, s["nyquist"], s["nyquist"]]
+    wide = combined(Relation(S.Zero, "<", sp.expand(16 * exp(5 * delta) * NYQUIST**2)), product)
+    rest = found.hypotheses - {apart(wide).conclusion}
+    return closed(found, apart(wide), *_divisors(p for p in rest if p.terms and p.terms[0].has(I)))
+
+
+@cache
+def is_triangle() -> Theorem:
+    """stable <=> inside the triangle, for a damper."""
+    return either_way(needed(), enough(), undelayed(spring=NYQUIST), both(triangle()))
+
+
+WALL = Rational(95, 10), -Rational(49, 10)
+"""Near the sharp corner, for all dampers of (23)."""
+
+
+def reached() -> Theorem:
+    """This wall is stable."""
+    s = shares()
+    wall = dict(zip((alpha, beta), WALL, strict=True))
+    left, low, top = (proposition(p).at(wall) for p in triangle())
+    far = number(Relation(S.Zero, "<", pi**2 - 2 * -WALL[1]))
+    rise = [Rational(1, 4), square(delta)]
+    down = combined(NYQUIST + WALL[1] * (1 + f) > 0, rise, [far], [-WALL[1], s["lost"]])
+    room = over(NYQUIST / (1 + f) > 0, s["nyquist"], s["more"])
+    known = (
+        combined(left, [s["nyquist"]], [WALL[0]]),
+        combined(low, [over(NYQUIST / (1 + f) + WALL[1] > 0, down, s["more"])]),
+        combined(top, [room, s["lost"]], [-WALL[0] - 2 * WALL[1]]),
+    )
+    found = applied(placed(is_triangle(), wall), conjoined(*known))
+    return closed(found, apart(s["more"]))
+
+
+def stiffer() -> Theorem:
+    """It is 13 times as stiff as every stable wall with a spring of (23)."""
+    limit = no_stiffer(0, (Rational(72, 100), Rational(83, 100)), RANGES)
+    given = [*map(proposition, ARMS), undelayed()]
+    gap = combined(
+        Relation(TIMES * alpha, "<", WALL[0]), [TIMES, limit], [WALL[0] - TIMES * Rational(72, 100)]
+    )
+    others = for_all((alpha, beta, gamma), given, weakened(gap, *given))
+    wanted = taken_apart(shape_and_size().parts[2])[2]
+    return witnessed(conjoined(reached(), others), wanted, dict(zip(BESIDE, WALL, strict=True)))
+
+
+def other_shape_and_size() -> Theorem:
+    """All three parts."""
+    shape = for_all((alpha, beta, delta), DAMPERS, weakened(is_triangle(), *DAMPERS))
+    size = for_all((delta,), DAMPERS, weakened(stiffer(), *DAMPERS))
+    return conjoined(line_and_curve(), shape, size)
+
+
+def shape_and_size() -> Proposition:
+    """What is claimed."""
+    return CLAIMED["s5c-shape"](())

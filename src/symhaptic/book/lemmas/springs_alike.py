@@ -1,0 +1,168 @@
+"""Without delay two springs of (23) have nearly the same stable walls."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import S, Symbol
+
+from symhaptic.book.lemmas.moved_wall import Moved
+from symhaptic.book.lemmas.spring_box import (
+    HIGH,
+    SHARE,
+    START,
+    WIDE,
+    bounds,
+)
+from symhaptic.book.lemmas.undelayed_curve import between
+from symhaptic.notation import alpha, beta, gamma
+from symhaptic.notation.proposition import (
+    Exists,
+    ForAll,
+    Predicate,
+    Relation,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.propositions.plots import (
+    BESIDE,
+    OTHER,
+    THICK,
+    alike,
+    between_line_and_curve,
+    near,
+    undelayed,
+)
+from symhaptic.paper.ranges import STIFF
+from symhaptic.proof.theorems.familiar import ordered
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    conjoined,
+    discharged,
+    general,
+    placed,
+    substituted,
+    weakened,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import combined, identity, number
+from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
+
+
+def both_orders(made: Any) -> Theorem:
+    """What holds where the other spring is softer and where it is stiffer."""
+    stiffer = positive(gamma <= OTHER, gamma < OTHER)
+    return by_cases(ordered(gamma, OTHER), closed(made(False), stiffer), made(True))
+
+
+@cache
+def moves(softer: bool) -> tuple[Moved, Theorem]:
+    """A moved wall, and that it is stable."""
+    moved = Moved(softer)
+    return moved, moved.stable()
+
+
+def steps(moved: Moved) -> tuple[Theorem, ...]:
+    """The way of a moved wall is at most THICK (1 - eta), in each direction."""
+    known, share = bounds(), moved.share
+    stiff, soft = (gamma, OTHER) if moved.softer else (OTHER, gamma)
+    ends = [assume(stiff <= STIFF)], [assume(soft >= 0)]
+    slack = THICK * (1 - 2 * THICK)
+    reach = THICK + HIGH - 1
+    right = [moved.apart] if not moved.softer else [1 - WIDE * SHARE, moved.apart]
+    here = [moved.low, known["left"]]
+    if moved.softer:
+        left = [here, right, [slack - WIDE * START], [THICK, moved.high]]
+        back = [[moved.low, known["right"]], *ends, [slack - STIFF], [THICK, moved.high]]
+        turned = [[reach * SHARE, *end] for end in ends]
+        rest = [THICK - reach * (START + SHARE * STIFF)]
+    else:
+        left = [here, *ends, [THICK - STIFF - START * (WIDE + THICK)]]
+        back = [[moved.low, known["right"]], right, [THICK * (1 - START)]]
+        turned, rest = [], [THICK - reach * START]
+    ways = moved.stiffness - alpha, moved.damping - beta
+    products = (
+        *(left, back),
+        *([[moved.low, known[side]], *turned, rest] for side in ("down", "up")),
+    )
+    room = THICK * (1 - share)
+    goals = [room + sign * way for way in ways for sign in (1, -1)]
+    return tuple(
+        combined(Relation(S.Zero, "<=", goal), *known_)
+        for goal, known_ in zip(goals, products, strict=True)
+    )
+
+
+def kept(softer: bool) -> Theorem:
+    """Near a stable wall one is stable with the other spring."""
+    moved, stable = moves(softer)
+    wall = dict(zip(BESIDE, (moved.stiffness, moved.damping), strict=True))
+    claim = Exists(BESIDE, both([*near(), undelayed(BESIDE, OTHER)]))
+    ways = [
+        combined(p.at(wall), [step], [THICK, moved.low])
+        for p, step in zip(map(proposition, near()), steps(moved), strict=True)
+    ]
+    return witnessed(conjoined(*ways, stable), claim, wall)
+
+
+def filled(softer: bool) -> Theorem:
+    """Where all near walls are stable with the other spring, a wall is stable.
+
+    It is what one of them is moved to, from the other spring to this one.
+    """
+    moved, stable = moves(not softer)
+    swap = {gamma: OTHER, OTHER: gamma}
+    share = moved.share.xreplace(swap)
+    wall = {alpha: (alpha + gamma) / (1 - share) - OTHER, beta: (beta - share) / (1 - share)}
+    other = undelayed(BESIDE, OTHER)
+    around = ForAll(BESIDE, implied(near(), other))
+    zero = [number(Relation(-THICK, "<=", S.Zero)), number(Relation(S.Zero, "<=", THICK))]
+    itself = at(assume(around), dict(zip(BESIDE, (alpha, beta), strict=True)), *zero, *zero)
+    back = [placed(t, swap) for t in steps(moved)]
+    eased = placed(moved.eased(), swap)
+    beside = dict(zip(BESIDE, (wall[alpha], wall[beta]), strict=True))
+    left, right, down, up = back
+    ways = [
+        over(p.at(beside), step, eased)
+        for p, step in zip(map(proposition, near()), (right, left, up, down), strict=True)
+    ]
+    there = at(assume(around), beside, *ways)
+    found = placed(placed(stable, swap), wall)
+    for s in (alpha, beta):
+        found = _renamed(found, s)
+    apart = combined(Relation(1 - share, "!=", S.Zero), [eased])
+    found = closed(found, closed(there, apart), apart)
+    return closed(found, itself)
+
+
+def _renamed(theorem: Theorem, to: Symbol) -> Theorem:
+    """A stable wall whose stiffness or damping is another expression for this one."""
+    said: Any = theorem.conclusion
+    index = (alpha, beta).index(to)
+    place = Symbol("q")
+    terms = [place if i == index else t for i, t in enumerate(said.of)]
+    pattern = Predicate(said.name, (), tuple(terms))
+    return substituted(pattern, place, theorem, identity(said.of[index], to))
+
+
+@cache
+def springs_alike() -> Theorem:
+    """Two springs of (23) have the same stable walls, within THICK of each coordinate."""
+    symbols, given, walls = taken_apart(alike())
+    parts = []
+    for claim, made in zip(walls.body.of, (kept, filled), strict=True):  # type: ignore[attr-defined]
+        parts.append(discharged(both_orders(made), claim.of[0]))
+    inner = general(conjoined(*parts), alpha, beta)
+    return for_all(symbols, given, weakened(inner, *given))
+
+
+@cache
+def line_and_curve() -> Theorem:
+    """Above beta = -1 the stable walls lie between alpha = -gamma and the curve."""
+    symbols, given, _ = taken_apart(between_line_and_curve())
+    return for_all(symbols, given, weakened(between(), *given))

@@ -1,0 +1,235 @@
+"""The claims of the plots of stable walls, and what the text reads from them.
+
+Stable is what the paper calls so, as for Sec. IV-D.  Plots have curves, no numbers: a claim names
+what each curve is, and how near two are that cannot be told apart.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import Expr, Rational, Symbol
+
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    a,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    e,
+    gamma,
+    n_0,
+    n_1,
+    omega_hat,
+    theta,
+)
+from symhaptic.notation.proposition import (
+    Exists,
+    ForAll,
+    Iff,
+    Not,
+    Or,
+    Predicate,
+    Proposition,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.figures import DELAYS
+from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.passivity import BORDER
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.stability import DEVICE, NUMBERS, at_angle, explicit
+from symhaptic.paper.ranges import DAMPED, STIFF
+from symhaptic.paper.reading import Printed
+
+OTHER = Symbol("gamma'")
+"""Another spring."""
+BESIDE = sp.symbols("alpha_1 beta_1")
+"""A wall near (alpha, beta)."""
+THICK = Rational(2, 1000)
+"""The thickness of a line, in the units of Fig. 7, whose regions are 0.7 wide and 2 high."""
+
+ARMS = tuple(map(proposition, transcribed("eq23")))
+"""The ranges of gamma and delta."""
+SPRINGS = tuple(p.at({gamma: OTHER}) for p in ARMS if gamma in p.free)
+
+
+def undelayed(wall: tuple[Expr, ...] = (alpha, beta), spring: Expr = gamma) -> Proposition:
+    """A wall is stable without delay."""
+    return Predicate("stable_substituted", (), (*wall, spring, delta, sp.S.Zero))
+
+
+def near(reach: Expr = THICK) -> list[Expr]:
+    """(alpha_1, beta_1) lies within ``reach`` of (alpha, beta), in each coordinate."""
+    ways = [other - here for other, here in zip(BESIDE, (alpha, beta), strict=True)]
+    return [relation for way in ways for relation in (-reach <= way, way <= reach)]
+
+
+def alike() -> Proposition:
+    """Two springs have the same stable walls, within the thickness of a line.
+
+    Near each wall that is stable with one spring there is one that is stable with the other; and
+    where all walls near one are stable with the other spring, it is stable with the first.
+    """
+    other = undelayed(BESIDE, OTHER)
+    kept = implied([undelayed()], Exists(BESIDE, both([*near(), other])))
+    filled = implied([ForAll(BESIDE, implied(near(), other))], undelayed())
+    walls = ForAll((alpha, beta), both([kept, filled]))
+    return ForAll((gamma, OTHER, delta), implied([*ARMS, *SPRINGS], walls))
+
+
+CURVE = (1 - e + (n_1 - n_0 + a * n_0) * beta - n_0 * (n_0 + n_1) * beta**2) / (
+    n_0 * (1 + n_1 * beta)
+)
+"""The parabola-like curve without delay, a graph over beta."""
+
+
+def between_line_and_curve() -> Proposition:
+    """Above beta = -1 the stable walls are those between alpha = -gamma and the curve."""
+    between = both([alpha > -gamma, alpha < CURVE])
+    symbols = (gamma, delta, *NUMBERS, alpha, beta)
+    return ForAll(symbols, implied([*ARMS, DEVICE, beta > -1], Iff((undelayed(), between))))
+
+
+@claims("fig7")
+def _boundary_without_delay(printed: Printed) -> Proposition:
+    """The regions end on the left at alpha = -gamma, on the right at a parabola-like curve.
+
+    The curve is the exact one, of the arm's numbers.  The effect of gamma is not visible: the
+    regions of two springs of (23) beside one damper are the same within 0.002 in each coordinate,
+    the thickness of a line.  Read for all arms of (23), of which the figure has four corners.
+    """
+    return both([between_line_and_curve(), alike()])
+
+
+@claims("s4d-gamma-invisible")
+def _springs_hardly_matter(printed: Printed) -> Proposition:
+    """The regions of two springs of (23) beside one damper are the same within 0.002.
+
+    That is a third of a percent of the width of Fig. 7, and a thousandth of its height.
+    """
+    return alike()
+
+
+FINE, FRAME = Rational(1, 10**4), (Rational(3, 1000), Rational(25, 1000))
+"""The thickness of a line in Fig. 8, and the ends of what is seen around the origin."""
+
+
+@claims("fig8")
+def _close_up_without_delay(printed: Printed) -> Proposition:
+    """Around the origin the stable walls are those with alpha > -gamma above a line without gamma.
+
+    The line is beta = alpha/2 - delta, to within 0.0001 of beta, a three hundredth of the height.
+    Read for all arms of (23), of which the figure has five springs, and for alpha <= 0.003 and
+    -0.025 <= beta <= 0.025: it shows the springs up to 0.001 and the dampers up to 0.02.
+    """
+    above = beta - (alpha / 2 - delta)
+    wide, high = FRAME
+    given = [*ARMS, alpha <= wide, -high <= beta, beta <= high]
+    inside = implied([undelayed()], both([alpha > -gamma, above > -FINE]))
+    filled = implied([alpha > -gamma, above > FINE], undelayed())
+    return ForAll((alpha, beta, gamma, delta), implied(given, both([inside, filled])))
+
+
+# -- springs at the Nyquist frequency ------------------------------------------------------
+
+NYQUIST = sp.pi**2 + delta**2 / 4
+"""The spring of (30) as an equation."""
+LEFT = sp.exp(-delta / 2)
+"""What a period of the swing leaves."""
+DAMPERS = (delta > 0, *(p for p in ARMS if delta in p.free))
+TIMES = 13
+
+
+def triangle() -> list[Expr]:
+    """The three sides."""
+    half = NYQUIST / (1 + LEFT)
+    return [alpha > -NYQUIST, beta > -half, alpha + 2 * beta < half * (1 - LEFT)]
+
+
+@claims("s5c-shape")
+def _other_shape_and_size(printed: Printed) -> Proposition:
+    """A line and a parabola-like curve become a triangle, thirteen times as wide.
+
+    Said without delay.  With a spring of (23) the stable walls are as in Fig. 7; with that of the
+    Nyquist frequency they are a triangle, in which there is a wall 13 times as stiff as any that is
+    stable with a spring of (23).
+    """
+    there = undelayed(spring=NYQUIST)
+    shape = ForAll((alpha, beta, delta), implied(DAMPERS, Iff((there, both(triangle())))))
+    others = ForAll((alpha, beta, gamma), implied([*ARMS, undelayed()], TIMES * alpha < BESIDE[0]))
+    size = Exists(BESIDE, both([undelayed(BESIDE, NYQUIST), others]))
+    return both([between_line_and_curve(), shape, ForAll((delta,), implied(DAMPERS, size))])
+
+
+# -- passive and stable walls in one plane -------------------------------------------------
+
+
+def one_of(*delays: str) -> Proposition:
+    """The delay is one of these."""
+    return Or(tuple(proposition(sp.Eq(d, Rational(text))) for text in delays))
+
+
+def dashed() -> Proposition:
+    """Each wall of (27), for delta = 0.02 up to its end, is on the boundary of passive walls."""
+    curve = [proposition(line).at({delta: DAMPED}) for line in transcribed("eq27")]
+    given = [omega_hat > 0, omega_hat < sp.pi, omega_hat <= sp.pi / (d + 1), *curve]
+    return implied(given, BORDER.at({K: alpha, B: beta, b: DAMPED, T: sp.S.One}))
+
+
+def solid() -> Proposition:
+    """On the curve are the walls with a zero at exp(j theta), and none of them is stable.
+
+    The principal sheet is meant, z^d = exp(j d theta).
+    """
+    given = [DEVICE, theta > 0, theta < sp.pi, at_angle()]
+    unstable = ForAll((alpha, beta, *NUMBERS, theta), implied(given, Not((STABLE,))))
+    return both([explicit(), unstable])
+
+
+def right_of_the_origin(then: Proposition) -> Proposition:
+    """Said of the passive walls as they are drawn: (5) for delta = 0.02, and alpha > 0."""
+    return implied([alpha > 0, passive().at({delta: DAMPED})], then)
+
+
+@claims("fig11")
+def _both_in_one_plane(printed: Printed) -> Proposition:
+    """For seven delays, gamma = 0.001 and delta = 0.02: dashed and solid curves, and their regions.
+
+    A wall of a dashed curve, (27) up to its end, is on the boundary of the passive walls.  On a
+    solid curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none
+    is stable, and no wall left of alpha = -gamma or on it.  The passive region, (5) and alpha > 0,
+    is inside the stable one.  The dash-dotted line of the largest stiffness is that of Fig. 12.
+    """
+    arm = {gamma: STIFF, delta: DAMPED}
+    left = ForAll((alpha, beta), implied([STABLE.at(arm)], alpha > -STIFF))
+    inside = right_of_the_origin(STABLE.at(arm))
+    then = both([dashed(), solid().at(arm), left, inside])
+    return ForAll((alpha, beta, d, omega_hat), implied([one_of(*DELAYS)], then))
+
+
+PANELS = ("0", "0.5", "1", "2")
+"""Delays of the rows of Fig. 13."""
+
+
+@claims("fig13")
+def _springs_up_to_nyquist(printed: Printed) -> Proposition:
+    """For four delays, delta = 0.02 and delta = 0, and the springs up to that of (30): all of them.
+
+    On a curve are the walls that have a zero at exp(j theta); none is stable.  The green region for
+    delta = 0.02, (5) and alpha > 0, is inside the robustly stable one: its walls are stable with
+    every spring.
+    """
+    springs = [gamma >= 0, gamma <= NYQUIST]
+    curves = [
+        ForAll((gamma,), implied([p.subs(delta, at) for p in springs], solid().at({delta: at})))
+        for at in (DAMPED, sp.S.Zero)
+    ]
+    damped = [p.subs(delta, DAMPED) for p in springs]
+    robust = ForAll((gamma,), implied(damped, STABLE.at({delta: DAMPED})))
+    then = both([*curves, right_of_the_origin(robust)])
+    return ForAll((alpha, beta, d), implied([one_of(*PANELS)], then))
