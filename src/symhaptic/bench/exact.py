@@ -113,7 +113,7 @@ EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
-    "passivity_margin": implicit.worst,
+    "passivity_margin": implicit.passivity_margin,
     "max_stable_stiffness": stiffest_stable,
 }
 

@@ -94,15 +94,15 @@ def margin(theta: Series, alpha: Series, beta: Series, delta: Series, d: Series)
     return (delta - alpha * kernel + beta * (n * theta).cos(),)
 
 
-def worst(alpha: Series, beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
+def passivity_margin(alpha: Series, beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
     """The margin at its worst angle, which may be held still (envelope theorem)."""
     stiffness, damping, delay = (float(x[0]) for x in (alpha, beta, d))
     if stiffness < 0:
         return (arb_series([arb("nan")] * 2, 2),)
     whole = math.floor(delay)
     part = d - whole if delay % 1 or d[1] != 0 else 0
-    _, angle = implicit.neediest(stiffness, damping, delay)
-    return (delta - implicit.need(alpha, beta, whole, part, angle),)
+    _, angle = implicit.largest_required_damping(stiffness, damping, delay)
+    return (delta - implicit.required_damping_at(alpha, beta, whole, part, angle),)
 
 
 def envelope(theta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
@@ -159,7 +159,7 @@ SERIES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
-    "passivity_margin": worst,
+    "passivity_margin": passivity_margin,
     "max_stable_stiffness": stiffest_stable,
 }
 
