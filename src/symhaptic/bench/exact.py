@@ -12,7 +12,7 @@ from typing import Any
 import flint
 from flint import acb, arb
 
-from symhaptic.bench import searched
+from symhaptic.bench import implicit
 
 
 def device(gamma: float, delta: float) -> tuple[Any, ...]:
@@ -71,7 +71,7 @@ def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
     Nothing beyond pi/(d + 1), where the paper's extent of (27) ends.
     """
     if d % 1:
-        return searched.passive(theta, delta, d)
+        return implicit.passive(theta, delta, d)
     t, n = arb(theta), arb(d) + 1
     if n * t > arb.pi():
         return arb("nan"), arb("nan")
@@ -87,7 +87,7 @@ def envelope(theta: float, delta: float, d: float) -> tuple[Any, ...]:
 def stiffest(delta: float, d: float) -> tuple[Any, ...]:
     """(11) of the paper for whole delays."""
     if d % 1:
-        return searched.stiffest_passive(delta, d)
+        return implicit.stiffest_passive(delta, d)
     n = arb(d) + 1
     angle = arb.pi() / (2 * n)
     beta = ((angle * arb(d)).sin() - arb(d) / n) / angle.sin()
@@ -101,7 +101,7 @@ def line(beta: float, delta: float, d: float) -> tuple[Any, ...]:
 
 def stiffest_stable(gamma: float, delta: float, d: float) -> tuple[Any, ...]:
     """The first maximum of alpha on the boundary."""
-    return searched.stiffest_stable(late(gamma, delta, d % 1), gamma, d)
+    return implicit.stiffest_stable(late(gamma, delta, d % 1), gamma, d)
 
 
 EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
@@ -113,7 +113,7 @@ EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
-    "passivity_margin": searched.worst,
+    "passivity_margin": implicit.passivity_margin,
     "max_stable_stiffness": stiffest_stable,
 }
 

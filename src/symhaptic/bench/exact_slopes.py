@@ -13,7 +13,7 @@ from typing import Any
 import flint
 from flint import arb, arb_series
 
-from symhaptic.bench import exact, searched
+from symhaptic.bench import exact, implicit
 
 Series = Any
 
@@ -94,21 +94,21 @@ def margin(theta: Series, alpha: Series, beta: Series, delta: Series, d: Series)
     return (delta - alpha * kernel + beta * (n * theta).cos(),)
 
 
-def worst(alpha: Series, beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
+def passivity_margin(alpha: Series, beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
     """The margin at its worst angle, which may be held still (envelope theorem)."""
     stiffness, damping, delay = (float(x[0]) for x in (alpha, beta, d))
     if stiffness < 0:
         return (arb_series([arb("nan")] * 2, 2),)
     whole = math.floor(delay)
     part = d - whole if delay % 1 or d[1] != 0 else 0
-    _, angle = searched.neediest(stiffness, damping, delay)
-    return (delta - searched.need(alpha, beta, whole, part, angle),)
+    _, angle = implicit.largest_required_damping(stiffness, damping, delay)
+    return (delta - implicit.required_damping_at(alpha, beta, whole, part, angle),)
 
 
 def envelope(theta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
     """Where the margin and its slope vanish: two linear equations for whole delays."""
     if float(d[0]) % 1:
-        return _scaled(searched.passive(float(theta[0]), 1.0, float(d[0])), delta)
+        return _scaled(implicit.passive(float(theta[0]), 1.0, float(d[0])), delta)
     t, n = theta, d + 1
     if n[0] * t[0] > arb.pi():
         return (arb_series([arb("nan")] * 2, 2),) * 2
@@ -129,7 +129,7 @@ def _scaled(wall: tuple[Any, ...], delta: Series) -> tuple[Series, ...]:
 def stiffest(delta: Series, d: Series) -> tuple[Series, ...]:
     """(11) of the paper for whole delays."""
     if float(d[0]) % 1:
-        *wall, angle = searched.stiffest_passive(1.0, float(d[0]))
+        *wall, angle = implicit.stiffest_passive(1.0, float(d[0]))
         return *_scaled(tuple(wall), delta), arb_series([angle], 2)
     n = d + 1
     angle = arb.pi() / (2 * n)
@@ -159,7 +159,7 @@ SERIES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "passivity_boundary": envelope,
     "max_passive_stiffness": stiffest,
     "linear_limit": line,
-    "passivity_margin": worst,
+    "passivity_margin": passivity_margin,
     "max_stable_stiffness": stiffest_stable,
 }
 

@@ -23,7 +23,7 @@ from symhaptic.numeric.containers import kept, numbers_only
 from symhaptic.numeric.crossings import Crossing, Wall, crossings, surplus, wall
 from symhaptic.numeric.cubic import Terms
 from symhaptic.numeric.given import Given, to_numpy
-from symhaptic.numeric.plant import Device, device, discretize, stuck
+from symhaptic.numeric.plant import Device, device, discretize
 
 SHEETS = ("exact", "principal")
 
@@ -207,18 +207,12 @@ def _outside(given: Given, sheet: str) -> Any:
 
 def _stable(given: Given, sheet: str) -> Any:
     """Where the loop is stable; not where that is not known."""
-    xp, (al, be, g, dl, delay) = given.xp, given.values
+    *numbers, delay = given.values
     if sheet == "exact":
         return given(haptic.is_stable)
     if given.whole(delay):
-        return (delay == xp.floor(delay)) & given(haptic.is_stable)
-    swings = (al == 0) & (be == 0) & (dl == 0)
-
-    def left_swinging(al: Array, be: Array, g: Array, dl: Array, dy: Array) -> tuple[Array]:
-        return (stuck(*np.broadcast_arrays(g, dl, al + be + dy)[:2]).astype(float),)
-
-    (hidden,) = given.by_numpy(left_swinging)
-    return (_outside(given, sheet) == 0) & (al > -g) & ~swings & (hidden == 0)
+        return (delay == given.xp.floor(delay)) & given(haptic.is_stable)
+    return haptic.stable(given.xp, _outside(given, sheet), *numbers) > 0
 
 
 @kept(is_stable=bool)

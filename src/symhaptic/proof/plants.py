@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, arb_mat, ctx
+from flint import acb, arb, arb_mat, ctx
 from sympy import Expr
 
 from symhaptic.model import plant
@@ -30,15 +29,12 @@ BALLS = {n_1: TOGETHER - LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
 SLOPES = sp.symbols("L' S' n_0' q'")
 """Their derivatives with respect to delta."""
 
-Dual: TypeAlias = tuple[acb, acb]
-"""Value and derivative with respect to delta."""
-
 
 def numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
     """Balls of the four numbers and of their derivatives, for balls of gamma and delta.
 
-    n_0 is the response to the first of two periods of force: exp(-delta) times n_1 of the plant
-    whose time runs backwards, that is with -delta (chapter s4a_discretisation has the samples).
+    n_0 is the response to the first of two periods of force (chapter s4a_discretisation has the
+    samples).
     """
     key = (ctx.prec, *(end for s in (gamma, delta) for end in _ends(at[s])))
     if key not in _KNOWN:
@@ -55,38 +51,53 @@ def _ends(value: acb) -> tuple[object, object]:
 
 
 def _numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
-    first = _held(at)
-    fall = (-at[delta]).exp()
-    back = _held({**at, delta: -at[delta]})
-    late = (fall * back[0], -fall * back[0] - fall * back[1])
-    together = (first[0] + late[0], first[1] + late[1])
-    found: tuple[Dual, ...] = (
-        (1 - fall, fall),
-        together,
-        late,
-        (at[gamma] * together[0], at[gamma] * together[1]),
+    found = with_slopes(at[gamma].real, at[delta].real, (delta,))
+    values = dict(zip(NUMBERS, (acb(value) for value, _ in found), strict=True))
+    return values | dict(zip(SLOPES, (acb(slope) for _, slope in found), strict=True))
+
+
+def with_slopes(g: arb, dl: arb, by: tuple[sp.Symbol, ...]) -> tuple[tuple[arb, ...], ...]:
+    """L, S, n_0 and q, each followed by its derivatives with respect to gamma or delta.
+
+    n_0 is exp(-delta) times n_1 of the plant whose time runs backwards, that is with -delta.
+    """
+    fall = (-dl).exp()
+    falls = [-fall if s == delta else arb(0) for s in by]
+    first, *rise = _held(g, dl, by)
+    back, *rise_back = _held(g, -dl, by)
+    late, both = fall * back, first + fall * back
+    by_late = [
+        f * back + (-fall if s == delta else fall) * r
+        for s, f, r in zip(by, falls, rise_back, strict=True)
+    ]
+    by_both = [r + s for r, s in zip(rise, by_late, strict=True)]
+    by_one = [g * b + both if s == gamma else g * b for s, b in zip(by, by_both, strict=True)]
+    return (
+        (1 - fall, *(-f for f in falls)),
+        (both, *by_both),
+        (late, *by_late),
+        (g * both, *by_one),
     )
-    values = dict(zip(NUMBERS, (v for v, _ in found), strict=True))
-    return values | dict(zip(SLOPES, (slope for _, slope in found), strict=True))
 
 
 @cache
-def _motion() -> tuple[tuple[Expr, ...], ...]:
-    """The rows whose exponential has the response to a held force, and its slope, in them."""
+def _motion(by: tuple[sp.Symbol, ...]) -> list[list[Expr]]:
+    """exp([[X, X', ...], [0, X, 0], ...]) has exp(X) and its slopes in its first rows."""
     device = plant.normalised(FULL)
     whole = sp.zeros(3, 3)
     whole[:2, :2], whole[:2, 2] = device.state_matrix, device.input_matrix
-    twice = sp.zeros(6, 6)  # exp([[X, X'], [0, X]]) has exp(X)' in its upper right block
-    twice[:3, :3] = twice[3:, 3:] = whole
-    twice[:3, 3:] = whole.diff(delta)
-    return tuple(tuple(twice.row(i)) for i in range(6))
+    large = sp.diag(*[whole] * (len(by) + 1))
+    for i, symbol in enumerate(by, 1):
+        large[:3, 3 * i : 3 * i + 3] = whole.diff(symbol)
+    return [list(large.row(i)) for i in range(large.rows)]
 
 
-def _held(at: Mapping[sp.Symbol, acb]) -> Dual:
-    """Position after a period of unit force, and its derivative with respect to delta."""
-    known = {entry: ball(entry, at, ctx.prec).real for row in _motion() for entry in set(row)}
-    grown = arb_mat([[known[entry] for entry in row] for row in _motion()]).exp()
-    return acb(grown[0, 2]), acb(grown[0, 5])
+def _held(g: arb, dl: arb, by: tuple[sp.Symbol, ...]) -> tuple[arb, ...]:
+    """Position after a period of unit force, and its derivatives."""
+    known = {gamma: g, -gamma: -g, delta: dl, -delta: -dl}
+    rows = [[known[x] if x in known else arb(int(x)) for x in row] for row in _motion(by)]
+    grown = arb_mat(rows).exp()
+    return tuple(grown[0, 3 * i + 2] for i in range(len(by) + 1))
 
 
 @dataclass(frozen=True)

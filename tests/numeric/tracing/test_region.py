@@ -21,7 +21,6 @@ CASES = [
 ]
 HARD = [
     (NYQUIST * (1 - 1e-3), 0.02, 8),  # a sliver with corners 1e-7 apart
-    (NYQUIST * (1 + 1e-8), 0.0, 2),  # poles 1e-8 from -1
     (NYQUIST * 1.5, 0.0, 0.5),  # a zero of the plant on the circle: walls of 1e9
     (NYQUIST, 0.0, 3.25),
     (NYQUIST + 1e-4, 0.02, 2),
@@ -56,6 +55,28 @@ def test_inside_is_stable_and_outside_is_not(case):
     assert np.array_equal(stable, inside)
     assert stable.any()
     assert not stable.all()
+
+
+def test_poles_next_to_minus_one():
+    """A swing 5e-9 beyond half a turn: n_1 = n_0, and eigenvalues cannot tell a root at -1 + e.
+
+    p = z^3 ((z + 1)^2 - q z) + n_1 (z + 1) ((alpha + beta) z - beta) with q = 2 + a = 2.5e-16, so
+    that e = -q/(n_1 (alpha + 2 beta)) and the other roots are those of p/(z + 1) without q.
+    """
+    gamma = NYQUIST * (1 + 1e-8)
+    region = stable_region(gamma, 0.0, 2)
+    rng = np.random.default_rng(7)
+    low, high = np.array(region.polygon.bounds).reshape(2, 2)
+    walls = rng.uniform(low, high, (2000, 2))
+    n1 = 2 / gamma  # (1 - cos(sqrt(gamma)))/gamma
+    largest = [
+        np.abs(np.roots([1, 1, 0, n1 * (alpha + beta), -n1 * beta])).max() for alpha, beta in walls
+    ]
+    stable = (np.array(largest) < 1) & (walls @ [1, 2] < 0) & (walls[:, 0] > -gamma)
+    away = shapely.distance(shapely.points(walls), region.polygon.boundary) > region.error + 1e-6
+    inside = shapely.contains_xy(region.polygon, *walls.T)
+    assert np.array_equal(stable[away], inside[away])
+    assert inside.any()
 
 
 def on_circle(wall, case):

@@ -21,7 +21,6 @@ from flint import arb, arb_poly
 
 from symhaptic.bounds.simplest.cost import positive
 from symhaptic.bounds.simplest.plants import (
-    BY_NAMES,
     NAMES,
     Box,
     Found,
@@ -36,7 +35,7 @@ from symhaptic.bounds.simplest.plants import (
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
-from symhaptic.proof.plants import TOGETHER
+from symhaptic.proof.plants import BALLS, TOGETHER
 
 _PIECES = 600
 """So many pieces of the boundary are tried."""
@@ -154,7 +153,7 @@ def _arc(delay: int) -> Callable[[Box], _Arc]:
     flat = [c for part in coefficients for c in part]
     values = compiled(flat, SHAPE)
     partial = compiled([sp.diff(c, name) for c in flat for name in SHAPE], SHAPE)
-    shape = {s: x.subs(BY_NAMES) for s, x in linear.numbers(Sampled(n_1, n_0, a, e)).items()}
+    shape = {s: x.subs(BALLS) for s, x in linear.numbers(Sampled(n_1, n_0, a, e)).items()}
     meant = (shape[nu], shape[s_1], 1 / TOGETHER, gamma, delta)
     named = compiled(meant)
     named_by = compiled([sp.diff(x, name) for x in meant for name in NAMES])

@@ -1,7 +1,7 @@
 """Sampled plants whose spring, damper and virtual damping lie in intervals.
 
-The plant's numbers and their slopes come from one exponential of a matrix of balls; a formula in
-them is a SymPy expression of :mod:`symhaptic.model`, turned into operations on balls.
+A formula in the plant's numbers, whose balls are those of :mod:`symhaptic.proof.plants`, is a
+SymPy expression of :mod:`symhaptic.model`, turned into operations on balls.
 """
 
 from __future__ import annotations
@@ -9,27 +9,22 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple, TypeAlias
 
 import sympy as sp
-from flint import arb, arb_mat, fmpq
+from flint import arb, fmpq
 from sympy import Expr
 from sympy.printing.pycode import PythonCodePrinter
 
-from symhaptic.model import plant
-from symhaptic.model.parts import FULL
-from symhaptic.notation import a, delta, e, gamma, n_0, n_1
-from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER
+from symhaptic.notation import delta, gamma
+from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER, with_slopes
 
 BITS = 96
 """Working precision."""
 
 NAMES = (LOSS, TOGETHER, LATE, AT_ONE, gamma, delta)
 """What a formula may contain beside its own variables."""
-
-BY_NAMES = {n_1: TOGETHER - LATE, n_0: LATE, e: 1 - LOSS, a: 2 - LOSS - AT_ONE}
-"""The plant's numbers by those that balls know well."""
 
 
 class NotEnclosed(ValueError):
@@ -114,37 +109,9 @@ def numbers(spring: Interval, damper: Interval) -> Numbers:
 
 
 def _numbers(g: arb, dl: arb) -> Numbers:
-    """n_0 is exp(-delta) times n_1 of the plant whose time runs backwards (s4a_discretisation)."""
-    first, first_g, first_d = _held(g, dl)
-    back, back_g, back_d = _held(g, -dl)
-    fall = (-dl).exp()
-    late, late_g, late_d = fall * back, fall * back_g, -fall * (back + back_d)
-    both, both_g, both_d = first + late, first_g + late_g, first_d + late_d
     nil, one = arb(0), arb(1)
-    return Numbers(
-        (1 - fall, both, late, g * both, g, dl),
-        (nil, both_g, late_g, both + g * both_g, one, nil),
-        (fall, both_d, late_d, g * both_d, nil, one),
-    )
-
-
-@cache
-def _motion() -> list[list[Expr]]:
-    """exp([[X, X', X.], [0, X, 0], [0, 0, X]]) has exp(X) and both its slopes in its first rows."""
-    device = plant.normalised(FULL)
-    whole = sp.zeros(3, 3)
-    whole[:2, :2], whole[:2, 2] = device.state_matrix, device.input_matrix
-    large = sp.diag(whole, whole, whole)
-    large[:3, 3:6], large[:3, 6:] = whole.diff(gamma), whole.diff(delta)
-    return [list(large.row(i)) for i in range(9)]
-
-
-def _held(g: arb, dl: arb) -> tuple[arb, arb, arb]:
-    """Position after a period of unit force, and its slopes."""
-    known = {gamma: g, -gamma: -g, delta: dl, -delta: -dl}
-    rows = [[known[x] if x in known else arb(int(x)) for x in row] for row in _motion()]
-    grown = arb_mat(rows).exp()
-    return grown[0, 2], grown[0, 5], grown[0, 8]
+    found = (*with_slopes(g, dl, (gamma, delta)), (g, one, nil), (dl, nil, one))
+    return Numbers(*zip(*found, strict=True))
 
 
 class _Printer(PythonCodePrinter):  # type: ignore[misc]

@@ -16,7 +16,6 @@ from flint import arb
 from sympy import Expr
 
 from symhaptic.bounds.simplest.plants import (
-    BY_NAMES,
     NAMES,
     Box,
     Formula,
@@ -33,7 +32,7 @@ from symhaptic.bounds.walls import DEVICE, STIFFNESS
 from symhaptic.model import boundary, jury
 from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, phi, t
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
-from symhaptic.proof.plants import AT_ONE, TOGETHER
+from symhaptic.proof.plants import AT_ONE, BALLS, TOGETHER
 
 _SOFT = 9
 """Below this gamma, and so below pi^2, n_1 >= n_0 (s4d_explicit_boundary_signs)."""
@@ -52,7 +51,7 @@ def stiffest(delay: int) -> Limit:
 
 
 def _undelayed() -> Limit:
-    largest = boundary.largest_undelayed(DEVICE).subs(gamma, AT_ONE / TOGETHER).subs(BY_NAMES)
+    largest = boundary.largest_undelayed(DEVICE).subs(gamma, AT_ONE / TOGETHER).subs(BALLS)
     value = compiled([largest])
     parts = compiled([sp.diff(largest, name) for name in NAMES])
     holds = compiled(_needs_undelayed())
@@ -75,7 +74,7 @@ def _needs_undelayed() -> list[Expr]:
     top = {alpha: (rise - best) ** 2 / (n_0 * n_1**2) - gamma, beta: (best / n_0 - 1) / n_1}
     damping = rise * (1 - e) + gamma * n_0 * rise
     needs = (n_0, n_1, 4 * n_0 - damping, second.subs(top), third.subs(top), top[alpha])
-    return [x.subs(BY_NAMES) for x in needs]
+    return [x.subs(BALLS) for x in needs]
 
 
 def _needs_delayed(delay: int) -> list[Expr]:
@@ -91,7 +90,7 @@ def _needs_delayed(delay: int) -> list[Expr]:
         a,
         n_0,
     )
-    return [x.subs(BY_NAMES) for x in needs]
+    return [x.subs(BALLS) for x in needs]
 
 
 def _demand(values: list[arb], box: Box) -> None:
@@ -104,7 +103,7 @@ def _demand(values: list[arb], box: Box) -> None:
 
 
 def _delayed(delay: int) -> Limit:
-    turn = STIFFNESS.subs(BY_NAMES).subs(t, sp.tan(phi / (2 * (delay + 1))))
+    turn = STIFFNESS.subs(BALLS).subs(t, sp.tan(phi / (2 * (delay + 1))))
     curve = Formula(turn, phi)
     holds = compiled(_needs_delayed(delay))
 

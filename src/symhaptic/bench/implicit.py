@@ -54,7 +54,9 @@ def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
     return [found[i] for i in range(terms)]
 
 
-def needed(alpha: Any, beta: Any, whole: Any, part: Any, lib: Any) -> Callable[[Any], Any]:
+def required_damping(
+    alpha: Any, beta: Any, whole: Any, part: Any, lib: Any
+) -> Callable[[Any], Any]:
     """(5) of the paper, at a fraction the need of all motions; ``lib`` has sin, cos and sqrt."""
 
     def straight(t: Any, d: Any) -> Any:
@@ -86,33 +88,33 @@ class _Floats:
     sqrt = staticmethod(lambda x: np.sqrt(np.maximum(x, 0)))
 
 
-def worst(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
+def passivity_margin(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
     """delta minus the largest need on (0, pi), with its limits at the ends."""
     if alpha < 0:
         return (arb("-inf"),)
-    return (arb(delta) - neediest(alpha, beta, d)[0],)
+    return (arb(delta) - largest_required_damping(alpha, beta, d)[0],)
 
 
-def neediest(alpha: float, beta: float, d: float) -> tuple[Any, Any]:
+def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, Any]:
     """The largest need on (0, pi) and its angle, which is 0 where the need has its limit there."""
     whole, part = math.floor(d), d - math.floor(d)
     grid = angles(math.pi / (whole + 1))
-    values = needed(alpha, beta, whole, part, _Floats)(grid)
+    values = required_damping(alpha, beta, whole, part, _Floats)(grid)
     best = int(np.argmax(peaks(values)))
     wall = arb(alpha), arb(beta), whole, arb(part)
     tried = [arb(0), arb(float(grid[best]))]
     if best + 1 < len(grid):
         before = grid[best - 1] if best else grid[0] / 10**6
         ends = map(float, (before, grid[best], grid[best + 1]))
-        angle = stationary(needed(*wall, _Balls), *ends)
+        angle = stationary(required_damping(*wall, _Balls), *ends)
         tried += [angle] if angle.is_finite() else []
-    return max(((need(*wall, t), t) for t in tried), key=lambda pair: pair[0].mid())
+    return max(((required_damping_at(*wall, t), t) for t in tried), key=lambda pair: pair[0].mid())
 
 
-def need(alpha: Any, beta: Any, whole: int, part: Any, theta: Any) -> Any:
+def required_damping_at(alpha: Any, beta: Any, whole: int, part: Any, theta: Any) -> Any:
     """What (5) asks of the damping at an angle, or in its limit at 0; balls or power series."""
     if theta != 0:
-        return needed(alpha, beta, whole, part, _Balls)(theta)
+        return required_damping(alpha, beta, whole, part, _Balls)(theta)
     n = alpha * (part + whole + _Balls.half) - beta
     return (n + (n * n + part * (1 - part) * alpha * alpha).sqrt()) / 2 if part != 0 else n
 
@@ -155,10 +157,10 @@ def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, 
         return alpha, x.sin() - alpha / 2
 
     def slope(x: Any) -> Any:
-        return arb(series(needed(*wall(x), whole, part, _Balls), theta, 2)[1].mid())
+        return arb(series(required_damping(*wall(x), whole, part, _Balls), theta, 2)[1].mid())
 
     alpha, beta = wall(crossing(slope, arb(0), arb.pi() / 2, digits))
-    need = needed(alpha, beta, whole, part, _Balls)(theta)
+    need = required_damping(alpha, beta, whole, part, _Balls)(theta)
     return alpha / need, beta / need
 
 
@@ -174,7 +176,9 @@ def _stiffest(d: float) -> tuple[Any, Any, Any]:
 
     def hinders(theta: Any) -> Any:
         alpha, beta = touching(theta, whole, part, 22)
-        changed = [needed(alpha, beta + x, whole, part, _Balls)(theta) for x in (_STEP, -_STEP)]
+        changed = [
+            required_damping(alpha, beta + x, whole, part, _Balls)(theta) for x in (_STEP, -_STEP)
+        ]
         return arb((changed[0] - changed[1]).mid())
 
     turn = arb.pi() / (whole + part + 1)
