@@ -94,8 +94,8 @@ CONSEQUENCES: dict[str, str] = {
     "needed.",
     "fig11": "Read the curves for 0.25 and 0.5 periods neither as limits of passivity nor as those "
     "of (18); the passive ones for the next whole delay are safe.",
-    "fig13": "The row for 0.5 periods is not that of (18). What is passive for the next whole delay "
-    "is safe.",
+    "fig13": "The row for 0.5 periods is not that of (18). What is passive for the next whole "
+    "delay is safe.",
     "s5c-robust-subset": "Without damping no wall but $K=B=0$ is passive, and for none is every "
     "spring of the hand harmless. Do not rely on a device without damping.",
     "s6-sampling": "As for four times the stiffness: true for a free mass.",

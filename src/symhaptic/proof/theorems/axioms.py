@@ -221,6 +221,14 @@ _believed(
     [DEVICE, _lt(0, gamma), _damped],
     _stable(_A),
 )
+_believed(
+    "undamped device",
+    "cos and sin of x t solve y'' + x^2 y = 0; a period of the motion may run backwards",
+    [x, *NUMBERS],
+    [_named("device", x**2, 0, *NUMBERS)],
+    _eq(a, 2 * cos(x)),
+    _eq(n_1, n_0),
+)
 _turn = exp(I * theta)
 _way = (_turn - 1) * (n_1 * _turn + n_0)
 _work = _way * (_turn**-2 - a / _turn + e)
