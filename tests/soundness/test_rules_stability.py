@@ -172,7 +172,7 @@ def test_a_device_at_rest_is_balanced_by_its_spring():
 
 
 def test_an_undamped_device_swings_and_its_numerator_is_even():
-    n_1, n_0, a, e = NAMES
+    n_1, n_0, a, _ = NAMES
     device = Predicate("device", (), (x**2, 0, *NAMES))
     found = axiom("undamped device", x, *NAMES)
     assert found.hypotheses == {device}
