@@ -25,7 +25,7 @@ def derive(page):
         "drops out, so the force needed per position adds up."
     )
     both = page.step(
-        "One position, two bodies",
+        "Two bodies with one position have one mass, one damper and one spring",
         device + arm,
         (m_D + m_H) * s**2 + (b_D + b_H) * s + k_H,
         paper="2",
@@ -44,7 +44,7 @@ def derive(page):
     )
     page.say("Nothing is lost by this, as long as that force is free to be anything:")
     page.step(
-        "The arm as an external force",
+        "The arm's forces can be counted as external",
         both * x - F_E,
         device * x - (F_E - arm * x),
         name=r"(ms^2+bs+k)\,x-F_E",

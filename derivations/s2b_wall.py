@@ -14,13 +14,13 @@ def derive(page):
     H = function("H")
     law = wall.transfer()
     page.define(
-        "The law, once per period",
+        "Once per period the wall pulls by position and speed",
         "H(z)",
         law,
         because="a period earlier is a factor $1/z$, so $x_k-x_{k-1}$ becomes $(1-1/z)\\,x$",
     )
     form = page.step(
-        "As a quotient",
+        "The wall is a quotient with one pole, at $z=0$",
         law,
         K + B * (z - 1) / (T * z),
         name=H(z),
@@ -28,7 +28,7 @@ def derive(page):
         because="both fractions are brought over $z$",
     )
     page.step(
-        "For a wall at rest",
+        "A wall at rest is its spring alone",
         law.subs(z, 1),
         K,
         name="H(1)",

@@ -29,7 +29,7 @@ def derive(page):
     )
     loop = P / (1 + P * z ** (-d_2) * H * z ** (-d_1))
     page.step(
-        "Two delays, one loop",
+        "Two delays act on the loop as their sum",
         loop,
         P / (1 + P * H * z ** (-(d_1 + d_2))),
         because="powers of $z$ commute with everything in a linear loop and add their exponents",
@@ -51,7 +51,7 @@ def derive(page):
     )
     free = normalised(Parts(stiffness=False, damping=False))
     late = page.step(
-        "The first sample after a late force",
+        "A force that is late by less than a period already shows at the next sample",
         free.held(1 - d)[0],
         (1 - d) ** 2 / 2,
         name="x_1",
@@ -59,7 +59,7 @@ def derive(page):
     )
     undelayed = sampled(free)
     page.step(
-        "Without delay",
+        "A delay of whole periods changes none of the samples",
         late.subs(d, 0),
         undelayed.n1,
         name="x_1|_{d=0}",

@@ -19,7 +19,7 @@ def derive(page):
         "displacement it burns least at constant speed:"
     )
     page.step(
-        "The least a damper burns",
+        "A damper burns least at constant speed",
         v**2,
         (v - p_k / T) ** 2 + 2 * v * p_k / T - p_k**2 / T**2,
         because="integrated over a period, the last two terms give $p_k^2/T$, and the square "
@@ -31,7 +31,7 @@ def derive(page):
         "position is $x=p/(z-1)$, energy per squared displacement is $b/T+\\Re\\{H/(z-1)\\}$."
     )
     page.step(
-        "On the unit circle",
+        "On the unit circle $1/(z-1)$ has this value",
         passivity.on_circle(1 / (z - 1)),
         (exp(-I * theta) - 1) / (2 - 2 * cos(theta)),
         because="with $z=e^{j\\theta}$ and $\\theta=\\omega T$",
@@ -53,7 +53,7 @@ def derive(page):
         "second term. For the spring alone, $F_k=Kx_k$, the work adds up to the energy stored:"
     )
     page.step(
-        "What a spring stores",
+        "The work against a spring telescopes to what it stores",
         x * p_k,
         ((x + p_k) ** 2 - x**2 - p_k**2) / 2,
         because="with $x_{k+1}=x_k+p_k$ the first two terms telescope to $x_N^2/2$",
@@ -61,7 +61,7 @@ def derive(page):
     periods = S(4)
     ramp = periods * b * p_k**2 / T + K * p_k**2 * periods * (periods - 1) / 2
     page.step(
-        "Four equal steps against a spring",
+        "Four equal steps against a spring take out this energy",
         ramp,
         (4 * b / T + 6 * K) * p_k**2,
         name="E",

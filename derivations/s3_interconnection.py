@@ -19,7 +19,7 @@ def derive(page):
     )
     pushed = symbols("F_2")
     face = page.step(
-        "Face to face",
+        "Two bodies face to face take in what comes from outside",
         (F - pushed) * v + pushed * v,
         F * v,
         because="what both take in is what comes from outside; with both stores added, the whole "

@@ -17,7 +17,7 @@ def derive(page):
         "the start times the step, plus what the slope adds:"
     )
     page.step(
-        "A spring of full slope",
+        "A spring of full slope gains most",
         K * (x + p_k) ** 2 / 2 - K * x**2 / 2,
         K * x * p_k + K * p_k**2 / 2,
         name=r"U(x+p)-U(x)",
@@ -25,7 +25,7 @@ def derive(page):
     )
     q = symbols("q")
     page.step(
-        "Two steps, one after the other",
+        "A product of two steps is at most half the sum of their squares",
         (p_k**2 + q**2) / 2,
         p_k * q + (p_k - q) ** 2 / 2,
         because="so $|p_kq|\\le\\tfrac12(p_k^2+q^2)$ for the steps that lie within the delay",

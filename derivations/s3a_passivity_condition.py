@@ -31,14 +31,14 @@ from symhaptic.proof.theorems.tactics import (
 
 
 def derive(page):
-    response = page.define("The wall, $d$ periods late", r"H(z)\,z^{-d}", wall.delayed())
+    response = page.define("The wall acts $d$ periods late", r"H(z)\,z^{-d}", wall.delayed())
     need = passivity.required_damping(response)
     brackets = (
         K * T * (cos(d * theta) - cos((d + 1) * theta))
         + B * (cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta))
     ) / (2 - 2 * cos(theta))
     page.step(
-        "Real part",
+        "Of the wall's force only a real part counts",
         need,
         brackets,
         paper="5",
@@ -47,17 +47,17 @@ def derive(page):
         because="the wall put into the energy balance, with $z=e^{j\\theta}$, $\\theta=\\omega T$",
     )
     page.step(
-        "Sums to products, the stiffness",
+        "The stiffness counts with Dirichlet's kernel",
         cos(d * theta) - cos((d + 1) * theta),
         2 * sin(theta / 2) * sin((d + Rational(1, 2)) * theta),
     )
     page.step(
-        "Sums to products, the damping",
+        "The damping counts with one cosine",
         cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta),
         -(2 - 2 * cos(theta)) * cos((d + 1) * theta),
     )
     page.result(
-        r"As an identity, for every real $d$ and every $0<\theta<\pi$",
+        r"The margin is that of (5), for every real $d$ and every $0<\theta<\pi$",
         b > passivity.dirichlet_form(),
         equal_to=b > need,
         because="the Dirichlet kernel of order $d$ against a single cosine; the mass has dropped "
@@ -78,7 +78,7 @@ def derive(page):
         "the first half of each period, by 1 in the second, and back after 30 periods."
     )
     page.step(
-        "Energy left to damper and wall",
+        "The motion leaves damper and wall this energy",
         passivity.half_late_energy(Rational(3, 2), S.One, 30),
         390 * b / T + 345 * B / T - 1605 * K / 4,
         name="E",

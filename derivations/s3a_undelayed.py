@@ -51,7 +51,7 @@ def derive(page):
         name=r"\left.\text{need}\right|_{d=0}",
     )
     page.step(
-        "Distance to the border, $B\\ge0$",
+        "For $B\\ge0$ no angle needs more than the border",
         K * T / 2 + B - undelayed,
         2 * B * cos(theta / 2) ** 2,
         name=r"\tfrac{KT}{2}+B-\text{need}",

@@ -4,9 +4,11 @@ At one frequency the condition is a half plane in the $(K,B)$ plane, bounded by 
 frequency changes the line turns and shifts, and its neighbours cut off a curve: the envelope.
 """
 
-from sympy import Ne, S, diff, pi, sin
+from sympy import S, diff, pi, sin
 
+from symhaptic.book.figures.arguments import lines_of_angles
 from symhaptic.book.lemmas.largest_damping import divisors
+from symhaptic.book.lemmas.rates import with_damping_and_rate
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta, y
 from symhaptic.notation.proposition import negated
@@ -26,19 +28,15 @@ from symhaptic.proof.theorems.tactics import (
     at,
     closed,
     counterexample,
-    either_way,
     example,
     for_all,
-    one,
-    over,
-    positive,
 )
 
 ONE = S.One
 
 
 def derive(page):
-    line = page.define("The line of one angle", r"F(\theta)", passivity.margin())
+    line = page.define("At one angle the border is a line", r"F(\theta)", passivity.margin())
     stiffness, damping = passivity.envelope()
     page.say(
         "Two neighbouring lines meet where both $F$ and $\\partial F/\\partial\\theta$ vanish: two "
@@ -46,7 +44,7 @@ def derive(page):
     )
     shared = sin(2 * (d + 1) * theta) - 2 * (d + 1) * sin(theta)
     nice_stiffness = page.step(
-        "Stiffness",
+        "Two neighbouring lines meet at this stiffness",
         stiffness,
         2
         * b
@@ -57,7 +55,7 @@ def derive(page):
         paper="7",
     )
     nice_damping = page.step(
-        "Damping",
+        "They meet at this damping",
         damping,
         2 * b * (d * sin((d + 1) * theta) - (d + 1) * sin(d * theta)) / shared,
         name=B,
@@ -71,6 +69,12 @@ def derive(page):
         S.Zero,
         name=r"\partial F/\partial\theta\,\big|_{(K,B)}",
     )
+    page.figure(
+        "lines_of_angles",
+        "One line for each angle, behind one period of delay: a wall on the wrong side of any of "
+        "them is not passive. What all lines leave is the passive region, which they envelop.",
+        lines_of_angles,
+    )
     page.say(
         "Both coordinates are proportional to $b$. The product $KT$ does not contain $T$: the "
         "stiffness is proportional to $1/T$, the sampling rate, and not to the period."
@@ -81,21 +85,8 @@ def derive(page):
 def _scaled(page):
     """The walls of (5) scale with the damping, and their stiffness with the rate."""
     claim, right = CLAIMED["s3b-linear-in-T"](()), scaled(T / y)
-    symbols, given, (damped, faster) = (*taken_apart(right)[:2], taken_apart(right)[2].of)
-    share, factor = over(1 / y > 0, one(), y > 0), assume(y > 0)
-    pairs = [
-        either_way(
-            _moved(*same.of, first, share_first, over_first),
-            _moved(*same.of[::-1], second, share_second, over_second),
-            *same.of,
-        )
-        for same, (first, share_first, over_first), (second, share_second, over_second) in (
-            (damped, (omega, factor, ONE), (omega, share, ONE)),
-            (faster, (omega / y, ONE, share), (omega * y, ONE, factor)),
-        )
-    ]
-    found = conjoined(*pairs)
-    found = closed(found, *(positive(Ne(e, 0), e > 0) for e in (T, y)))
+    symbols, given, _ = taken_apart(right)
+    found = conjoined(*with_damping_and_rate())
     stiff = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero, y: S(3)}
     then = taken_apart(claim)[2].at(stiff)
     walls, slow = then.of[1].of
@@ -114,12 +105,3 @@ def _scaled(page):
         shows="three times the period leaves a third of the stiffness",
         note=r"at each angle $\omega T$",
     )
-
-
-def _moved(known, wanted, frequency, times, stretch):
-    """(5) for one wall at every frequency, from that for another one, times a factor."""
-    low, high = wanted.body.of[0].of
-    ends = known.body.of[0].at({omega: frequency}).of
-    inside = [positive(end, [stretch, assume(p)]) for end, p in zip(ends, (low, high), strict=True)]
-    there = at(assume(known), {omega: frequency}, *inside)
-    return for_all([omega], [low, high], positive(wanted.body.of[1], [times, there]))

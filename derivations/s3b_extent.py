@@ -19,16 +19,20 @@ def derive(page):
     )
     wall = {K: 2 * b * u / T, B: b * (w - u), d: N / 2 - 1, theta: 2 * psi}
     margin = page.step(
-        "The margin over $b$",
+        "The margin over $b$ is linear in $u$ and $w$",
         passivity.margin().subs(wall) / b,
         1 - u * cot(psi) * sin(N * psi) + w * cos(N * psi),
         name=r"F/b",
     )
     page.step(
-        "At $N\\psi=\\pi$", margin.subs(psi, pi / N), 1 - w, name="F/b", because="so $w\\le1$"
+        "At $N\\psi=\\pi$ only the damping counts",
+        margin.subs(psi, pi / N),
+        1 - w,
+        name="F/b",
+        because="so $w\\le1$",
     )
     page.limit(
-        "At the lower end",
+        "At the lower end the margin is a line",
         margin,
         psi,
         S.Zero,
@@ -37,7 +41,7 @@ def derive(page):
         because="so $w\\ge Nu-1\\ge-1$",
     )
     page.step(
-        "Angles that differ by a full turn of $N\\psi$",
+        "Between angles that differ by a full turn of $N\\psi$ only a cotangent changes",
         cot(psi) - cot(phi),
         sin(phi - psi) / (sin(psi) * sin(phi)),
         because="positive for $\\psi<\\varphi<\\pi/2$: the cotangent falls",

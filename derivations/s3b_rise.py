@@ -32,7 +32,7 @@ def derive(page):
     page.lemma("The chord after the angle is positive", chord_after())
     rising = bend().conclusion.right
     page.step(
-        "A slope that factors",
+        "The slope factors",
         diff(rising, psi),
         4 * chord_before().conclusion.right * chord_after().conclusion.right / (N * sin(psi) ** 2),
         name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({latex(rising)}\Bigr)",
@@ -41,7 +41,7 @@ def derive(page):
     wall = {d: N / 2 - 1, theta: 2 * psi}
     divisor = width().conclusion.right
     curve = page.step(
-        "The envelope's stiffness",
+        "The envelope's stiffness has this form",
         passivity.envelope()[0].subs(wall) * T / (2 * b),
         2 * N * sin(psi) ** 2 * sin(N * psi) / divisor,
         name="U",
@@ -56,7 +56,7 @@ def derive(page):
     page.lemma("Up to there a larger angle has the larger stiffness", rises(LOWER))
     page.lemma("Beyond, a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
-        "For a given stiffness the border moves with",
+        "For a given stiffness the border moves towards the angle with $U=u$",
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
         divisor / (2 * sin(psi) ** 2 * cos(N * psi) ** 2) * (u - curve),
         name=r"\partial w/\partial\psi",
@@ -76,7 +76,12 @@ def derive(page):
         "the boundary, closed by the line of $\\theta\\to0$ below and by $K=0$. For $d=0$ the "
         "slope of $U$ vanishes: the envelope shrinks to one point and the boundary is (6)."
     )
-    page.step("Without delay", curve.subs(N, 2), S.One, name=r"U|_{d=0}")
+    page.step(
+        "Without delay the envelope's stiffness does not change",
+        curve.subs(N, 2),
+        S.One,
+        name=r"U|_{d=0}",
+    )
     _boundary(page)
 
 

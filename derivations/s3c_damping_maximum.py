@@ -34,17 +34,24 @@ from symhaptic.proof.theorems.tactics import closed, counterexample, example, fo
 def derive(page):
     need = passivity.dirichlet_form()
     top = page.step(
-        "At $\\theta=\\pi/(d+1)$",
+        "At $\\theta=\\pi/(d+1)$ the damping alone has to be borne",
         need.subs(theta, pi / (d + 1)),
         K * T / 2 + B,
         name=r"\left.\text{need}\right|_{\theta=\pi/(d+1)}",
         because="the kernel is $\\tfrac12$ and the cosine $-1$ there, for every real $d$",
     )
     stiffness, damping = (e.subs(theta, pi / (d + 1)) for e in passivity.envelope())
-    page.step("The envelope there, stiffness", stiffness, S.Zero, name=r"K|_{\theta=\pi/(d+1)}")
-    page.step("The envelope there, damping", damping, b, name=r"B|_{\theta=\pi/(d+1)}")
+    page.step(
+        "The envelope ends there with no stiffness",
+        stiffness,
+        S.Zero,
+        name=r"K|_{\theta=\pi/(d+1)}",
+    )
+    page.step(
+        "It ends there with the damping of the device", damping, b, name=r"B|_{\theta=\pi/(d+1)}"
+    )
     bottom = page.limit(
-        "The line of low frequencies",
+        "At low frequencies the border is this line",
         passivity.margin(),
         theta,
         S.Zero,
@@ -67,7 +74,7 @@ def derive(page):
         "in $\\pi/T(d+1)$ has to be read as dividing by the whole product.)"
     )
     page.step(
-        "The first angle where the cosine is $-1$",
+        "This is the first angle where the cosine is $-1$",
         cos((d + 1) * (pi / (d + 1))),
         -S.One,
         name=r"\cos(d+1)\theta",

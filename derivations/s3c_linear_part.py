@@ -31,7 +31,7 @@ from symhaptic.proof.theorems.tactics import (
 
 def derive(page):
     line = page.limit(
-        "Low frequencies",
+        "At low frequencies the border is a line",
         passivity.margin(),
         theta,
         S.Zero,
@@ -40,7 +40,7 @@ def derive(page):
     )
     stiffness, damping = passivity.envelope()
     end_stiffness = page.limit(
-        "The envelope ends there, stiffness",
+        "The envelope ends on it, with this stiffness",
         stiffness,
         theta,
         S.Zero,
@@ -48,7 +48,7 @@ def derive(page):
         name=K,
     )
     end_damping = page.limit(
-        "The envelope ends there, damping",
+        "It ends on it with this damping",
         damping,
         theta,
         S.Zero,
@@ -61,7 +61,11 @@ def derive(page):
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}
     page.step(
-        "Every point of it", line.subs(on_line), S.Zero, name=r"F\big|_{\text{(8)}}", paper="8"
+        "Every point of (8) lies on it",
+        line.subs(on_line),
+        S.Zero,
+        name=r"F\big|_{\text{(8)}}",
+        paper="8",
     )
     _line(page, Eq(K, on_line[K]), Eq(B, on_line[B]))
     page.say(

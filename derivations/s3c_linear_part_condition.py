@@ -35,13 +35,18 @@ from symhaptic.proof.theorems.tactics import (
 def derive(page):
     line = b + B - K * T * (d + Rational(1, 2))
     limit_of_k = page.step(
-        "Damping over delay",
+        "Solved for the stiffness the line is damping over delay",
         (b + B) / (T * (d + Rational(1, 2))),
         2 * (b + B) / (T * (2 * d + 1)),
         name=r"\frac{b+B}{(d+\frac12)T}",
         paper="9",
     )
-    page.step("On the line", line.subs(K, limit_of_k), S.Zero, name=r"F\big|_{K=(b+B)/((d+1/2)T)}")
+    page.step(
+        "On the line (9) and (10) are equalities",
+        line.subs(K, limit_of_k),
+        S.Zero,
+        name=r"F\big|_{K=(b+B)/((d+1/2)T)}",
+    )
     page.say(
         "For damping in the stated range the low frequencies are the strictest, and the condition "
         "is exact but for its border. For negative $K$ it says nothing: higher frequencies can "

@@ -23,14 +23,14 @@ from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 def derive(page):
     need = passivity.dirichlet_form()
     page.step(
-        "The coefficient of the damping",
+        "The damping has this coefficient",
         diff(need, B),
         -cos((d + 1) * theta),
         name=r"\partial\,\text{need}/\partial B",
     )
     angle = pi / (2 * (d + 1))
     page.step(
-        "It vanishes first at",
+        "It vanishes first at $\\theta=\\pi/(2(d+1))$",
         cos((d + 1) * angle),
         S.Zero,
         name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
@@ -39,7 +39,7 @@ def derive(page):
     _frequency(page, Eq(omega, angle / T))
     largest = solve(b - need.subs(theta, angle), K)[0]
     stiffness = page.step(
-        "The largest stiffness",
+        "There only the stiffness counts, and its limit is",
         largest,
         2 * b / T * tan(pi / (4 * (d + 1))),
         name=K,
@@ -64,10 +64,16 @@ def derive(page):
     page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
     share = stiffness / stiffness.subs(d, 0)
     one = page.step(
-        "One period of delay", share.subs(d, 1), sqrt(2) - 1, name=r"K_{\max}(1)/K_{\max}(0)"
+        "One period of delay leaves 41 per cent",
+        share.subs(d, 1),
+        sqrt(2) - 1,
+        name=r"K_{\max}(1)/K_{\max}(0)",
     )
     two = page.step(
-        "Two periods of delay", share.subs(d, 2), 2 - sqrt(3), name=r"K_{\max}(2)/K_{\max}(0)"
+        "Two periods of delay leave 27 per cent",
+        share.subs(d, 2),
+        2 - sqrt(3),
+        name=r"K_{\max}(2)/K_{\max}(0)",
     )
     for id, delay, value in (("s3c-kmax-41", 1, one), ("s3c-kmax-27", 2, two)):
         claim = CLAIMED[id](())

@@ -43,11 +43,11 @@ def derive(page):
     tip = [e.subs(theta, angle) for e in (stiffness, damping)]
     page.say(
         "In units of $b$ and $T$ a curve of Fig. 4 runs straight from $(0,-1)$ to a corner, bends "
-        "to its tip, the point of largest stiffness, and ends at $(0,1)$."
+        "to its tip and ends at $(0,1)$."
     )
     delay = 3 * y / (1 - 2 * y)
     dashed = page.step(
-        "The dashed curve of the corners, with $y=B/b$",
+        "The dashed curve of the corners is a hyperbola in $y=B/b$",
         corner[0].subs(d, delay),
         2 * (1 + y) * (1 - 2 * y) / (1 + 4 * y),
         name=r"\frac{KT}{b}",
@@ -55,30 +55,25 @@ def derive(page):
     )
     page.same("the corner's damping", corner[1].subs(d, delay), y)
     tips = page.step(
-        "The dash-dotted curve of the tips",
+        "The dash-dotted curve of the tips is (11)",
         tip[0],
         2 * tan(angle / 2),
         name=r"\frac{KT}{b}",
         because="this is Fig. 5; it falls with every delay",
     )
     low = (cos(angle) - d / (d + 1)) / sin(angle)
-    page.step("Their damping", tip[1], low, name=r"\frac Bb")
+    page.step("The tips have this damping", tip[1], low, name=r"\frac Bb")
     page.table(
         "Corner and tip of the seven curves (7) of Fig. 4; decimals cut off.",
         ["$d$", "corner $KT/b$", "corner $B/b$", "tip $KT/b$", "tip $B/b$"],
         [row(text, *corner, tips, low) for text in DELAYS],
     )
     far = {d: 1 / h - 1}
-    page.limit("For long delays", tips.subs(far) / h, h, S.Zero, pi / 2, name=r"\frac{KT}{bh}")
-    page.limit(
-        "The damping that belongs to it",
-        low.subs(far),
-        h,
-        S.Zero,
-        2 / pi,
-        name=r"\frac Bb",
-        because="with $h=1/(d+1)$; the corners run into $(0,\\tfrac12)$",
-    )
+    title, share = "For long delays the tips fall like $\\pi h/2$", r"\frac{KT}{bh}"
+    page.limit(title, tips.subs(far) / h, h, S.Zero, pi / 2, name=share)
+    because = "with $h=1/(d+1)$; the corners run into $(0,\\tfrac12)$"
+    title, share = "Their damping tends to a constant", r"\frac Bb"
+    page.limit(title, low.subs(far), h, S.Zero, 2 / pi, name=share, because=because)
     fractions(page)
     page.figure(
         "fig4",
@@ -106,7 +101,7 @@ def fractions(page):
     )
     line = {B: K * T * (l + epsilon + Rational(1, 2)) - b}
     page.limit(
-        "Low frequencies on the straight part of (7)",
+        "On the straight part of (7) low frequencies take out energy",
         fractional.margin().subs(line),
         theta,
         S.Zero,

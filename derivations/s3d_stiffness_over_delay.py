@@ -28,7 +28,7 @@ GAINS = half_late(Rational(17, 10))
 def derive(page):
     angle = pi / (2 * (d + 1))
     page.step(
-        "The height of the curve",
+        "The curve has this height",
         passivity.envelope()[0].subs(theta, angle) * T / b,
         2 * tan(angle / 2),
         name=r"\frac{KT}{b}",
@@ -49,7 +49,7 @@ def larger(page):
     wall = {K: Rational("1.17"), B: Rational("0.32")}
     square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
     page.show(
-        "The wall $KT/b=1.17$, $B/b=0.32$, half a period late",
+        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is",
         "D/b^2",
         square,
         page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),

@@ -60,15 +60,19 @@ def derive(page):
     unit = Plant(1, rate, spring)
     one, two = unit.poles(c_1)
     page.step(
-        "Difference of the poles, times $T$",
+        "The poles differ by $c_1/T$",
         unit.split,
         sqrt((b * T / m) ** 2 - 4 * k * T**2 / m),
         name=c_1,
         paper="13",
     )
     page.say("The poles' images $e^{s_1T}$ and $e^{s_2T}$ are $c_3$ and $c_2$:")
-    page.step("Faster pole", exp(two), exp(-(b * T / m + c_1) / 2), name=c_2, paper="13")
-    page.step("Slower pole", exp(one), exp(-(b * T / m - c_1) / 2), name=c_3, paper="13")
+    page.step(
+        "The faster pole gives $c_2$", exp(two), exp(-(b * T / m + c_1) / 2), name=c_2, paper="13"
+    )
+    page.step(
+        "The slower pole gives $c_3$", exp(one), exp(-(b * T / m - c_1) / 2), name=c_3, paper="13"
+    )
     page.settle("eq13", Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)), definition=True)
 
     images = {c_2: exp(two), c_3: exp(one)}
@@ -82,7 +86,7 @@ def derive(page):
     (form,) = read(CORRECTED)
     given = images | {k: stiffness}
     page.show(
-        "The discrete equivalent",
+        "The discrete equivalent is",
         "P(z)",
         CORRECTED,
         page.same("written", exact.xreplace(given), form.xreplace(given)),
@@ -112,9 +116,9 @@ def derive(page):
 
 def _delay(page):
     page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
-    page.define("The shift by one period", z, exp(T * s))
+    page.define("One period shifts by $z$", z, exp(T * s))
     page.step(
-        "The delay on the unit circle",
+        "On the unit circle the delay only turns",
         on_circle(z ** (-d), omega * T),
         exp(-I * d * omega * T),
         name=r"z^{-d}",

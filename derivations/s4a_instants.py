@@ -32,8 +32,18 @@ def derive(page):
     two = [part(S(2), c).xreplace(given) for part in (device.transition, device.held)]
     motion = page.same("motion", two[0], one[0] * one[0])
     push = page.same("push", two[1], one[0] * one[1] + one[1])
-    page.show("The free motion", r"\Phi(2)", r"\Phi(1)\,\Phi(1)", motion)
-    page.show("Two periods of one force", r"\Gamma(2)", r"\Phi(1)\,\Gamma(1)+\Gamma(1)", push)
+    page.show(
+        "The free motion of two periods is that of one, twice",
+        r"\Phi(2)",
+        r"\Phi(1)\,\Phi(1)",
+        motion,
+    )
+    page.show(
+        "A force held for both periods answers like two in a row",
+        r"\Gamma(2)",
+        r"\Phi(1)\,\Gamma(1)+\Gamma(1)",
+        push,
+    )
     page.say(
         "A delay of $d$ whole periods puts $F_{k-d}$ in place of $F_k$; the force is still held "
         "from one sampling instant to the next. So for whole delays, and as long as the external "
@@ -42,16 +52,16 @@ def derive(page):
     )
     free = normalised(Parts(stiffness=False, damping=False))
     page.step(
-        "A force that grows in time, $F_E=t$",
+        "A force that grows in time, $F_E=t$, moves the mass by",
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
         name="x_1",
         because="by its samples $F_0=0$ the mass has not moved at all",
     )
     sampled = page.same("samples", free.held(S.One)[0] * t.subs(t, 0), S.Zero)
-    page.show("By the samples", "n_1F_0", S.Zero, sampled)
+    page.show("The samples of that force say less", "n_1F_0", S.Zero, sampled)
     page.step(
-        "A held force that comes $d$ periods late",
+        "A held force that comes $d$ periods late is not the shifted one",
         free.held(1 - d)[0],
         (1 - d) ** 2 / 2,
         name="x_1",

@@ -44,13 +44,13 @@ def derive(page):
         "units of $m/T^2$. Newton's law and the wall become"
     )
     motion = page.step(
-        "The device",
+        "The device has two numbers, $\\gamma$ and $\\delta$",
         Plant().characteristic.subs(s, s / T) * T**2 / m,
         s**2 + b * T / m * s + k * T**2 / m,
         name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
     force = page.step(
-        "The wall",
+        "The wall has two numbers, $\\alpha$ and $\\beta$",
         wall.transfer() * T**2 / m,
         K * T**2 / m + B * T / m * (1 - 1 / z),
         name=r"\tfrac{T^2}{m}H(z)",
@@ -83,7 +83,7 @@ def derive(page):
     ):
         proof = page.same(name, theirs.xreplace(given), form.xreplace(given))
         page.show(title, name, form, proof)
-    page.step("Their product", exp(one) * exp(two), exp(-delta), name="e")
+    page.step("The two poles have the product $e$", exp(one) * exp(two), exp(-delta), name="e")
     page.say(
         "so that the device is $P(z)=\\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The forms of $n_1$ and "
         "$n_0$ are $0/0$ for $\\gamma=0$, a device that nobody holds, and for $c_1=0$. The values "
@@ -96,9 +96,16 @@ def derive(page):
         ("n_0", device.n0, alone.n0, 4 * fade - (4 - 2 * delta) * half, 1 - (1 + delta) * fade),
     ):
         chain = general.xreplace(given)
-        page.limit("Critical damping", chain, c_1, S.Zero, critical / delta**2, name=name)
         page.limit(
-            "No spring",
+            "At critical damping $n_1$ has this limit",
+            chain,
+            c_1,
+            S.Zero,
+            critical / delta**2,
+            name=name,
+        )
+        page.limit(
+            "Without a spring $n_1$ has this limit",
             chain,
             c_1,
             delta,

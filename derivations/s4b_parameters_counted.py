@@ -30,14 +30,14 @@ def derive(page):
         "vanish. These are three equations for seven exponents."
     )
     rank = page.step(
-        "Their rank",
+        "The units of the seven have rank two",
         Integer(powers.rank()),
         Integer(2),
         name=r"\text{rank}",
         because="the metre does not occur: force and length are scaled together in a linear loop",
     )
     left = page.step(
-        "Independent pure numbers",
+        "Five pure numbers are independent",
         len(names) - rank,
         Integer(5),
         name=r"7-\text{rank}",

@@ -35,13 +35,13 @@ def derive(page):
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
     page.say("With the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
     page.step(
-        "The wall",
+        "The wall in these numbers is",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
         (alpha + beta * (1 - 1 / z)) * z ** (-d),
         name=r"\tfrac{T^2}{m}H(z)z^{-d}",
     )
     page.step(
-        "The closed loop",
+        "The loop closes as",
         plain / (1 + plain * push),
         (n_1 * z + n_0) * z ** (d + 1) / short,
         name=r"\tfrac{m}{T^2}G_x(z)",
@@ -50,7 +50,7 @@ def derive(page):
     )
     page.say("The denominator is monic and never degenerates:")
     page.show(
-        "Characteristic polynomial",
+        "The characteristic polynomial is (18)",
         "p_1(z)",
         short,
         page.same(

@@ -56,7 +56,7 @@ def derive(page):
     dimensionless = loop.characteristic(split=c_1)
     a, e, n_1, n_0 = symbols("a e n_1 n_0")
     page.show(
-        "Two derivations, one polynomial",
+        "Two derivations lead to one polynomial",
         "p_1(z)",
         (z**2 - a * z + e) * z ** (d + 1) + (n_1 * z + n_0) * ((alpha + beta) * z - beta),
         page.same("both derivations", physical, dimensionless.xreplace(given)),

@@ -22,16 +22,21 @@ def derive(page):
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     swings = swinging.transfer.subs(gamma, Omega**2)
-    still = page.step("Free mass", free.transfer, (z + 1) / (2 * (z - 1) ** 2), name="P(z)")
+    still = page.step(
+        "A free mass has four plain numbers",
+        free.transfer,
+        (z + 1) / (2 * (z - 1) ** 2),
+        name="P(z)",
+    )
     fade = exp(-delta)
     fading = page.step(
-        "Mass and damper",
+        "A damped mass has one exponential",
         damped.transfer,
         ((delta - 1 + fade) * z + 1 - (1 + delta) * fade) / (delta**2 * (z - 1) * (z - fade)),
         name="P(z)",
     )
     swinging = page.step(
-        "Mass and spring",
+        "A mass on a spring has one cosine",
         swings,
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name="P(z)",
@@ -41,7 +46,7 @@ def derive(page):
         gamma, (delta**2 - c**2) / 4
     )
     page.limit(
-        "The spring removed",
+        "With the spring removed the device is the damped mass",
         general,
         c,
         delta,
@@ -50,7 +55,7 @@ def derive(page):
         because="$c\\to\\delta$ is $\\gamma\\to0$, since $c^2=\\delta^2-4\\gamma$",
     )
     page.limit(
-        "The damper removed",
+        "With the damper removed it is the mass on a spring",
         general.subs(c, 2 * I * Omega),
         delta,
         S.Zero,
@@ -59,14 +64,16 @@ def derive(page):
         because="along $\\gamma=\\Omega^2+\\delta^2/4$, that is $c=2j\\Omega$",
     )
     page.limit(
-        "The damper removed from a free mass",
+        "Without its damper the damped mass is free",
         damped.transfer,
         delta,
         S.Zero,
         still,
         name="P",
     )
-    page.limit("The spring removed from a free mass", swings, Omega, S.Zero, still, name="P")
+    page.limit(
+        "Without its spring the other mass is free, too", swings, Omega, S.Zero, still, name="P"
+    )
 
     page.say("With the wall the sampled device closes to one of four polynomials:")
     a, e, n_1, n_0 = symbols("a e n_1 n_0")
@@ -96,7 +103,12 @@ def derive(page):
         "loses the power of $z$."
     )
     least = _polynomial(Parts(False, False, False, False))
-    page.step("The smallest of them", least, (z - 1) ** 2 + alpha * (z + 1) / 2, name="p_1(z)")
+    page.step(
+        "The smallest scene leaves a cubic",
+        least,
+        (z - 1) ** 2 + alpha * (z + 1) / 2,
+        name="p_1(z)",
+    )
 
 
 def _polynomial(parts):

@@ -32,7 +32,7 @@ def derive(page):
     both = Plant(m_D, b_D, None).characteristic + Plant(m_H, b_H, k_H).characteristic
     mass, damping, stiffness = Poly(both, s).all_coeffs()
     spring = page.step(
-        "The spring in units of mass and period",
+        "In units of mass and period the spring is",
         stiffness * T**2 / mass,
         T**2 * k_H / (m_D + m_H),
         name=gamma,
@@ -40,18 +40,18 @@ def derive(page):
         paper="19",
     )
     damper = page.step(
-        "The damper", damping * T / mass, T * (b_D + b_H) / (m_D + m_H), name=delta, paper="19"
+        "The damper is", damping * T / mass, T * (b_D + b_H) / (m_D + m_H), name=delta, paper="19"
     )
     _numbers(page, Eq(gamma, spring), Eq(delta, damper))
     page.say("Leaving the other's mass out enlarges each part. By how much?")
     page.step(
-        "The spring alone",
+        "Without the device's mass the spring would be stiffer",
         T**2 * k_H / m_H - spring,
         T**2 * k_H * m_D / (m_H * (m_D + m_H)),
         name=r"T^2\frac{k_H}{m_H}-\gamma",
     )
     page.step(
-        "Both dampers",
+        "Without the other's mass each damper would count for more",
         T * (b_D / m_D + b_H / m_H) - damper,
         T * (b_D * m_H**2 + b_H * m_D**2) / (m_D * m_H * (m_D + m_H)),
         name=r"T\Bigl(\frac{b_D}{m_D}+\frac{b_H}{m_H}\Bigr)-\delta",
@@ -64,7 +64,7 @@ def derive(page):
     )
     mean = b_D / m_D * m_D / (m_D + m_H) + b_H / m_H * m_H / (m_D + m_H)
     page.show(
-        "A mean of two ratios",
+        "The ratio of both together is a mean of the two",
         r"\frac{\delta}{T}",
         r"\frac{m_D}{m_D+m_H}\cdot\frac{b_D}{m_D}+\frac{m_H}{m_D+m_H}\cdot\frac{b_H}{m_H}",
         page.same("the mean", damper / T, mean),

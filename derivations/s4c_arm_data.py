@@ -56,7 +56,9 @@ def derive(page):
         all_of_them = ratios(column)
         most = all_of_them.pop(EXCLUDED)
         shown.append((name, most / max(all_of_them.values())))
-    page.enclosed("How many times", shown, places=6)
+    page.enclosed(
+        "The ratios of Kuchenbecker et al. exceed the next ones by the factors", shown, places=6
+    )
     far = CLAIMED["s4c-outlier"](())
     page.settle(
         "s4c-outlier",
@@ -110,7 +112,7 @@ def converted(page):
         "seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ 9.80665 m/s$^2$."
     )
     page.step(
-        "Critical damping at 1 Hz",
+        "At 1 Hz critical damping is",
         (4 * pi) ** 2 - 4 * (4 * pi**2),
         S.Zero,
         name=r"b_H^2-4k_Hm_H\,\big|_{m_H=1,\ k_H=4\pi^2,\ b_H=4\pi}",
@@ -123,7 +125,7 @@ def converted(page):
         (r"1\,\mathrm{lbf\,s/in}", force, lawrence.damping),
     )
     page.enclosed(
-        "In SI units",
+        "In SI units the limits are",
         [(name, value) for name, value, _ in found],
         because="printed as 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,

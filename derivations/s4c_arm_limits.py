@@ -62,15 +62,15 @@ def largest(page):
         "the last digits would allow"
     )
     page.step(
-        "The stiffest arm that the printed digits allow",
+        "The stiffest arm that the printed digits allow has",
         Rational("568.5") / Rational("0.75"),
         S(758),
         name=r"\frac{568.5}{0.75}",
     )
     page.say(f"The row of {EXCLUDED} is left out. At $T=1$ ms, with a device of no mass, it has")
     hard, viscous = RATIOS[EXCLUDED]
-    page.step("A stiffness beyond (23)", hard * PERIOD**2, Rational(1, 150), name=gamma)
-    page.step("A damping beyond (23)", viscous * PERIOD, Rational(1, 20), name=delta)
+    page.step("This stiffness is beyond (23)", hard * PERIOD**2, Rational(1, 150), name=gamma)
+    page.step("This damping is beyond (23)", viscous * PERIOD, Rational(1, 20), name=delta)
     return spring, up
 
 
@@ -78,7 +78,7 @@ def limits(page, spring, damper):
     """(22) from (19), (21) and the devices of the paper's reference [8]."""
     total = damper + DEVICE
     page.show(
-        "Arm and device together",
+        "The limits of arm and device add up",
         "14.6+0.625",
         "15.225",
         page.same("sum", total, Rational("15.225")),
@@ -91,7 +91,7 @@ def limits(page, spring, damper):
     )
     held = {gamma: T**2 * k_H / (m_D + m_H), delta: T * (b_D + b_H) / (m_D + m_H)}
     for name, meaning in held.items():
-        page.define("By (19)", name, meaning)
+        page.define("(19) gives the numbers per mass", name, meaning)
     inside = page.lemma(
         "Arm and device within their limits",
         conjoined(*within(spring, damper, DEVICE)),

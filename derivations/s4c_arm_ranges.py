@@ -49,7 +49,7 @@ def derive(page):
     )
     factors = [more / value for more, value in zip(wide, before, strict=True)]
     page.enclosed(
-        "The factors after rounding",
+        "After rounding the ranges are wider by",
         [
             (rf"\frac{{{text}}}{{{NAMES[name]}}}", factor)
             for name, text, factor in zip(NAMES, ("0.001", "0.020"), factors, strict=True)
@@ -113,7 +113,7 @@ def periods(page):
     spare = 20 * LONGEST - DAMPING * LONGEST
     page.lemma("The damping too", positive(DAMPING * T < 20 * LONGEST, [spare], [DAMPING, short]))
     page.enclosed(
-        "The longest periods that are covered, in milliseconds",
+        "They cover periods up to, in milliseconds",
         [
             ("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000),
             ("T_{\\delta}", 20 / DAMPING),
@@ -126,7 +126,7 @@ def periods(page):
         del others[name]
     limit = max(others.values()) + Rational(DEVICE_RATIO)
     page.show(
-        "Without the row of Tsuji et al. the sum",
+        "Without the row of Tsuji et al. the sum is",
         "12.6+0.625",
         "13.225",
         page.same("limit", limit, Rational("13.225")),

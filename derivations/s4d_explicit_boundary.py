@@ -7,6 +7,7 @@ and that is enough: on the unit circle one complex equation fixes both.
 
 from sympy import Rational, S, cos, sin, tan
 
+from symhaptic.book.figures.arguments import crossing
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
@@ -16,13 +17,7 @@ from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import explicit, on_boundary
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    absurd,
-    assume,
-    part,
-    placed,
-    weakened,
-)
+from symhaptic.proof.theorems.kernel import absurd, assume, part, placed, weakened
 from symhaptic.proof.theorems.tactics import counterexample, every, example, fact, for_all
 
 
@@ -32,21 +27,19 @@ def derive(page):
     page.say("With $A=z^2-az+e$ and $N=n_1z+n_0$, a root of the polynomial is a point where")
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
-        "The wall that a root needs",
+        "A root needs this wall",
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zN(z)}",
         because="vanishes: $\\alpha+\\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
-    page.say(
-        "On the unit circle, $z=e^{j\\theta}$, real and imaginary part are two real equations."
-    )
+    page.say("On the circle, $z=e^{j\\theta}$, real and imaginary part are two real equations.")
     stiffness, damping = boundary.solved(on_circle(q))
     solved = page.same(
         "both solved", on_circle(polynomial).subs({alpha: stiffness, beta: damping}), S.Zero
     )
     page.show(
-        "Damping on the boundary",
+        "The boundary has this damping",
         beta,
         r"\frac{\Im Q}{\sin\theta}",
         solved,
@@ -54,26 +47,33 @@ def derive(page):
         boxed=True,
     )
     page.show(
-        "Stiffness on the boundary",
+        "It has this stiffness",
         alpha,
         r"\Re Q-\beta(1-\cos\theta)",
         solved,
         because="with both, $p_1(e^{j\\theta})$ vanishes identically",
         boxed=True,
     )
+    page.figure(
+        "crossing",
+        "Stiffer and stiffer walls ($d=1$, $\\gamma=0.05$, $\\delta=0.4$), and their roots.",
+        crossing,
+        panels=(1, 2),
+        height=0.45,
+    )
     page.say(
-        "No grid and no iteration: each angle gives one point of the boundary. The other pieces "
-        "are the lines of a root at $z=1$ and at $z=-1$:"
+        "No grid and no iteration: each angle gives one point of the boundary, where a pair of "
+        "roots crosses the circle. The other pieces are the lines of a root at 1 and at $-1$:"
     )
     page.step(
-        "A root at 1",
+        "A root at 1 leaves on the line $\\alpha=-\\gamma$",
         polynomial.subs(z, 1),
         1 - a + e + (n_1 + n_0) * alpha,
         name="p_1(1)",
         because="zero for $\\alpha=-\\gamma$, as $1-a+e=\\gamma(n_1+n_0)$",
     )
     page.step(
-        "A root at $-1$, even delays",
+        "A root at $-1$ leaves on another line, here for even delays",
         polynomial.subs(d, 0).subs(z, -1),
         (n_1 - n_0) * (alpha + 2 * beta) - (1 + a + e),
         name="p_1(-1)",
@@ -83,21 +83,21 @@ def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {a: free.a, e: free.e, n_1: free.n1, n_0: free.n0}
     short_stiffness = page.step(
-        "Stiffness of the free mass",
+        "The free mass has this stiffness on its boundary",
         stiffness.subs(numbers),
         4 * tan(theta / 2) ** 2 * cos((d + 1) * theta),
         name=alpha,
         boxed=True,
     )
     short_damping = page.step(
-        "Damping of the free mass",
+        "The free mass has this damping on its boundary",
         damping.subs(numbers),
         2 * tan(theta / 2) * sin((d + S.Half) * theta) / cos(theta / 2),
         name=beta,
         boxed=True,
     )
     page.limit(
-        "Slope at the origin",
+        "At the origin damping over stiffness is the delay and a half",
         short_damping / short_stiffness,
         theta,
         S.Zero,

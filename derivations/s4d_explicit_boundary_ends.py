@@ -31,20 +31,20 @@ def start(page):
     given = {gamma: (delta**2 - c**2) / 4}
     static = (1 - device.a + device.e).xreplace(given)
     page.show(
-        "The arm's stiffness",
+        "The arm's stiffness in poles is",
         "1-a+e",
         gamma * TOTAL,
         page.same("static", static, (gamma * (device.n1 + device.n0)).xreplace(given)),
         because="as $P(1)=1/\\gamma$. It takes the place of $a$",
     )
     page.say("Three more numbers of the arm keep the formulas short:")
-    page.define("A share", nu, NU)
-    page.define("A damping", s_1, FIRST)
-    page.define("A mass", s_2, 1 / TOTAL - (1 - nu) * s_1)
+    page.define("The numerator's second number has a share $\\nu$", nu, NU)
+    page.define("At low frequencies the device shows the damping $s_1$", s_1, FIRST)
+    page.define("At low frequencies it shows the mass $s_2$", s_2, 1 / TOTAL - (1 - nu) * s_1)
     near = gamma + s_1 * (z - 1) + s_2 * (z - 1) ** 2 / (1 + (1 - nu) * (z - 1))
     arm = plant.Sampled(N_1, N_0, 1 + E - gamma * TOTAL, E)
     page.show(
-        "The arm near $z=1$",
+        "Near $z=1$ the arm is these three",
         r"\frac{1}{P(z)}",
         near,
         page.same("near 1", 1 / arm.transfer, near.subs({nu: NU, s_1: FIRST, s_2: SECOND})),
@@ -53,16 +53,16 @@ def start(page):
     page.limit(
         "The boundary starts on the left bound", stiffness, theta, S.Zero, -gamma, name=alpha
     )
-    page.limit("Its damping there", damping, theta, S.Zero, -s_1 - d * gamma, name=beta)
+    page.limit("Its damping there is", damping, theta, S.Zero, -s_1 - d * gamma, name=beta)
     right = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
     up = (d + nu) * s_2 + d * (d + 1) * s_1 / 2 + d * (d**2 - 1) * gamma / 6
     across, name = (stiffness + gamma) / theta**2, r"\frac{\alpha+\gamma}{\theta^2}"
-    page.limit("How far it goes to the right", across, theta, S.Zero, right, name=name)
+    page.limit("From there it goes to the right by", across, theta, S.Zero, right, name=name)
     across, name = (damping + s_1 + d * gamma) / theta**2, r"\frac{\beta+s_1+d\gamma}{\theta^2}"
-    page.limit("How far it goes up", across, theta, S.Zero, up, name=name)
+    page.limit("From there it goes up by", across, theta, S.Zero, up, name=name)
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     page.step(
-        "So its slope is",
+        "At the start the boundary has the slope",
         up / right,
         d + Rational(1, 2) - short / (12 * s_2 + 12 * (d + 1) * s_1 + 6 * d * (d + 1) * gamma),
         name=r"\frac{d\beta}{d\alpha}",
@@ -76,11 +76,11 @@ def without_spring(page, slope):
     """gamma = 0: the start is (0, -delta), on the line."""
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     numbers = {gamma: 0, N_1: device.n1, N_0: device.n0, E: device.e}
-    page.step("Its damping without a spring", FIRST.subs(numbers), delta, name=s_1)
-    page.step("Its mass", SECOND.subs(numbers), S.One, name=s_2)
+    page.step("Without a spring the damping is $\\delta$", FIRST.subs(numbers), delta, name=s_1)
+    page.step("Without a spring its mass is", SECOND.subs(numbers), S.One, name=s_2)
     excess = 1 / tanh(delta / 2) - 2 / delta
     page.step(
-        "The boundary starts at $(0,-\\delta)$ with the slope",
+        "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
         slope.subs(numbers),
         d + Rational(1, 2) - ((d + 1) ** 2 * delta + excess) / (2 + 2 * (d + 1) * delta),
         name=r"\frac{d\beta}{d\alpha}",
@@ -94,7 +94,7 @@ def without_spring(page, slope):
     slope = sign.combined(diff(rise, delta), [Rational(1, 4), up.above, sine])
     under = sign.combined(delta * sinh(delta / 2), [half, up.above, sine])
     page.positive(
-        "Flatter than the line",
+        "The start is flatter than the line",
         sign.quotient(excess, sign.integrated(rise, up, slope), under),
         r"\delta>0",
         because="so the boundary falls below the line at once",
@@ -111,7 +111,7 @@ def gap(page):
     below = FIRST.subs(numbers) - delta - gamma / 2
     weighed = below * gamma * (device.n1 + device.n0)
     page.show(
-        "How far the start lies below that line",
+        "Below that line the start lies by",
         r"s_1-\delta-\tfrac12\gamma",
         exp(-delta / 2) / (gamma * TOTAL) * waves,
         page.same("gap", weighed.xreplace(given), (exp(-delta / 2) * waves).xreplace(given)),
@@ -119,7 +119,7 @@ def gap(page):
     )
     scaled = waves.xreplace(given).subs({delta: h * delta, c: h * c}, simultaneous=True)
     page.show(
-        "Short periods, $\\delta$ of order $T$ and $\\gamma$ of order $T^2$",
+        "For short periods, $\\delta$ of order $T$ and $\\gamma$ of order $T^2$, that is",
         r"\lim_{T\to0}\frac{720}{\delta\gamma^2}\bigl(s_1-\delta-\tfrac12\gamma\bigr)",
         S.One,
         page.limits(720 * scaled / (h**7 * delta * gamma**3).xreplace(given), h, S.Zero, S.One),
@@ -127,7 +127,7 @@ def gap(page):
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23)", [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))]
+        "At the corner of (23) it is", [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))]
     )
 
 
@@ -138,7 +138,7 @@ def nyquist(page):
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))
     end = N_1 * (1 + a + E) / (N_1 - N_0) ** 2 - (2 + a + d * (1 + a + E)) / (N_1 - N_0)
     page.say("At the other end, for whole $d$ and $n_1\\ne n_0$, a factor $(-1)^d$ is left:")
-    page.limit("The damping it ends with", damping, theta, pi, end, name=r"(-1)^d\beta")
+    page.limit("It ends with the damping", damping, theta, pi, end, name=r"(-1)^d\beta")
     page.limit(
         "It ends on the line of a root at $-1$",
         stiffness + 2 * damping,

@@ -6,11 +6,14 @@ their signs, for every arm that swings by less than half a turn in a period,
 $\gamma-\frac14\delta^2<\pi^2$: the limit (30) of the paper.
 """
 
-from sympy import cosh, diff, exp, sinh, sqrt, symbols
+from sympy import S, cosh, diff, exp, sinh, sqrt
 
+from symhaptic.book.lemmas.arm_numbers import ARM, pushed, signs
 from symhaptic.model import linear, plant
 from symhaptic.model.parts import FULL
-from symhaptic.notation import c, delta, gamma, n_0, n_1, s_1, s_2, t, x, z
+from symhaptic.notation import a, c, delta, e, gamma, n_0, n_1, s_1, s_2, t, x, z
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import every, example, for_all
 
 
 def derive(page):
@@ -26,14 +29,14 @@ def derive(page):
     high, low = delta / 2, c / 2
     slope_ = sinh(high) / high - sinh(low) / low
     page.show(
-        "The sum",
+        "The sum is a rise of $C$",
         r"\gamma(n_1+n_0)",
         r"2e^{-\delta/2}\,(C(p)-C(q))",
         page.same("sum", (total * gamma).xreplace(given), 2 * fall * (cosh(high) - cosh(low))),
         because="positive for $\\gamma>0$, as $C$ rises with the slope $\\frac12S$",
     )
     page.show(
-        "The difference",
+        "The difference is a rise of $S$",
         r"\gamma(n_1-n_0)",
         r"\delta e^{-\delta/2}\,(S(p)-S(q))",
         page.same(
@@ -44,7 +47,7 @@ def derive(page):
     swing = exp(-delta * t / 2) * sinh(c * t / 2) / (c / 2)
     pushed = plant.normalised(FULL).held(t, c)[0]
     page.show(
-        "The first sample",
+        "The first sample is a mean of the force",
         r"n_1",
         r"\int_0^1e^{-\delta t/2}\,t\,S(qt^2)\,dt",
         page.same("first", diff(pushed, t), swing),
@@ -65,7 +68,7 @@ def derive(page):
         "gap", waves.xreplace(given), (delta * fall / gamma * trapezium).xreplace(given)
     )
     page.show(
-        "The gap",
+        "The gap compares a mean of $S$ with a rise of $C$",
         r"(n_1+n_0)\Bigl(s_1-\delta-\frac\gamma2\Bigr)",
         r"\frac{\delta e^{-\delta/2}}{\gamma}\Bigl(\gamma\,\frac{S(p)+S(q)}2-2(C(p)-C(q))\Bigr)",
         rule,
@@ -76,30 +79,42 @@ def derive(page):
         "So $g\\ge0$, and $g>0$ for $\\gamma\\delta>0$. Without a spring $\\nu$, $s_1=\\delta$ and "
         "$s_2=1$ are the limits, with $g=0$."
     )
+    _settled(page)
+
+
+def _settled(page):
+    page.lemma(
+        "A device that swings by less than half a turn goes forwards under a force held",
+        pushed()[1],
+        because="a blow moves it forwards for all of the period",
+    )
+    numbers, (device, *arms) = (n_1, n_0, a, e), ARM
+    found = for_all(numbers, [device], signs())
     page.state(
         "arm-numbers",
         "for $\\gamma-\\frac14\\delta^2<\\pi^2$: $0<\\nu\\le\\frac12$, $s_2>0$ and "
         "$s_1\\ge\\delta+\\frac12\\gamma$, which is $>$ for $\\gamma\\delta>0$",
+        claim=every((gamma, delta), arms, found.conclusion),
     )
     page.settle(
         "arm-numbers",
-        rule,
-        second,
-        note="and from $S,S',S''>0$ above $-\\pi^2$",
+        for_all((gamma, delta), arms, weakened(found, *arms)),
+        example=example({gamma: S.One, delta: S.One}, arms),
+        note="the start of the boundary is below the line by $\\gamma^2$ times a positive mean",
     )
 
 
 def roots(page):
     """S and its derivatives."""
     page.step(
-        "The slope of $C$",
+        "$C$ has the slope",
         diff(cosh(sqrt(x)), x),
         sinh(sqrt(x)) / sqrt(x) / 2,
         name="C'(x)",
         because="half of $S(x)$",
     )
     page.show(
-        "$S$ as a mean of $C$",
+        "$S$ is a mean of $C$",
         "S(x)",
         r"\int_0^1C(xt^2)\,dt",
         page.same("mean", diff(sinh(sqrt(x) * t) / sqrt(x), t), cosh(sqrt(x) * t)),
@@ -114,15 +129,14 @@ def roots(page):
 
 def mass(page):
     """s_2 by the denominator at the zero of the numerator."""
-    e = symbols("e")
     arm = plant.Sampled(n_1, n_0, 1 + e - gamma * (n_1 + n_0), e)
     value = arm.denominator.subs(z, -n_0 / n_1)
     found = linear.numbers(arm)
     page.show(
-        "The number $s_2$",
+        "The number $s_2$ is",
         s_2,
         r"\frac{n_1^2\,A(-n_0/n_1)}{(n_1+n_0)^3}",
         page.same("s_2", found[s_2], n_1**2 * value / (n_1 + n_0) ** 3),
         because="positive: the roots of $A$ are not real, or positive",
     )
-    page.step("With $s_1$", found[s_1], (1 - e + gamma * n_0) / (n_1 + n_0), name=s_1)
+    page.step("The number $s_1$ is", found[s_1], (1 - e + gamma * n_0) / (n_1 + n_0), name=s_1)

@@ -19,13 +19,13 @@ def derive(page):
     arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
     stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
     spring = page.define(
-        "A function of the spring, $\\Omega=\\sqrt\\gamma$",
+        "One function of the spring decides, with $\\Omega=\\sqrt\\gamma$",
         SPRING,
         gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
     ).xreplace({gamma: Omega**2})
     first, second = cos(ANGLE) / cos(theta / 2) ** 2, 2 * sin(ANGLE) / sin(theta)
     page.show(
-        "The boundary's stiffness",
+        "The boundary has this stiffness",
         alpha,
         SPRING * first,
         page.same("stiffness", stiffness, spring * first),
@@ -33,7 +33,7 @@ def derive(page):
         because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
     )
     page.show(
-        "The boundary's damping",
+        "It has this damping",
         alpha + 2 * beta,
         SPRING * second,
         page.same("damping", stiffness + 2 * damping, spring * second),
@@ -51,17 +51,31 @@ def begin(page, stiffness, damping):
         "It starts on the line $\\beta=\\alpha(d+\\frac12)$ of (25), but flatter; with "
         "$x=\\cos\\Omega$:"
     )
-    page.limit("Stiffness", stiffness, theta, S.Zero, S.NegativeOne, name=r"\alpha/\gamma")
-    page.limit("Damping", damping, theta, S.Zero, -(d + half), name=r"\beta/\gamma")
+    page.limit(
+        "It starts from the stiffness",
+        stiffness,
+        theta,
+        S.Zero,
+        S.NegativeOne,
+        name=r"\alpha/\gamma",
+    )
+    page.limit(
+        "It starts from the damping", damping, theta, S.Zero, -(d + half), name=r"\beta/\gamma"
+    )
     right = (1 + x) / (4 * (1 - x)) + (d + 1) ** 2 / 2
     up = (d + half) * right - (d + 1) * (2 * d + 1) * (2 * d + 3) / 12
     name = r"\frac{\alpha+\gamma}{\gamma\theta^2}"
     page.limit(
-        "How far it goes to the right", (stiffness + 1) / theta**2, theta, S.Zero, right, name=name
+        "From there it goes to the right by",
+        (stiffness + 1) / theta**2,
+        theta,
+        S.Zero,
+        right,
+        name=name,
     )
     page.limits((damping + d + half) / theta**2, theta, S.Zero, up)
     page.step(
-        "So the slope is",
+        "At the start it has the slope",
         up / right,
         d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
         name=r"\frac{d\beta}{d\alpha}",
@@ -79,7 +93,7 @@ def end(page):
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
-        "The line that it approaches",
+        "It approaches this line",
         2 * per_gamma * sin((d + 1) * (pi - theta)) / sin(theta),
         theta,
         pi,
@@ -94,7 +108,7 @@ def end(page):
         name=r"\alpha/\gamma",
     )
     page.step(
-        "Its damping then",
+        "Its damping is then",
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
         name=r"(\alpha+2\beta)/\gamma",

@@ -24,20 +24,20 @@ def derive(page):
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(FREE)))
     t = tan(theta / 2)
     page.show(
-        "The boundary's stiffness, with $\\tau=\\tan\\frac\\theta2$",
+        "With $\\tau=\\tan\\frac\\theta2$ the boundary's stiffness is",
         alpha,
         4 * tau**2 * cos(ANGLE),
         page.same("stiffness", stiffness, 4 * t**2 * cos(ANGLE)),
     )
     page.show(
-        "The boundary's damping",
+        "The boundary's damping is",
         alpha + 2 * beta,
         4 * tau * sin(ANGLE),
         page.same("damping", stiffness + 2 * damping, 4 * t * sin(ANGLE)),
     )
     necessary(page, polynomial, t)
     page.show(
-        "The other way round, on the whole boundary",
+        "On the whole boundary stiffness and angle give the damping",
         r"(\alpha+2\beta)^2",
         16 * tau**2 - alpha**2 / tau**2,
         page.same("level", (stiffness + 2 * damping) ** 2, 16 * t**2 - stiffness**2 / t**2),
@@ -51,7 +51,12 @@ def derive(page):
         "Near $\\alpha=0$ it has the walls of small positive $\\beta$:"
     )
     loose = z ** (d + 1) * (z - 1) + beta * (z + 1) / 2
-    page.step("On the line $\\alpha=0$", polynomial.subs(alpha, 0), (z - 1) * loose, name="p_1(z)")
+    page.step(
+        "On the line $\\alpha=0$ two roots are known",
+        polynomial.subs(alpha, 0),
+        (z - 1) * loose,
+        name="p_1(z)",
+    )
     page.step(
         "The second root near 1 moves inside",
         (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
@@ -60,7 +65,7 @@ def derive(page):
         because="from $z=1$ at $\\beta=0$; the other $d+1$ roots start at 0",
     )
     page.step(
-        "The first one follows",
+        "The first root follows",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
@@ -77,19 +82,25 @@ def derive(page):
 
 def necessary(page, polynomial, t):
     """A stable wall lies between the two ends of the first arc."""
-    page.step("At $z=1$", polynomial.subs(z, 1), alpha, name="p_1(1)", because="so $\\alpha>0$")
+    page.step(
+        "At $z=1$ the polynomial is $\\alpha$",
+        polynomial.subs(z, 1),
+        alpha,
+        name="p_1(1)",
+        because="so $\\alpha>0$",
+    )
     real = cos(theta / 2) ** 2 * (alpha - 4 * tau**2 * cos(ANGLE))
     imaginary = sin(theta) / 2 * (alpha + 2 * beta - 4 * tau * sin(ANGLE))
     turned = on_circle(polynomial) * exp(-I * theta)
     page.show(
-        "Along the upper half of the circle",
+        "Along the upper half of the circle it turns with",
         r"e^{-j\theta}p_1(e^{j\theta})",
         real + I * imaginary,
         page.same("on the circle", turned, (real + I * imaginary).subs(tau, t)),
     )
     root = x + I * y
     page.step(
-        "The share of a root $r=x+jy$ in its turning",
+        "A root $r=x+jy$ has this share in its turning",
         real_part(on_circle(z / (z - root))) - HALF,
         (1 - x**2 - y**2) / (2 * ((cos(theta) - x) ** 2 + (sin(theta) - y) ** 2)),
         name=r"\frac{d}{d\theta}\arg(e^{j\theta}-r)-\tfrac12",
@@ -116,7 +127,7 @@ def necessary(page, polynomial, t):
     size = sign.combined(d + 1, [1], [steps])
     level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
     page.positive(
-        "It is concave",
+        "The arc is concave",
         sign.combined(-diff(level, theta, 2), [size, size, late], [Rational(1, 8), stiff, bent]),
         r"\alpha>0,\ \cos(d+1)\theta\ge0",
         name="-h''",

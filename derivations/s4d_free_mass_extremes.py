@@ -23,12 +23,12 @@ def derive(page):
     t = tan(theta / 2)
     stiffness, damping = 4 * t**2 * cos(ANGLE), 2 * t * sin(ANGLE) - 2 * t**2 * cos(ANGLE)
     arc = page.same("boundary", boundary.wall(free), (stiffness, damping))
-    page.show("The arc, with $\\tau=\\tan\\frac\\theta2$", alpha, 4 * tau**2 * cos(ANGLE), arc)
-    page.show("Its damping", beta, 2 * tau * sin(ANGLE) - 2 * tau**2 * cos(ANGLE), arc)
+    page.show("With $\\tau=\\tan\\frac\\theta2$ the arc is", alpha, 4 * tau**2 * cos(ANGLE), arc)
+    page.show("Its damping is", beta, 2 * tau * sin(ANGLE) - 2 * tau**2 * cos(ANGLE), arc)
     bend = 2 * cos(ANGLE) - (d + 1) * sin(theta) * sin(ANGLE)
     signs(page, damping, bend)
     page.step(
-        "So the largest damping is that of its end, where $\\alpha=0$",
+        "The largest damping is that of its end, where $\\alpha=0$",
         damping.subs(theta, pi / (2 * (d + 1))),
         2 * tan(pi / (4 * (d + 1))),
         name=r"\beta_{\max}",
@@ -41,7 +41,7 @@ def derive(page):
         4 * tau**2 * Symbol("g") / sin(theta),
         page.same("slope", diff(stiffness, theta), 4 * t**2 / sin(theta) * bend),
     )
-    page.step("It starts from", bend.subs(theta, 0), S(2), name="g")
+    page.step("That function starts from", bend.subs(theta, 0), S(2), name="g")
     page.step(
         "It falls to",
         -bend.subs(theta, pi / (2 * (d + 1))),
@@ -114,12 +114,12 @@ def whole_delays(page, stiffness, bend):
         quarter = (1 - x) / (1 + x) * polynomial
         found.append(roots.algebraic(quarter, turning, x, rho, end, S.One))
     page.minimal(
-        "Minimal polynomials",
+        "The largest stiffnesses are algebraic, with these minimal polynomials",
         [(rf"\mu_{delay}(\rho)", number) for delay, number in enumerate(found)],
         because="$\\alpha_{\\max}(d)/4$ is the smallest positive root of $\\mu_d$",
     )
     page.enclosed(
-        "Largest stable stiffness of a free mass",
+        "The largest stable stiffness of a free mass is",
         [
             (rf"\alpha_{{\max}}({delay})", value(4 * rho, {rho: number}))
             for delay, number in enumerate(found)
@@ -128,7 +128,7 @@ def whole_delays(page, stiffness, bend):
     )
     at = sqrt(2) - 1
     page.step(
-        "Without delay in closed form",
+        "Without delay it has a closed form",
         4 * (1 - at) / (1 + at) * at,
         12 - 8 * sqrt(2),
         name=r"\alpha_{\max}(0)",

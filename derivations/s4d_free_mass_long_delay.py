@@ -22,14 +22,14 @@ def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
     scaled = page.step(
-        "The stiffness",
+        "With $\\varphi$ for the angle the stiffness is",
         stiffness / h**2,
         LONG * (tan(h * phi / 2) / (h * phi / 2)) ** 2,
         name=r"(d+1)^2\alpha",
     )
-    page.limit("For long delays", scaled, h, S.Zero, LONG, name=r"(d+1)^2\alpha")
+    page.limit("For long delays it tends to", scaled, h, S.Zero, LONG, name=r"(d+1)^2\alpha")
     page.step(
-        "Its slope",
+        "The limit has the slope",
         diff(LONG, phi),
         phi * cos(phi) * (2 - phi * tan(phi)),
         name=r"\tfrac{d}{d\varphi}\,\varphi^2\cos\varphi",
@@ -37,7 +37,9 @@ def derive(page):
     )
     angle = zero(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
     largest = value(LONG, {phi: angle})
-    page.enclosed("In numbers", [(r"\varphi_*", angle), (r"\varphi_*^2\cos\varphi_*", largest)])
+    page.enclosed(
+        "In numbers the peak is at", [(r"\varphi_*", angle), (r"\varphi_*^2\cos\varphi_*", largest)]
+    )
     sides(page)
     page.say(
         "With $h\\varphi\\le h\\pi/2$ the largest stiffness is therefore kept between two sides "
@@ -55,7 +57,7 @@ def expansion(page, scaled, angle):
     """The next two terms in 1/(d+1)."""
     next_one = phi**4 * cos(phi) / 6
     name = r"\bigl((d+1)^2\alpha-\varphi^2\cos\varphi\bigr)/h^2"
-    page.limit("The next term", (scaled - LONG) / h**2, h, S.Zero, next_one, name=name)
+    page.limit("The next term is", (scaled - LONG) / h**2, h, S.Zero, next_one, name=name)
     after = 17 * phi**6 * cos(phi) / 720
     page.limits((scaled - LONG - h**2 * next_one) / h**4, h, S.Zero, after)
     there = {sin(phi): 2 * cos(phi) / phi}
@@ -72,10 +74,10 @@ def expansion(page, scaled, angle):
         "(1+a_2h^2+a_4h^4+\\ldots)$, where the move of the angle enters $a_4$ only:"
     )
     second, third = phi**2 / 6, phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
-    page.step("Factor of $h^2$", next_one / LONG, second, name="a_2", because=AT)
-    page.step("Factor of $h^4$", (after - shift) / LONG, third, name="a_4", because=AT)
+    page.step("The factor of $h^2$ is", next_one / LONG, second, name="a_2", because=AT)
+    page.step("The factor of $h^4$ is", (after - shift) / LONG, third, name="a_4", because=AT)
     numbers = (value(term, {phi: angle}) for term in (second, third))
-    page.enclosed("In numbers", list(zip(("a_2", "a_4"), numbers, strict=True)))
+    page.enclosed("In numbers the next terms are", list(zip(("a_2", "a_4"), numbers, strict=True)))
 
 
 def sides(page):

@@ -96,7 +96,7 @@ def bezout(page):
     f, g = symbols("f_0:3"), symbols("g_0:2")
     matrix = Matrix([[f[2] * g[1], f[2] * g[0]], [f[2] * g[0], f[1] * g[0] - f[0] * g[1]]])
     proof = page.same("B", Matrix(jury.bezoutian(f, g)), matrix)
-    page.show("The matrix for degree 4", "B", matrix, proof, because="for $F=f_2x^2+f_1x+f_0$")
+    page.show("For degree 4 the matrix is", "B", matrix, proof, because="for $F=f_2x^2+f_1x+f_0$")
     for m in (1, 2, 3):
         f, g = symbols(f"f_0:{m + 1}"), symbols(f"g_0:{m + 1}")
         at = {v: [sum(c * v**i for i, c in enumerate(h)) for h in (f, g)] for v in (x, y)}
@@ -107,7 +107,7 @@ def bezout(page):
         proof = page.same("the diagonal", there, F.diff(x) * G - F * G.diff(x))
         if m == 2:
             name = r"\lim_{y\to x}\frac{F(x)G(y)-F(y)G(x)}{x-y}"
-            page.show("The form at $x=y$", name, F.diff(x) * G - F * G.diff(x), proof)
+            page.show("At $x=y$ the form is", name, F.diff(x) * G - F * G.diff(x), proof)
 
 
 def half_planes(page):
@@ -133,7 +133,7 @@ def inners(page):
         matrices = [jury.inner(falling, order) for order in range(1 + n % 2, n, 2)]
         proof = page.same("Jury's inners", minors, [m.det() for m in matrices])
     page.show(
-        "Jury's matrix for degree 4",
+        "For degree 4 Jury's matrix is",
         "X-Y",
         matrices[-1],
         proof,

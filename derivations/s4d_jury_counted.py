@@ -26,7 +26,7 @@ HEAD = ["$d$", "inequalities", "half planes", "terms", "degree in $\\alpha$", "i
 def derive(page):
     page.say("Without delay, $n=3$, there are three half planes and one minor, for any device:")
     page.result(
-        "Stable without delay",
+        "Without delay a wall is stable if and only if",
         (
             1 - a + e + (n_1 + n_0) * alpha > 0,
             3 - a - e + (n_1 - n_0) * alpha + 2 * (n_1 + n_0) * beta > 0,
@@ -90,7 +90,7 @@ def pairs(page):
     a_0, a_1, a_2 = symbols("a_0:3")
     minor = 1 - a_1 + a_0 * a_2 - a_0**2
     page.same("last minor", jury.criterion([S.One, a_2, a_1, a_0]).expressions[-1], minor)
-    page.show("The last minor, degree 3", minor, product, proof)
+    page.show("For degree 3 the last minor is", minor, product, proof)
 
 
 def row(delay):

@@ -25,17 +25,18 @@ def derive(page):
     page.same("at rest", rest, 4 / (delta**2 - c**2))
     page.say("A spring has $P(1)=1/\\gamma$, that is $a=1+e-\\gamma(n_1+n_0)$. So for any device:")
     spring = {a: 1 + e - gamma * RISE}
-    page.step("First half plane", first.subs(spring), RISE * (alpha + gamma), name="p_1(1)")
+    one = RISE * (alpha + gamma)
+    page.step("One side is the line $\\alpha=-\\gamma$", first.subs(spring), one, name="p_1(1)")
     top = (1 - n_0 * beta) * (RISE * beta + 1 - e + gamma * n_0)
     below = n_0 * (1 + n_1 * beta)
     split = top - below * (alpha + gamma)
-    page.step("The minor", minor.subs(spring), split, name=r"\Delta_2")
+    page.step("The minor is", minor.subs(spring), split, name=r"\Delta_2")
     page.show(
-        "Solved, with any spring",
+        "With any spring the minor vanishes at this stiffness",
         alpha + gamma,
         top / below,
         page.same("on the curve", split.subs(alpha, top / below - gamma), S.Zero),
-        because="the minor vanishes there; a spring needs neither a grid nor a parameter",
+        because="a spring needs neither a grid nor a parameter",
         boxed=True,
     )
     page.say(
@@ -47,12 +48,8 @@ def derive(page):
     page.same("the trace", DAMPED.a, 1 + DAMPED.e)
     four = (first, second, third, minor)
     first, second, third, minor = (f.subs(a, 1 + e).subs(e, 1 - delta * RISE) for f in four)
-    page.step(
-        "The minor without spring",
-        minor,
-        RISE * (beta + delta) * (1 - n_0 * beta) - n_0 * alpha * (1 + n_1 * beta),
-        name=r"\Delta_2",
-    )
+    last = RISE * (beta + delta) * (1 - n_0 * beta) - n_0 * alpha * (1 + n_1 * beta)
+    page.step("Without a spring the minor is", minor, last, name=r"\Delta_2")
     signs(page)
     necessary(page, minor, 8 - first - second - third)
     sufficient(page, second, third, minor)
@@ -71,10 +68,10 @@ def signs(page):
     lost = integrated(1 - e, up, combined(e, [left]))
     bend = combined(diff(light, delta, 2), [6, left, room], [4, left, up.above, lost])
     light = integrated(light, soft, integrated(diff(light, delta), soft, bend))
-    page.positive("A coefficient", low, r"\delta>0", name=r"\delta^2n_0")
-    page.positive("A difference", apart, r"\delta>0", name=r"\delta^2(n_1-n_0)")
+    page.positive("The number $n_0$ is positive", low, r"\delta>0", name=r"\delta^2n_0")
+    page.positive("The number $n_1$ is the larger", apart, r"\delta>0", name=r"\delta^2(n_1-n_0)")
     on, name = r"0<\delta\le\tfrac13", r"\delta^2\bigl((2+e)n_0-n_1\bigr)"
-    page.positive("For light damping", light, on, name=name)
+    page.positive("For light damping $(2+e)n_0$ exceeds $n_1$", light, on, name=name)
 
 
 def necessary(page, minor, between):
@@ -107,9 +104,9 @@ def sufficient(page, second, third, minor):
     edge = quotient(1 - n_0 * beta, product, both)
     page.say("Conversely let $\\alpha>0$, $\\beta>-\\delta$, $\\Delta_2>0$. With the signs above:")
     on = r"\alpha>0,\ \beta>-\delta,\ \Delta_2>0"
-    page.positive("The other side", edge, on)
+    page.positive("The damping stays below $1/n_0$", edge, on)
     second = combined(second, [2, rise, brake], [apart, push])
-    page.positive("Second half plane", second, on, name="c_1")
+    page.positive("The second half plane follows from the minor", second, on, name="c_1")
     scale = combined(more.expr * low.expr * above.expr, [more, low, above])
     product = combined(
         scale.expr * third,
@@ -119,7 +116,8 @@ def sufficient(page, second, third, minor):
         [more, apart, apart, brake, edge],
     )
     third = quotient(third, product, scale)
-    page.positive("Third half plane", third, on + r",\ \delta\le\tfrac13", name="-p_1(-1)")
+    light = on + r",\ \delta\le\tfrac13"
+    page.positive("The third half plane follows, too", third, light, name="-p_1(-1)")
 
 
 def formulas(page, minor):
@@ -134,16 +132,17 @@ def formulas(page, minor):
     left = 1 - (1 + delta) * f
     explicit = delta * (1 - f) * (beta + delta) * (delta**2 - left * beta)
     explicit /= left * (delta**2 + (delta - 1 + f) * beta)
-    page.step("Explicit solution", most.subs(NUMBERS), explicit, name=r"\alpha_0", boxed=True)
+    most = most.subs(NUMBERS)
+    page.step("The solution is explicit", most, explicit, name=r"\alpha_0", boxed=True)
     kept = m - (m + b * T) * exp(-b * T / m)
     physical = b * (b + B) * (1 - exp(-b * T / m)) / kept
     physical *= (b**2 * T - kept * B) / (b**2 * T + (b * T - m + m * exp(-b * T / m)) * B)
     largest = explicit.subs({beta: B * T / m, delta: b * T / m}) * m / T**2
-    page.step("In physical units", largest, physical, name=K)
+    page.step("In physical units it is", largest, physical, name=K)
     still = 2 * beta * (2 - beta) / (2 + beta)
-    page.limit("Without damping", explicit, delta, S.Zero, still, name=r"\alpha_0")
+    page.limit("Without damping it tends to", explicit, delta, S.Zero, still, name=r"\alpha_0")
     page.result(
-        "Stable walls of a free mass",
+        "A wall of a free mass is stable if and only if",
         (alpha > 0, beta > 0, 2 * beta * (2 - beta) - alpha * (2 + beta) > 0),
         equal_to=jury.inequalities(0, FREE),
     )

@@ -22,7 +22,7 @@ def derive(page):
     minor = jury.criterion(jury.coefficients(1)).expressions[-1]
     low = n_0 * alpha - (n_1 - n_0) * beta
     page.step(
-        "The last minor for one period of delay",
+        "For one period of delay the last minor is",
         minor,
         (1 + n_0 * beta) ** 2 * (1 - e - n_1 * (alpha + beta) - n_0 * beta)
         - (low + a) * (low - a * n_0 * beta),
@@ -37,7 +37,7 @@ def derive(page):
     proof = page.same(
         "quadratic", minor.subs(a, damped[a]).subs(e, damped[e]), implicit.subs(e, damped[e])
     )
-    page.show("The implicit condition", r"\Delta_3", implicit, proof, boxed=True)
+    page.show("The condition is implicit", r"\Delta_3", implicit, proof, boxed=True)
     root = (sqrt(linear**2 + 4 * n_0**2 * constant) - linear) / (2 * n_0**2)
     page.same("a root", implicit.subs(alpha, root), S.Zero)
     page.say(
@@ -52,7 +52,7 @@ def free_mass(page):
     minor = 2 * beta * (4 - 4 * beta - beta**2) - (beta**2 + 12) * alpha - 2 * alpha**2
     plane = 4 - alpha - 4 * beta
     page.result(
-        "A free mass, one period late",
+        "A wall of a free mass, one period late, is stable if and only if",
         (alpha > 0, plane > 0, 2 + beta > 0, minor > 0),
         equal_to=jury.inequalities(1, FREE),
     )
@@ -75,7 +75,9 @@ def free_mass(page):
         [Rational(1, 12), push, brake, brake],
         [Rational(1, 6), push, push],
     )
-    page.positive("The second half plane", plane, r"\alpha>0,\ \beta>0,\ \Delta_3>0")
+    page.positive(
+        "The second half plane follows from the minor", plane, r"\alpha>0,\ \beta>0,\ \Delta_3>0"
+    )
     page.say(
         "What is left, $\\alpha>0$ and $\\Delta_3>0$, lies between 0 and the larger root of a "
         "quadratic in $\\alpha$ whose roots have different signs if $4-4\\beta-\\beta^2>0$, that "

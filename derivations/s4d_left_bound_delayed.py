@@ -28,14 +28,17 @@ def derive(page):
     poly = poly.subs({alpha: -gamma, beta: x / swinging.n1}).subs(gamma, gam)
     cubic = z**3 + 2 * z**2 + (x + Rational(3, 2)) * z + x
     page.show(
-        "The other three roots", r"p_1(z)/(z-1)", cubic, page.same("divided", poly, (z - 1) * cubic)
+        "The other three roots are those of",
+        r"p_1(z)/(z-1)",
+        cubic,
+        page.same("divided", poly, (z - 1) * cubic),
     )
     r1, r2, r3 = symbols("r_1 r_2 r_3")
     q2, q1, q0 = -(r1 + r2 + r3), r1 * r2 + r1 * r3 + r2 * r3, -r1 * r2 * r3
     product = (1 - r1 * r2) * (1 - r1 * r3) * (1 - r2 * r3)
     names = symbols("q_0 q_1 q_2")
     page.show(
-        "A necessary condition for three roots inside",
+        "Three roots inside need a positive product",
         product,
         1 - names[1] + names[0] * names[2] - names[0] ** 2,
         page.same("symmetric functions", product, 1 - q1 + q0 * q2 - q0**2),
@@ -44,7 +47,7 @@ def derive(page):
     )
     margin = 1 - (x + Rational(3, 2)) + 2 * x - x**2
     page.step(
-        "Here it is",
+        "Here the product is negative",
         margin,
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
         because="negative for every $x$: no damping makes the line a border of the region",
@@ -53,7 +56,7 @@ def derive(page):
     wall = {alpha: 0, beta: -Rational(1, 10) / swinging.n1}
     away = loop.characteristic(Parts(damping=False)).subs(d, 1).subs(wall).subs(gamma, gam)
     page.show(
-        "A stable wall of that spring",
+        "A wall of that spring is stable",
         "p_1(z)",
         stable,
         page.same("away from the line", away, stable),
@@ -100,7 +103,7 @@ def soft_spring(page):
     line = loop.characteristic(FULL, split=c).subs({d: 1, alpha: -gamma, beta: 0})
     shape = z * (z - 1) * (z**2 + (1 - a) * z + e - kept)
     page.show(
-        "One period of delay, $\\beta=0$",
+        "For one period of delay and $\\beta=0$ the polynomial is",
         "p_1(z)",
         shape,
         page.same(
@@ -112,14 +115,14 @@ def soft_spring(page):
         "if $e-r<1$, $2-a+e-r>0$ and $a+e-r>0$",
     )
     page.show(
-        "The trace",
+        "The trace less the speed left is the position left",
         "a-r",
         symbols("y"),
         page.same("trace", device.a - speed, place),
         because="where $y$ is the position left after a period of a unit displacement",
     )
     page.show(
-        "Speed and position",
+        "Newton's law ties speed and position",
         r"\tfrac{d}{dt}(e^{\delta t}v)",
         -gamma * exp(delta * t) * x,
         page.same(
@@ -138,5 +141,5 @@ def soft_spring(page):
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 1, alpha: 0, beta: S.Half})
     cubic = z**3 - z**2 + z / 4 + Rational(1, 4)
-    page.step("A free mass", free, (z - 1) * cubic, name="p_1(z)")
-    page.inside("Its other roots", cubic)
+    page.step("For a free mass the polynomial is", free, (z - 1) * cubic, name="p_1(z)")
+    page.inside("Its other roots lie inside", cubic)

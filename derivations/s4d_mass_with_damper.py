@@ -23,7 +23,7 @@ B_2, B_3 = 4 - TOTAL * alpha - 4 * N_0 * beta, 2 * (1 + E) - APART * (alpha + 2 
 def derive(page):
     polynomial = ARM.denominator * z + ARM.numerator * ((alpha + beta) * z - beta)
     page.step(
-        "The unit disc turned into a half plane",
+        "The unit disc turns into a half plane",
         (1 - s) ** 3 * polynomial.subs(z, (1 + s) / (1 - s)),
         B_3 * s**3 + B_2 * s**2 + B_1 * s + B_0,
         name=r"(1-s)^3p_1\bigl(\tfrac{1+s}{1-s}\bigr)",
@@ -76,7 +76,7 @@ def stiffness(page):
     best = sqrt(N_0 * (N_0 + E * N_1))
     largest = boundary.largest_undelayed(ARM)
     page.show(
-        "For the others, with $x=1+n_1\\beta>0$",
+        "For the others, with $x=1+n_1\\beta>0$, the minor is",
         r"\tfrac18(b_1b_2-b_0b_3)",
         N_0 * x * (largest - alpha) - TOTAL * (N_0 * x - best) ** 2 / (N_0 * N_1**2),
         page.same(
@@ -90,7 +90,7 @@ def stiffness(page):
     )
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(
-        "The largest stiffness",
+        "The largest stiffness is",
         largest,
         (TOTAL - best) ** 2 / (N_0 * N_1**2),
         name=r"\alpha_{\max}",
@@ -108,7 +108,7 @@ def stiffness(page):
 def damping(page, polynomial):
     """A bound of beta."""
     page.step(
-        "The product of the three roots, its sign changed",
+        "The product of the three roots, its sign changed, is",
         polynomial.subs(z, 0),
         -N_0 * beta,
         name="p_1(0)",
@@ -116,7 +116,7 @@ def damping(page, polynomial):
     )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     page.limit(
-        "For small damping",
+        "For small damping $1/n_0$ exceeds 2 by a share of",
         (1 / device.n0 - 2) / delta,
         delta,
         S.Zero,

@@ -47,7 +47,7 @@ def derive(page):
     free = {LOSS: 0, TOGETHER: 1, LATE: half, AT_ONE: 0}
     free |= dict(zip(SLOPES, (1, -half, -third, 0), strict=True))
     page.step(
-        "The pull on a free mass",
+        "On a free mass the pull is",
         pull.subs(free),
         (6 - y) * (4 - y) * (y**2 - 4 * y + 8) / 96,
         name="G(y)",
@@ -55,7 +55,7 @@ def derive(page):
     )
     end = Rational(11, 5)
     fact = page.positive(
-        "The pull inside (23)",
+        "Inside (23) the pull is positive",
         positive(pull, y, (0, end)),
         on=rf"0\le y\le\tfrac{{11}}5,\ {IN_23}",
         name="G(y)",
@@ -65,7 +65,7 @@ def derive(page):
     stiffness = circle.real(product) - circle.height(product) * (2 - z - 1 / z) / 2
     left = circle.in_chord(-stiffness - gamma * circle.square(top), y)
     page.positive(
-        "The rest of the curve",
+        "The rest of the curve is positive, too",
         positive(left, y, (end, 4)),
         on=rf"\tfrac{{11}}5\le y\le4,\ {IN_23}",
         name=r"-(\alpha+\gamma)|N|^2",
@@ -83,9 +83,16 @@ def derive(page):
         "For stiffer springs it is false: $\\gamma=5$, $\\alpha=-4$, $\\beta=5.9$ and no delay."
     )
     device = loop.numbers()
-    page.inside("Damping $\\delta=1.2$", loop.named(), {**stiff, delta: Rational(6, 5)}, device)
+    page.inside(
+        "With the damping $\\delta=1.2$ the roots lie inside",
+        loop.named(),
+        {**stiff, delta: Rational(6, 5)},
+        device,
+    )
     much = {**stiff, delta: Rational(3, 2)}
-    witness = page.outside("Damping $\\delta=1.5$", loop.named(), much, device)
+    witness = page.outside(
+        "With the damping $\\delta=1.5$ a root lies outside", loop.named(), much, device
+    )
     page.settle(
         "s4d-delta-grows",
         fact,

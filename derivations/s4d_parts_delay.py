@@ -24,7 +24,7 @@ def derive(page):
         "The explicit boundary $\\alpha(\\theta)$, $\\beta(\\theta)$ starts, for $\\theta\\to0$, "
         "on the line $\\alpha=-\\gamma$. With $1-a+e=\\gamma(n_1+n_0)$:"
     )
-    page.define("Where the boundary begins", r"\beta_0", CORNER)
+    page.define("The boundary begins at", r"\beta_0", CORNER)
     here, later = begins_there(), begins_there(d + 1, gamma)
     page.lemma("The boundary begins there with a delay of $d$ periods", here)
     page.lemma(
@@ -54,8 +54,10 @@ def derive(page):
     )
     stiff = {**wall, alpha: Rational(1, 10000), beta: Rational(-11, 500), delta: Rational(1, 50)}
     p = loop.named()
-    page.inside("Forty periods of delay", p, {**stiff, d: S(40)}, loop.numbers())
-    page.outside("No delay, the same wall", p, stiff, loop.numbers())
+    page.inside(
+        "After forty periods of delay the roots lie inside", p, {**stiff, d: S(40)}, loop.numbers()
+    )
+    page.outside("Without delay the same wall has a root outside", p, stiff, loop.numbers())
 
     corners = every(NUMBERS, [DEVICE], both([begins(), begins(d + 1, CORNER - gamma)]))
     plant, arm = [gamma >= 0, delta > 0], (gamma, delta, d)

@@ -8,6 +8,7 @@ them is larger, the sum turns with it.
 
 from sympy import I, cos, exp, pi, sin, symbols
 
+from symhaptic.book.figures.arguments import half_circle
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, phi, theta, z
 from symhaptic.notation.proposition import Iff, Relation
@@ -63,7 +64,7 @@ def derive(page):
         "where they are equal, the bracket stands at half the phase,"
     )
     page.step(
-        "Equal parts",
+        "Equal parts add up at half the phase",
         1 + exp(I * phi),
         2 * cos(phi / 2) * exp(I * phi / 2),
         because="for $\\varphi=\\Phi-2\\pi k$ between $-\\pi$ and $\\pi$, that is for the whole "
@@ -81,6 +82,16 @@ def derive(page):
         "A square root and a few arctangents: the same work for $d=0$ as for $d=10^6$. For a "
         "plant without damper or spring the count is that of one with a little of it."
     )
+    page.figure(
+        "half_circle",
+        "A wall with $\\alpha=0.55$, $\\beta=0.5$ behind one period of delay ($\\gamma=0.05$, "
+        "$\\delta=0.4$). The wall leads up to $\\theta_1$, the plant beyond. Up to $\\theta_1$ the "
+        "sum keeps to the wall's argument, and then to the plant's, but for a full turn: $k=-1$ "
+        "where the wall stops to lead, so that two of four roots lie outside.",
+        half_circle,
+        panels=(1, 2),
+        height=0.6,
+    )
     page.say(
         "The same angles give the delays at which a root is on the circle: where $\\Phi$ is an odd "
         "multiple of $\\pi$. With $\\Phi_0=\\arg N+\\arg W-\\arg(A/z)$, for $z^d$ on the principal "
@@ -88,7 +99,7 @@ def derive(page):
     )
     k, turned = symbols("k"), symbols("Phi_0")
     page.step(
-        "Critical delays",
+        "The critical delays are",
         turned - (d + 2) * theta + (2 * k + 1) * pi,
         (((turned + (2 * k + 1) * pi) / theta - 2) - d) * theta,
         because="zero for $d=(\\Phi_0+(2k+1)\\pi)/\\theta-2$ at $\\theta=\\theta_1,\\theta_2$",

@@ -29,13 +29,13 @@ def derive(page):
         "with $u+jw=z\\,h'/h$ at $z=e^{j\\theta}$,"
     )
     page.step(
-        "How a root on the circle moves with the delay",
+        "With the delay a root on the circle moves by",
         real_part(-I * theta / (d + 1 - u - I * w)),
         theta * w / ((d + 1 - u) ** 2 + w**2),
         name=r"\frac{\partial\ln|z|}{\partial d}",
     )
     page.step(
-        "How the lead of the wall changes along the circle",
+        "Along the circle the lead of the wall changes by",
         real_part(I * (u + I * w)),
         -w,
         name=r"\frac{\partial\ln|h|}{\partial\theta}",
@@ -52,7 +52,7 @@ def derive(page):
     turns, phase = symbols("k Phi_0")
     critical = (phase + (2 * turns + 1) * pi) / theta - 2
     page.step(
-        "Delays at which a pair of roots leaves",
+        "A pair of roots leaves at the delays",
         (critical + 2) * theta,
         phase + (2 * turns + 1) * pi,
         name=r"(d_k+2)\,\theta_1",
@@ -66,8 +66,8 @@ def derive(page):
     free = loop.characteristic(Parts(False, False)).subs(
         {alpha: Rational(1, 100), beta: Rational(1, 20)}
     )
-    page.inside("Three periods of delay", free.subs(d, 3))
-    page.outside("Four periods", free.subs(d, 4))
+    page.inside("After three periods of delay the roots lie inside", free.subs(d, 3))
+    page.outside("After four periods a root lies outside", free.subs(d, 4))
     page.say(
         "Behind a fraction of a period the plant has one coefficient more and the surplus degree "
         "three. For each fraction the whole periods are told from the phase as above; the margin "

@@ -23,7 +23,7 @@ def derive(page):
     neglected(page)
     a_3, a_2, a_1, a_0 = lag.characteristic(Plant())
     page.step(
-        "The loop with the lag",
+        "The loop with the lag has the polynomial",
         Plant().characteristic * (1 + t_e * s) + lag.WALL,
         a_3 * s**3 + a_2 * s**2 + a_1 * s + a_0,
         because="device times lag, plus wall",
@@ -36,14 +36,14 @@ def derive(page):
         boxed=True,
     )
     whole = page.step(
-        "Hurwitz' determinant for the loop",
+        "For this loop Hurwitz' determinant is",
         lag.margin(Plant()),
         b + B - K * t_e + b * t_e / m * (b + B + k * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
     )
     h, heavy = symbols("h"), symbols("m_0")
     kept = page.limit(
-        "A heavy mass, $m=m_0/h$",
+        "For a heavy mass, $m=m_0/h$, it tends to",
         whole.subs(m, heavy / h),
         h,
         S.Zero,
@@ -52,7 +52,7 @@ def derive(page):
         because="this is what (24) keeps",
     )
     linear = page.step(
-        "Solved for the stiffness",
+        "Solved for the stiffness it is",
         K + kept / t_e,
         (b + B) / t_e,
         name=r"K_{\text{lin}}",
@@ -95,7 +95,7 @@ def neglected(page):
         "to first order in $s$, and leave out"
     )
     page.limit(
-        "With the lag",
+        "The lag errs in the second order by",
         (lag.held() - 1 / (1 + lag.DELAY * s)) / s**2,
         s,
         S.Zero,
@@ -103,7 +103,7 @@ def neglected(page):
         name=r"\frac1{s^2}\Bigl(H_0-\frac1{1+t_es}\Bigr)",
     )
     page.limit(
-        "With the derivative",
+        "The derivative errs by",
         ((1 - exp(-s * T)) / T - s) / s**2,
         s,
         S.Zero,

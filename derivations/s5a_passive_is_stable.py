@@ -6,6 +6,7 @@ root on the unit circle it drops out of the comparison, and the device alone dec
 
 from sympy import Rational, S, pi
 
+from symhaptic.book.figures.arguments import sides
 from symhaptic.book.lemmas.passive_is_stable import (
     DEVICE,
     no_crossing,
@@ -59,6 +60,14 @@ def derive(page):
         "both not negative and one of them positive, equal to zero."
     )
     page.lemma("No root crosses the circle while the wall is turned up", no_crossing())
+    page.figure(
+        "sides",
+        "Upper half circle: where a root is on it, wall and device meet. The device stays on the "
+        "left of $-\\delta$, and a passive wall on its right, however far it is turned up "
+        "($\\gamma=0.05$, $\\delta=0.4$, one period of delay).",
+        sides,
+        height=0.5,
+    )
     page.lemma(
         "A wall with a margin at every angle is stable with every spring and damper",
         passive_is_stable(),

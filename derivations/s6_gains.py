@@ -95,8 +95,3 @@ def heavier(page):
         proof,
         because="the roots, and with them every motion, stay as they are; so does $K/m$",
     )
-    page.settle(
-        "s6-performance",
-        proof,
-        note="if wall, damper and spring grow with the mass the loop moves as before",
-    )

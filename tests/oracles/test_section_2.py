@@ -71,7 +71,7 @@ def test_at_rest_the_wall_is_a_spring():
     def agrees(stiffness):
         assert np.allclose(force, number(stiffness, K=K) * x[1:], rtol=1e-15, atol=0)
 
-    only(agrees, shown("s2b_wall", "For a wall at rest"))
+    only(agrees, shown("s2b_wall", "A wall at rest is its spring alone"))
 
 
 @guards("s2c_delay")
@@ -101,4 +101,10 @@ def test_a_late_force_has_moved_the_mass_at_the_next_sample():
             moved = motion.held(1.0, 0.0, 0.0, 1 - late)[1][0]
             assert number(first, d=late) == pytest.approx(moved, rel=1e-13)
 
-    only(agrees, shown("s2c_delay", "The first sample after a late force"))
+    only(
+        agrees,
+        shown(
+            "s2c_delay",
+            "A force that is late by less than a period already shows at the next sample",
+        ),
+    )

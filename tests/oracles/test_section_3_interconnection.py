@@ -60,7 +60,7 @@ def test_what_two_systems_take_in_comes_from_outside():
         pairs = zip(force, speed, strict=True)
         assert sum(number(power, F=F, v=v) for F, v in pairs) == pytest.approx(taken, rel=1e-12)
 
-    only(agrees, shown(CHAPTER, "Face to face"))
+    only(agrees, shown(CHAPTER, "Two bodies face to face take in what comes from outside"))
 
 
 @guards("s3_interconnection")

@@ -49,7 +49,7 @@ def test_four_steps_against_a_spring():
     def agrees(energy_of_steps):
         assert number(energy_of_steps, b=b, K=K, T=T, p_k=p) == pytest.approx(found, rel=1e-14)
 
-    only(agrees, shown("s3_energy", "Four equal steps against a spring"))
+    only(agrees, shown("s3_energy", "Four equal steps against a spring take out this energy"))
     # a pulling spring gives energy away however strong the damper is, if the motion is long
     assert energy.left(-0.1, 0.0, periods=60) < 0 < energy.left(-0.1, 0.0, periods=10)
 
@@ -129,7 +129,11 @@ def test_half_a_period_late_the_condition_is_not_enough():
             found = scaled @ law @ scaled
             assert number(energy_left, K=K, B=B, b=b, T=1) == pytest.approx(found, abs=1e-10)
 
-    only(agrees, shown("s3a_passivity_condition", "Energy left to damper and wall"), kept=("T",))
+    only(
+        agrees,
+        shown("s3a_passivity_condition", "The motion leaves damper and wall this energy"),
+        kept=("T",),
+    )
 
 
 @guards("s3b_envelope", "s5a_normalised_boundary")
@@ -158,7 +162,10 @@ def test_each_point_of_the_envelope_is_where_two_lines_meet():
             assert number(stiffness, **at) == pytest.approx(K, rel=1e-14)
             assert number(damping, **at) == pytest.approx(B, rel=1e-14)
 
-    both = (shown("s3b_envelope", name) for name in ("Stiffness", "Damping"))
+    both = (
+        shown("s3b_envelope", name)
+        for name in ("Two neighbouring lines meet at this stiffness", "They meet at this damping")
+    )
     only(agrees, *both)
 
     def agrees_in_its_plane(stiffness, damping):
@@ -198,7 +205,11 @@ def test_the_two_ends_of_the_margin():
             high_end = 1 - energy.need(K, B, d, np.array([2 * np.pi / N]))[0]
             assert number(high, w=w) == pytest.approx(high_end, abs=1e-14)
 
-    only(agrees, shown("s3b_extent", "At the lower end"), shown("s3b_extent", "At $N\\psi=\\pi$"))
+    only(
+        agrees,
+        shown("s3b_extent", "At the lower end the margin is a line"),
+        shown("s3b_extent", "At $N\\psi=\\pi$ only the damping counts"),
+    )
 
 
 @guards("s3b_rise")
@@ -225,4 +236,4 @@ def test_the_stiffness_of_the_envelope_rises_and_falls():
             assert np.all(np.diff(values[:50]) > 0)
             assert np.all(np.diff(values[49:]) < 0)
 
-    agrees(shown("s3b_rise", "The envelope's stiffness"))
+    agrees(shown("s3b_rise", "The envelope's stiffness has this form"))

@@ -63,7 +63,13 @@ def test_damping_over_delay_is_the_limit_of_low_frequencies():
             # rounding of K/theta^2 at theta = 1e-4, and the next term, of order (d+1)^3 theta^2
             assert energy.need(K, B, d, np.array([1e-4]))[0] == pytest.approx(1, abs=1e-5)
 
-    only(agrees, shown("s3c_linear_part_condition", "Damping over delay"), kept=("T",))
+    only(
+        agrees,
+        shown(
+            "s3c_linear_part_condition", "Solved for the stiffness the line is damping over delay"
+        ),
+        kept=("T",),
+    )
 
 
 def best(d):

@@ -44,7 +44,10 @@ def test_corner_and_tip_lie_on_the_border_of_the_energy():
             tip = number(stiffness, d=d), float(crossing(d, mpmath.pi / (2 * (d + 1)))[1])
             energy.bounds(*tip, 1.0, 1.0, d, wide=1.05)
 
-    titles = ["The dashed curve of the corners, with $y=B/b$", "The dash-dotted curve of the tips"]
+    titles = [
+        "The dashed curve of the corners is a hyperbola in $y=B/b$",
+        "The dash-dotted curve of the tips is (11)",
+    ]
     only(agrees, *(shown(CHAPTER, title) for title in titles), by=0.1)
 
 
@@ -59,7 +62,7 @@ def test_the_tip_is_where_two_lines_meet_upright():
             assert abs(value(stiffness, d=d) - K) < 1e-30
             assert abs(value(damping, d=d) - B) < 1e-30
 
-    titles = ("The dash-dotted curve of the tips", "Their damping")
+    titles = ("The dash-dotted curve of the tips is (11)", "The tips have this damping")
     only(agrees, *(shown(CHAPTER, title) for title in titles))
 
 
@@ -93,7 +96,10 @@ def test_long_delays():
         assert abs((d + 1) * K - value(stiffness)) < 1e-14
         assert abs(B - value(damping)) < 1e-14
 
-    titles = ("For long delays", "The damping that belongs to it")
+    titles = (
+        "For long delays the tips fall like $\\pi h/2$",
+        "Their damping tends to a constant",
+    )
     only(agrees, *(shown(CHAPTER, title) for title in titles))
 
 
@@ -109,7 +115,7 @@ def test_a_fraction_of_a_period_leaves_the_straight_part():
             at = {"K": K, "T": 1.0, "epsilon": part}
             assert number(low, **at) == pytest.approx(found, abs=1e-6)
 
-    only(agrees, shown(CHAPTER, "Low frequencies on the straight part of (7)"))
+    only(agrees, shown(CHAPTER, "On the straight part of (7) low frequencies take out energy"))
     for K, late in walls[:4]:
         B = K * (late + 0.5) - 1
         assert energy.left(K, B, late=late) < -1e-4
@@ -123,7 +129,7 @@ def test_the_two_counterexamples_half_a_period_late():
     assert energy.left(tip["K"], tip["B"], late=0.5) < -0.01
     assert energy.left(1.17, 0.32, late=0.5, periods=250) > 0
     # the curve of Fig. 5 ends below: some angle needs more than b for every damping
-    assert number(shown(CHAPTER, "The dash-dotted curve of the tips"), d=0.5) < 1.16
+    assert number(shown(CHAPTER, "The dash-dotted curve of the tips is (11)"), d=0.5) < 1.16
     assert energy.need(1.17, 0.0, 0.5, np.array([np.pi / 3]))[0] > 1
 
     def agrees(square):
@@ -133,5 +139,8 @@ def test_the_two_counterexamples_half_a_period_late():
 
     only(
         agrees,
-        shown("s3d_stiffness_over_delay", "The wall $KT/b=1.17$, $B/b=0.32$, half a period late"),
+        shown(
+            "s3d_stiffness_over_delay",
+            "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is",
+        ),
     )

@@ -64,10 +64,13 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
     first = shown("s4b_normalisation", "First sample of the step response")
     second = shown("s4b_normalisation", "Second coefficient")
     images = shown("s4b_normalisation", "Sum of the images")
-    product = shown("s4b_normalisation", "Their product")
+    product = shown("s4b_normalisation", "The two poles have the product $e$")
     only(agrees, first, second, images, product)
 
-    for title, spring in (("Critical damping", 0.25), ("No spring", 0.0)):
+    for title, spring in (
+        ("At critical damping $n_1$ has this limit", 0.25),
+        ("Without a spring $n_1$ has this limit", 0.0),
+    ):
 
         def agrees_there(n1, n0, spring=spring):
             for delta in (0.02, 0.5, 3.0):
@@ -112,7 +115,7 @@ def test_the_polynomial_vanishes_at_the_eigenvalues():
                     found = np.polyval(characteristic, z)
                     assert complex(value(polynomial, z=z, **at)) == pytest.approx(found, abs=1e-12)
 
-    only(agrees, shown("s4b_polynomial", "Characteristic polynomial"))
+    only(agrees, shown("s4b_polynomial", "The characteristic polynomial is (18)"))
 
 
 @guards("s4b_polynomial")
@@ -147,7 +150,7 @@ def test_five_numbers_and_as_many_roots_as_states():
             size = mpmath.mpf(10) ** 20  # the next power is 10^20 times smaller
             assert abs(value(polynomial, z=size, **at) / size ** (d + 3) - 1) < 1e-18
 
-    shape = shown("s4b_polynomial_degree", "Two derivations, one polynomial")
+    shape = shown("s4b_polynomial_degree", "Two derivations lead to one polynomial")
     only(agrees, shape, kept=("alpha", "beta", "n_1", "n_0", "a", "e"))
     # any mass and any period, at the same five numbers
     alpha, beta, gamma, delta, d = 0.3, 0.5, 0.01, 0.02, 2.0
@@ -179,9 +182,12 @@ def test_each_scene_has_the_eigenvalues_of_a_loop_without_that_part(parts):
 @guards("s4b_scenes")
 def test_devices_without_spring_or_damper():
     z, cases = 0.3 + 1.1j, []
-    for title, gamma, delta in (("Free mass", 0, 0), ("Mass and damper", 0, 0.3)):
+    for title, gamma, delta in (
+        ("A free mass has four plain numbers", 0, 0),
+        ("A damped mass has one exponential", 0, 0.3),
+    ):
         cases.append((title, gamma, delta, {"delta": delta}))
-    cases.append(("Mass and spring", 1.69, 0, {"Omega": 1.3}))
+    cases.append(("A mass on a spring has one cosine", 1.69, 0, {"Omega": 1.3}))
     for title, gamma, delta, at in cases:
         n1, n0, a, e = (complex(n) for n in oracle.numbers(gamma, delta))
         found = (n1 * z + n0) / (z**2 - a * z + e)
@@ -191,7 +197,7 @@ def test_devices_without_spring_or_damper():
             assert complex(value(transfer, z=z, **at)) == pytest.approx(found, rel=1e-14)
 
         only(agrees, shown("s4b_scenes", title))
-    least = shown("s4b_scenes", "The smallest of them")
+    least = shown("s4b_scenes", "The smallest scene leaves a cubic")
 
     def agrees_least(polynomial):
         roots = np.linalg.eigvals(oracle.loops(0.7, 0.0, 0.0, 0.0, 0))
@@ -254,7 +260,10 @@ def test_a_force_that_is_not_held_and_one_that_is_half_a_period_late():
             _, push = motion.held(1.0, 0.0, 0.0, 1 - d)
             assert number(late, d=d) == pytest.approx(push[0], rel=1e-12)
 
-    titles = ("A force that grows in time, $F_E=t$", "A held force that comes $d$ periods late")
+    titles = (
+        "A force that grows in time, $F_E=t$, moves the mass by",
+        "A held force that comes $d$ periods late is not the shifted one",
+    )
     only(agrees, *(shown("s4a_instants", title) for title in titles))
     point = counterexample("s4a_instants", "s4a-exact-instants")
     first = motion.positions(1.0, 0.0, late=point["d"], steps=2, speed=1.0)[2] - 2
@@ -296,7 +305,7 @@ def test_a_motion_changes_with_five_of_seven_directions():
         assert number(left) == changing
         assert number(rank) == len(names) - changing
 
-    titles = ("Their rank", "Independent pure numbers")
+    titles = ("The units of the seven have rank two", "Five pure numbers are independent")
     only(agrees, *(shown("s4b_parameters_counted", title) for title in titles))
     units = np.array([row[1:] for row in powers[1:]], dtype=float)
     assert np.abs(units @ slopes).max() < 1e-6 * sizes[0]  # other units, the same motion

@@ -64,7 +64,13 @@ def test_roots_at_one_and_minus_one_and_the_free_mass():
                     found = np.linalg.det(z * np.eye(3) - matrix)
                     assert number(ours, **at) == pytest.approx(found, abs=1e-13)
 
-    both = (shown("s4d_explicit_boundary", f"A root at {t}") for t in ("1", "$-1$, even delays"))
+    both = (
+        shown("s4d_explicit_boundary", f"A root at {t}")
+        for t in (
+            r"1 leaves on the line $\alpha=-\gamma$",
+            "$-1$ leaves on another line, here for even delays",
+        )
+    )
     only(agrees, *both)
 
     def agrees_free(stiffness, damping):
@@ -72,7 +78,10 @@ def test_roots_at_one_and_minus_one_and_the_free_mass():
             alpha, beta = (number(f, d=d, theta=theta) for f in (stiffness, damping))
             assert oracle.residual(alpha, beta, theta, 0, 0, d) < 1e-15
 
-    names = ("Stiffness of the free mass", "Damping of the free mass")
+    names = (
+        "The free mass has this stiffness on its boundary",
+        "The free mass has this damping on its boundary",
+    )
     only(agrees_free, *(shown("s4d_explicit_boundary", name) for name in names))
 
     def agrees_slope(slope):
@@ -80,7 +89,12 @@ def test_roots_at_one_and_minus_one_and_the_free_mass():
             alpha, beta = oracle.wall(mpmath.mpf("1e-20"), 0, 0, d)
             tiny(beta / alpha, value(slope, d=d))
 
-    only(agrees_slope, shown("s4d_explicit_boundary", "Slope at the origin"))
+    only(
+        agrees_slope,
+        shown(
+            "s4d_explicit_boundary", "At the origin damping over stiffness is the delay and a half"
+        ),
+    )
 
 
 PLANTS = [(0.3, 0.2, 0), (2.0, 0.01, 1), (0.001, 0.02, 2), (0.1, 3.0, 5)]
@@ -89,8 +103,14 @@ PLANTS = [(0.3, 0.2, 0), (2.0, 0.01, 1), (0.001, 0.02, 2), (0.1, 3.0, 5)]
 def short(gamma, delta):
     """The chapter's three numbers of an arm."""
     at = {"gamma": gamma, **oracle.named(gamma, delta)}
-    at["nu"], at["s_1"] = (value(shown(ENDS, t), **at) for t in ("A share", "A damping"))
-    at["s_2"] = value(shown(ENDS, "A mass"), **at)
+    at["nu"], at["s_1"] = (
+        value(shown(ENDS, t), **at)
+        for t in (
+            r"The numerator's second number has a share $\nu$",
+            "At low frequencies the device shows the damping $s_1$",
+        )
+    )
+    at["s_2"] = value(shown(ENDS, "At low frequencies it shows the mass $s_2$"), **at)
     return at
 
 
@@ -113,8 +133,12 @@ def test_the_boundary_at_small_angles():
                 assert abs(over / value(up, **at) - 1) < 1e-12
                 assert abs(over / across / value(slope, **at) - 1) < 1e-12
 
-    titles = ["The boundary starts on the left bound", "Its damping there"]
-    titles += ["How far it goes to the right", "How far it goes up", "So its slope is"]
+    titles = ["The boundary starts on the left bound", "Its damping there is"]
+    titles += [
+        "From there it goes to the right by",
+        "From there it goes up by",
+        "At the start the boundary has the slope",
+    ]
     only(agrees, *(shown(ENDS, title) for title in titles))
 
 
@@ -129,20 +153,20 @@ def test_the_start_without_a_spring_and_its_gap_with_one():
                 assert abs(found / value(slope, delta=delta, d=d) - 1) < 1e-12
 
     titles = (
-        "Its damping without a spring",
-        "The boundary starts at $(0,-\\delta)$ with the slope",
+        "Without a spring the damping is $\\delta$",
+        "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
     )
     only(agrees, *(shown(ENDS, title) for title in titles))
     gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
     gap = -oracle.wall(mpmath.mpf("1e-25"), gamma, delta, 0, 100)[1] - delta - gamma / 2
-    (printed,) = decimals(ENDS, "At the corner of (23)")
+    (printed,) = decimals(ENDS, "At the corner of (23) it is")
     assert 0 <= gap - printed < 1e-24  # its digits are cut
 
     def agrees_with_the_gap(formula):
         at = {"gamma": gamma, "delta": delta, "c": mpmath.sqrt(delta**2 - 4 * gamma)}
         assert abs(value(formula, **at, **oracle.named(gamma, delta)) - gap) < 1e-30
 
-    only(agrees_with_the_gap, shown(ENDS, "How far the start lies below that line"))
+    only(agrees_with_the_gap, shown(ENDS, "Below that line the start lies by"))
     small = mpmath.mpf("1e-6")  # the next terms are smaller by this
     gap = -oracle.wall(mpmath.mpf("1e-40"), small**2, small, 0, 120)[1]
     gap = 720 * (gap - small - small**2 / 2) / small**5
@@ -161,7 +185,7 @@ def test_the_end_at_half_the_sampling_rate():
                 assert abs(beta / ours[0] - 1) < 1e-12
                 assert abs((alpha + 2 * beta) / ours[1] - 1) < 1e-12
 
-    titles = ("The damping it ends with", "It ends on the line of a root at $-1$")
+    titles = ("It ends with the damping", "It ends on the line of a root at $-1$")
     only(agrees, *(shown(ENDS, title) for title in titles))
 
 
@@ -177,8 +201,8 @@ def test_the_boundary_without_damping():
             assert abs(value(stiffness, g=g, d=d, theta=theta) - alpha) < 1e-45
             assert abs(value(both, g=g, d=d, theta=theta) - alpha - 2 * beta) < 1e-45
 
-    titles = ["A function of the spring, $\\Omega=\\sqrt\\gamma$"]
-    titles += ["The boundary's stiffness", "The boundary's damping"]
+    titles = ["One function of the spring decides, with $\\Omega=\\sqrt\\gamma$"]
+    titles += ["The boundary has this stiffness", "It has this damping"]
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
 
@@ -203,8 +227,13 @@ def test_both_ends_of_the_boundary_without_damping():
                 found = (-1) ** d * (alpha + 2 * beta) / gamma
                 assert abs(found / value(line, x=x, d=d) - 1) < 1e-12
 
-    titles = ["Stiffness", "Damping", "How far it goes to the right", "So the slope is"]
-    titles.append("The line that it approaches")
+    titles = [
+        "It starts from the stiffness",
+        "It starts from the damping",
+        "From there it goes to the right by",
+        "At the start it has the slope",
+    ]
+    titles.append("It approaches this line")
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
     def agrees_at_half_swings(stiffness, both):
@@ -214,7 +243,7 @@ def test_both_ends_of_the_boundary_without_damping():
             assert abs(value(stiffness, d=d, theta=theta) - alpha / gamma) < 1e-45
             assert abs(value(both, d=d, theta=theta) - (alpha + 2 * beta) / gamma) < 1e-45
 
-    titles = ("For odd half swings, $x=-1$, it stays finite", "Its damping then")
+    titles = ("For odd half swings, $x=-1$, it stays finite", "Its damping is then")
     only(agrees_at_half_swings, *(shown(UNDAMPED, title) for title in titles))
 
 
@@ -271,7 +300,7 @@ def test_what_the_signs_are_made_of():
             at = {"gamma": gamma, **oracle.named(gamma, delta)}
             assert abs(value(damping, **at) - found) < 1e-30
 
-    only(agrees, shown(SIGNS, "The slope of $C$"), shown(SIGNS, "With $s_1$"))
+    only(agrees, shown(SIGNS, "$C$ has the slope"), shown(SIGNS, "The number $s_1$ is"))
     for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):
         gamma, delta = mpmath.mpf(gamma), mpmath.mpf(delta)
         n1, n0, a, e = oracle.numbers(gamma, delta)

@@ -43,8 +43,8 @@ def test_walls_between_the_two_ends_of_the_first_arc_are_stable_and_no_others():
         for d in (1, 0, 2, 5):
             stable_between(stiffness, both, d)
 
-    titles = ["The boundary's stiffness, with $\\tau=\\tan\\frac\\theta2$"]
-    titles.append("The boundary's damping")
+    titles = ["With $\\tau=\\tan\\frac\\theta2$ the boundary's stiffness is"]
+    titles.append("The boundary's damping is")
     only(agrees, *(shown(MASS, title) for title in titles), by=0.2)
     for d in (0, 1, 2, 5):
         assert not any(oracle.stable(-1e-3, beta, 0, 0, d) for beta in np.linspace(-2, 2, 21))
@@ -61,26 +61,30 @@ def test_how_the_two_roots_near_one_move():
         roots = [oracle.moduli(a, beta, 0, 0, 2).max() for a in (step, 2 * step)]
         assert (roots[1] - roots[0]) / step == pytest.approx(number(first, beta=beta), rel=1e-3)
 
-    titles = ("The first one follows", "The second root near 1 moves inside")
+    titles = ("The first root follows", "The second root near 1 moves inside")
     only(agrees, *(shown(MASS, title) for title in titles))
 
 
 @guards("s4d_free_mass_extremes")
 def test_the_largest_stiffness_by_a_search_with_eigenvalues():
-    printed = decimals(EXTREMES, "Largest stable stiffness of a free mass")
+    printed = decimals(EXTREMES, "The largest stable stiffness of a free mass is")
     for d in (0, 1, 2, 4, 8):
         low, high = 0.02, 0.95 * 2 * np.tan(np.pi / 4 / (d + 1))
         found, _ = stiffest(0, 0, d, low, high, top=2.0)
         # the search ends where beta is 1e-7 off; a simple root crosses: 1e-12 of rounding
         assert found == pytest.approx(float(printed[d]), rel=1e-9)
-    one = shown(EXTREMES, "Without delay in closed form")
+    one = shown(EXTREMES, "Without delay it has a closed form")
     assert abs(value(one) - printed[0]) < 1e-23
 
 
 @guards("s4d_free_mass_extremes")
 def test_minimal_polynomials_have_these_roots():
-    (polynomials,) = (b for b in page(EXTREMES).blocks if b.title == "Minimal polynomials")
-    printed = decimals(EXTREMES, "Largest stable stiffness of a free mass")
+    (polynomials,) = (
+        b
+        for b in page(EXTREMES).blocks
+        if b.title == "The largest stiffnesses are algebraic, with these minimal polynomials"
+    )
+    printed = decimals(EXTREMES, "The largest stable stiffness of a free mass is")
     for (_, _, polynomial), alpha in zip(polynomials.lines, printed, strict=True):
         # alpha is cut after 24 digits; the slopes are of the size of the coefficients
         size = max(abs(int(c)) for c in polynomial.as_poly().all_coeffs())
@@ -96,14 +100,15 @@ def test_the_largest_damping_of_a_free_mass():
             assert oracle.stable(1e-6, beta - 1e-4, 0, 0, d)
             assert not oracle.stable(1e-6, beta + 1e-4, 0, 0, d)
 
-    title = "So the largest damping is that of its end, where $\\alpha=0$"
+    title = "The largest damping is that of its end, where $\\alpha=0$"
     only(agrees, shown(EXTREMES, title))
 
 
 @guards("s4d_free_mass_long_delay")
 def test_long_delays():
     """The largest (d+1)^2 alpha: at h = 0 and for small h by Newton's method on its slope."""
-    angle, largest, second, third = decimals(LONG, "In numbers")
+    angle, largest = decimals(LONG, "In numbers the peak is at")
+    second, third = decimals(LONG, "In numbers the next terms are")
 
     def top(h):
         """Largest 4 tan(h phi/2)^2 cos(phi)/h^2 over phi, from a wall with that root."""
@@ -131,12 +136,13 @@ def test_long_delays():
         assert abs(value(first_factor, phi=found) - second) < 1e-23
         assert abs(value(second_factor, phi=found) - third) < 1e-23
 
-    only(agrees, *(shown(LONG, f"Factor of $h^{n}$") for n in (2, 4)))
+    only(agrees, *(shown(LONG, f"The factor of $h^{n}$ is") for n in (2, 4)))
 
 
 @guards("s4d_free_mass_long_delay")
 def test_a_long_delay_by_eigenvalues():
-    _, largest, second, third = (float(n) for n in decimals(LONG, "In numbers"))
+    _, largest = map(float, decimals(LONG, "In numbers the peak is at"))
+    second, third = map(float, decimals(LONG, "In numbers the next terms are"))
     d = 30
     h = 1 / (d + 1)
     found, _ = stiffest(0, 0, d, 0.02, 0.05, top=0.01)
@@ -156,7 +162,7 @@ def test_the_largest_stiffness_of_a_damped_mass_by_a_search():
             numbers = oracle.named(0, delta)
             assert number(formula, **numbers) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, shown(DAMPED, "The largest stiffness"))
+    only(agrees, shown(DAMPED, "The largest stiffness is"))
 
 
 @guards("s4d_mass_with_damper")
@@ -167,10 +173,13 @@ def test_the_product_of_the_roots_bounds_the_damping():
             found = -np.prod(np.linalg.eigvals(oracle.loops(0.2, beta, 0, delta, 0))).real
             assert number(product, beta=beta, **numbers) == pytest.approx(found, rel=1e-13)
 
-    only(agrees, shown(DAMPED, "The product of the three roots, its sign changed"))
+    only(agrees, shown(DAMPED, "The product of the three roots, its sign changed, is"))
     for delta in (0.02, 0.5):
         limit = 1 / float(oracle.numbers(0, delta)[1])
         assert not any(oracle.stable(a, 1.001 * limit, 0, delta, 0) for a in np.geomspace(1e-6, 1))
     small = mpmath.mpf("1e-20")
     found = (1 / oracle.numbers(0, small, 100)[1] - 2) / small
-    assert abs(value(shown(DAMPED, "For small damping")) - found) < 1e-18
+    assert (
+        abs(value(shown(DAMPED, "For small damping $1/n_0$ exceeds 2 by a share of")) - found)
+        < 1e-18
+    )

@@ -103,10 +103,10 @@ def test_none_of_the_four_is_idle_and_the_last_one_is_a_product_of_pairs():
             assert number(pairs, **at) == pytest.approx(found.real, abs=1e-6)
             a_2, a_1, a_0 = p[1:]
             minor = page(COUNTED).blocks
-            (minor,) = (b.lines[0][0] for b in minor if b.title == "The last minor, degree 3")
+            (minor,) = (b.lines[0][0] for b in minor if b.title == "For degree 3 the last minor is")
             assert number(minor, a_0=a_0, a_1=a_1, a_2=a_2) == pytest.approx(found.real, abs=1e-6)
 
-    only(agrees, shown(COUNTED, "The last minor, degree 3"))
+    only(agrees, shown(COUNTED, "For degree 3 the last minor is"))
     head, *rows = next(b for b in page(COUNTED).blocks if b.kind == "table").rows
     for row in rows:
         d, count, planes = row[:3]
@@ -131,7 +131,7 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             at = {"beta": beta, "gamma": gamma, **oracle.named(gamma, delta)}
             assert number(solved, **at) == pytest.approx(found, rel=1e-10)
 
-    only(agrees, shown(EXPLICIT, "Solved, with any spring"))
+    only(agrees, shown(EXPLICIT, "With any spring the minor vanishes at this stiffness"))
     alone = [(0.5, 0.02), (1.3, 0.3), (-0.05, 0.2)]
 
     def agrees_alone(explicit):
@@ -140,7 +140,7 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             # the formula is exact; alpha by halving to some 1e-12
             assert number(explicit, beta=beta, delta=delta) == pytest.approx(found, abs=1e-11)
 
-    only(agrees_alone, shown(EXPLICIT, "Explicit solution"))
+    only(agrees_alone, shown(EXPLICIT, "The solution is explicit"))
 
     def agrees_in_units(largest):
         m, T = 0.3, 2e-3
@@ -149,13 +149,13 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             at = {"B": beta * m / T, "b": delta * m / T, "m": m, "T": T}
             assert number(largest, **at) == pytest.approx(found, rel=1e-9)
 
-    only(agrees_in_units, shown(EXPLICIT, "In physical units"))
+    only(agrees_in_units, shown(EXPLICIT, "In physical units it is"))
 
     def agrees_free(still):
         for beta in (0.3, 0.8, 1.7):
             assert number(still, beta=beta) == pytest.approx(most(beta, 0, 0, 0), rel=1e-10)
 
-    only(agrees_free, shown(EXPLICIT, "Without damping"))
+    only(agrees_free, shown(EXPLICIT, "Without damping it tends to"))
 
 
 @guards("s4d_jury_implicit")
@@ -176,7 +176,7 @@ def test_one_period_of_delay():
                 assert number(minor, **at) == pytest.approx(found, abs=1e-12)
             assert abs(found) > 1e-3 > 1e-9 > abs(product(alpha, beta, gamma, delta))
 
-    only(agrees, shown(IMPLICIT, "The last minor for one period of delay"))
+    only(agrees, shown(IMPLICIT, "For one period of delay the last minor is"))
     alone = [(0.3, 0.2), (0.05, 0.02), (0.5, 0.1)]
 
     def agrees_alone(minor):
@@ -187,7 +187,7 @@ def test_one_period_of_delay():
                 found = product(a, beta, 0, delta)
                 assert number(minor, **at) == pytest.approx(found, abs=1e-12)
 
-    only(agrees_alone, shown(IMPLICIT, "The implicit condition"))
+    only(agrees_alone, shown(IMPLICIT, "The condition is implicit"))
 
     def agrees_free(explicit):
         for beta in (0.1, 0.4, 0.75):

@@ -30,7 +30,7 @@ def test_the_polynomial_at_one_and_the_sum_of_the_plants_numbers():
                 at = {"alpha": 0.7, "gamma": gamma, **oracle.named(gamma, delta)}
                 assert number(at_one, **at) == pytest.approx(found, abs=1e-13)
 
-    only(agrees, shown(LEFT, "The polynomial at $z=1$"))
+    only(agrees, shown(LEFT, "At $z=1$ the polynomial is"))
 
     def agrees_in_sum(overdamped, swinging, alone):
         for gamma, delta in ((0.1, 3.0), (0.2, 0.9)):
@@ -44,8 +44,12 @@ def test_the_polynomial_at_one_and_the_sum_of_the_plants_numbers():
         found = sum(oracle.numbers(0, 0.7)[:2])
         assert abs(value(alone, delta=0.7) - found) < 1e-45
 
-    ends = ("is positive, overdamped", "is positive, swinging", "without a spring")
-    only(agrees_in_sum, *(shown(LEFT, f"The sum {end}") for end in ends))
+    titles = (
+        "An overdamped device has a positive sum",
+        "A swinging device has a positive sum",
+        "Without a spring the sum is",
+    )
+    only(agrees_in_sum, *(shown(LEFT, title) for title in titles))
 
 
 @guards("s4d_left_bound")
@@ -104,7 +108,7 @@ def test_polynomials_on_the_line():
                 ours = complex(value(others, x=x, z=z)) * (z - 1)
                 assert ours == pytest.approx(np.polyval(found, z), abs=1e-12)
 
-    only(agrees, shown(DELAYED, "The other three roots"))
+    only(agrees, shown(DELAYED, "The other three roots are those of"))
 
     def agrees_on_soft(line):
         for gamma, delta in ((0.3, 0.2), (0.9, 1.0)):
@@ -113,7 +117,7 @@ def test_polynomials_on_the_line():
             found = np.polyval(np.poly(oracle.loops(-gamma, 0, gamma, delta, 1)), at["z"])
             assert complex(value(line, **at)) == pytest.approx(found, abs=1e-13)
 
-    only(agrees_on_soft, shown(DELAYED, "One period of delay, $\\beta=0$"))
+    only(agrees_on_soft, shown(DELAYED, "For one period of delay and $\\beta=0$ the polynomial is"))
 
 
 @guards("s4d_parts_damping")
@@ -150,7 +154,7 @@ def test_the_pull_on_a_free_mass():
                 y = 4 * mpmath.sin(mpmath.mpf(theta) / 2) ** 2
             assert abs(y * value(pull, y=y) - found) < 1e-35  # the square of the step, 1e-40
 
-    only(agrees, shown("s4d_parts_damping", "The pull on a free mass"))
+    only(agrees, shown("s4d_parts_damping", "On a free mass the pull is"))
 
 
 @guards("s4d_parts_delay")
@@ -160,7 +164,7 @@ def test_a_period_of_delay_lowers_the_corner_and_can_stabilise():
             beta = oracle.wall(mpmath.mpf("1e-20"), gamma, delta, d)[1]
             assert abs(value(corner, gamma=gamma, d=d, **oracle.named(gamma, delta)) - beta) < 1e-17
 
-    only(agrees, shown("s4d_parts_delay", "Where the boundary begins"))
+    only(agrees, shown("s4d_parts_delay", "The boundary begins at"))
     wall = counterexample("s4d_parts_delay", "s4d-delay-shrinks")
     assert radius(wall, d=1) < 1 < radius(wall)
     stiff = {"alpha": 1e-4, "beta": -0.022, "gamma": 1e-3, "delta": 0.02}
@@ -185,7 +189,7 @@ def test_a_spring_and_a_mass_that_destabilise():
         assert (place[-start:].max() > place[start : 2 * start].max()) == grows
 
 
-@guards("s4d_scaling", "s4d_scaling_kept")
+@guards("s4d_scaling", "s4d_scaling_kept", "s6_scaling")
 def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
     m, b, k, T, K, B = 0.4, 3.0, 250.0, 2e-3, 9e3, 30.0
     for late in (0, 2):
@@ -199,10 +203,10 @@ def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
         assert not np.allclose(kept, before, rtol=0, atol=1e3 * size)
 
 
-@guards("s4d_scaling", "s4d_scaling_kept")
+@guards("s4d_scaling", "s4d_scaling_kept", "s6_scaling")
 def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_stiffness():
     stiffness, damping = decimals(
-        "s4d_scaling", "The bounds of the chapter before for $\\delta=\\frac1{100}$"
+        "s4d_scaling", "For $\\delta=\\frac1{100}$ the largest damping and stiffness are"
     )
     assert stiffest(0, 0.01, 0, 0.5, 1.2)[0] == pytest.approx(float(stiffness), rel=1e-10)
     # its digits are cut

@@ -112,7 +112,7 @@ def test_roots_leave_and_come_back_at_the_delays_that_are_said():
             for d, count in enumerate(counts):
                 assert count == counts[0] + sum(step for at, step in changes if 0 < at <= d)
 
-    only(agrees, shown(MARGIN, "Delays at which a pair of roots leaves"), by=0.3)
+    only(agrees, shown(MARGIN, "A pair of roots leaves at the delays"), by=0.3)
     assert any(max(counts) > 2 for counts in found.values())
 
 
@@ -149,4 +149,4 @@ def test_how_fast_a_root_leaves():
         # the curvature over 0.04 periods, around the middle
         assert np.log(high / low) / 0.04 == pytest.approx(number(moves, **at), rel=2e-3)
 
-    only(agrees, shown(MARGIN, "How a root on the circle moves with the delay"), by=0.15)
+    only(agrees, shown(MARGIN, "With the delay a root on the circle moves by"), by=0.15)

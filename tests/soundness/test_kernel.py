@@ -84,6 +84,38 @@ def test_a_theorem_that_was_forged_is_not_derived_again() -> None:
         replayed(anything(forged, x > 0))
 
 
+def test_a_theorem_that_was_changed_is_derived_again_as_it_was() -> None:
+    theorem = number(sp.Lt(2, 3, evaluate=False))
+    was = theorem.conclusion
+    object.__setattr__(theorem, "conclusion", FALSE)
+    with pytest.raises(NotShown, match="something else"):
+        replayed(theorem)
+    assert number(was).conclusion == was
+
+
+def test_the_same_rule_of_the_same_is_the_same_theorem() -> None:
+    def derived(x: sp.Symbol) -> Theorem:
+        return general(number(sp.Lt(3, 4, evaluate=False)), x)
+
+    one, same, other = derived(x), derived(x), derived(y)
+    assert one is same
+    assert other.conclusion == one.conclusion
+    # named otherwise, it can be asked for by that name only
+    assert (one.conclusion.over, other.conclusion.over) == ((x,), (y,))
+    with pytest.raises(NotShown):
+        instance(other, {x: S.Zero})
+    assert instance(other, {y: S.Zero}) is not instance(one, {x: S.Zero})
+
+
+def test_a_number_of_another_kind_is_another_argument() -> None:
+    assert assume(sp.Eq(x, 1)).conclusion == proposition(sp.Eq(x, 1))
+    assert identity(x + 1, 1 + x) is identity(x + 1, 1 + x)
+    for wrong in (True, 1.0, "1"):
+        identity(S.One, 1)
+        with pytest.raises(NoTerm):
+            identity(S.One, wrong)
+
+
 def test_what_is_pickled_or_copied_is_derived_again() -> None:
     for again in (pickle.loads(pickle.dumps(ONE)), copy.deepcopy(ONE), copy.copy(ONE)):
         assert (again.hypotheses, again.conclusion) == (ONE.hypotheses, ONE.conclusion)

@@ -1,13 +1,13 @@
 """Derivations side by side, each in a process of its own that has run nothing else before.
 
 What one chapter changes in the package, the next does not see.  Where processes can be forked, a
-chapter's is a copy of one that has only imported the package; elsewhere it starts from nothing.
+chapter's is a copy of one that has run the package's own code only; elsewhere it starts from
+nothing.
 """
 
 from __future__ import annotations
 
-import ast
-import importlib
+import gc
 import multiprocessing
 import os
 import signal
@@ -19,11 +19,15 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
+from symhaptic.book.beforehand import prepare
 from symhaptic.book.chapters import BadChapter, untouched
 from symhaptic.book.ledger import Entry, of_derivation
 
 MOST = 4
 """Workers unless told otherwise: each has a computer algebra system in memory."""
+
+SELDOM = 200_000
+"""Objects made after which a derivation's process looks for cycles of them; SymPy makes few."""
 
 PAUSE = 0.5
 """Seconds after which who waits is told again what is under way."""
@@ -71,7 +75,8 @@ def each(
     """What becomes of each derivation, with its number, as they end; they begin in their order."""
     context = _context()
     if context.get_start_method() == "fork":
-        _import_for(paths)
+        prepare(paths)
+    gc.freeze()  # what is there stays, and is not looked through again in each process
     begun, done, running = 0, 0, dict[Connection, tuple[int, BaseProcess]]()
     try:
         while done < len(paths):
@@ -88,6 +93,7 @@ def each(
                 done += 1
                 yield number, result
     finally:
+        gc.unfreeze()
         for connection, (_, process) in running.items():
             process.kill()
             process.join()
@@ -98,21 +104,6 @@ def _context() -> BaseContext:
     """Forked where that is safe and nothing was left behind by a chapter; spawned elsewhere."""
     fork = sys.platform.startswith("linux") and untouched()
     return multiprocessing.get_context("fork" if fork else "spawn")
-
-
-def _import_for(paths: Sequence[Path]) -> None:
-    """Import once what the chapters take from the package, and nothing of their own."""
-    for path in paths:
-        try:
-            tree = ast.parse(path.read_bytes())
-        except (OSError, SyntaxError, ValueError):
-            continue  # told when it is run
-        for node in ast.walk(tree):
-            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
-                try:
-                    importlib.import_module(str(node.module))
-                except ImportError:
-                    continue  # the same
 
 
 def _begin(
@@ -128,6 +119,7 @@ def _begin(
 def _child(work: Callable[[Path], Result], path: Path, connection: Connection) -> None:
     """What the process of a derivation does; who started it ends it when interrupted."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    gc.set_threshold(SELDOM)
     result: Result | BadChapter
     try:
         result = work(path)

@@ -80,6 +80,21 @@ def rests(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> Rest:
     return Rest(tuple(order), tuple(name for name in classical() if name in rules))
 
 
+def between(chapters: Sequence[tuple[int, Chapter]]) -> dict[int, frozenset[int]]:
+    """For each chapter that applies theorems of other chapters, which these are."""
+    shown = shown_in(chapters)
+    found = {}
+    for number, chapter in chapters:
+        page = chapter.page
+        stated = [[one.theorem] for one in shown.values() if one.chapter == number]
+        judged = [item.settlement.judged for item in page.settled.values()]
+        settled = [[one.theorem, *(c.theorem for c in one.unless)] for one in judged if one]
+        below = {one.chapter for made in stated + settled for one in rests(made, shown).shown}
+        if below - {number}:
+            found[number] = frozenset(below - {number})
+    return found
+
+
 def used(statements: Iterable[Sequence[str]]) -> Counter[str]:
     """How many statements rest on each rule, of which each names its own."""
     return Counter(name for rests in statements for name in set(rests))

@@ -99,8 +99,7 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
     """
     known = numbers(stiffness, damping)
     whole = sp.Integer(delay + 1)
-    alpha = STIFFNESS.subs(t, sp.tan(phi / (2 * whole)))
-    slope = sp.diff(alpha, phi)
+    alpha, slope = _curve(delay)
     low, high, turn = _turning(slope, near, known)
     angle = turn.ball
     height = ball(alpha, {**known, phi: angle}, BITS).real
@@ -119,6 +118,13 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
     confirm(shown)
     with ctx.workprec(BITS):
         return Peak(angle / int(whole), height, (turn, *shown))
+
+
+@cache
+def _curve(delay: int) -> tuple[Expr, Expr]:
+    """The stiffness of the boundary at phi = (d+1) theta, and its slope there."""
+    alpha = STIFFNESS.subs(t, sp.tan(phi / (2 * (delay + 1))))
+    return alpha, sp.diff(alpha, phi)
 
 
 Side: TypeAlias = tuple[Expr, Expr]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -84,6 +85,8 @@ def verify(
     ] = False,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one."""
+    # SymPy, which reads this when it is imported, then forgets nothing while a chapter is run
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
     from time import perf_counter
 
     from symhaptic.book import chapters, ledger, listing, parallel

@@ -21,6 +21,7 @@ class ReportFormat(StrEnum):
 
     tex = "tex"
     pdf = "pdf"
+    html = "html"
 
 
 @app.command()
@@ -28,7 +29,9 @@ def report(
     format: Annotated[
         ReportFormat | None,
         typer.Option(
-            "--format", help="tex, or pdf; pdf for the book where a TeX is installed, if not given."
+            "--format",
+            help="tex, pdf or html; if not given, the book as tex, and as pdf and html as far as "
+            "what makes them is installed.",
         ),
     ] = None,
     output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the report.")] = Path(
@@ -51,9 +54,10 @@ def report(
     listing: Annotated[bool, typer.Option("--list", help="Print the chapters' names.")] = False,
     derivation: Derivations = None,
 ) -> None:
-    """Write the derivations as LaTeX chapters and a book, with figures and the ledger."""
+    """Write the derivations as LaTeX chapters and a book, and as a web site."""
     from symhaptic.book import chapters as library
     from symhaptic.book.parts import in_parts
+    from symhaptic.book.site import place as site
     from symhaptic.book.tex import build, place, tex
 
     paths = in_parts(library.shipped(), lambda path: path.stem) + own_chapters(derivation)
@@ -66,14 +70,23 @@ def report(
     if standalone and not chapter:
         refuse("--standalone: is for chapters; --chapter NAME names them")
     some = [named(name, paths) for name in dict.fromkeys(chapter or [])]
-    pdf = format is ReportFormat.pdf if some else can and format is not ReportFormat.tex
+    pdf = format is ReportFormat.pdf if some else can and format in (None, ReportFormat.pdf)
+    html = format is ReportFormat.html or (format is None and not some and site.can())
+    only_html = format is ReportFormat.html
+    if only_html and (check or standalone):
+        refuse(
+            f"--format html: is made anew each time; {'--check' if check else '--standalone'} "
+            "is for LaTeX"
+        )
     alone = standalone or pdf
     try:
         build.check(paths)
         if not check:
             folder_allowed(output)
             names = build.names_of_excerpt(some, alone, pdf) if some else build.names_of(paths, pdf)
-            place.refuse_foreign(output, names)
+            place.refuse_foreign(output, [] if only_html else names)
+            if html:
+                site.allowed(output / "site")
         elif not output.is_dir():
             refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
         chapters = chapters_of(some or paths)
@@ -86,16 +99,24 @@ def report(
                 typer.echo(f"symhaptic: {output} is stale; `symhaptic report` writes it", err=True)
                 raise typer.Exit(1)
             return
-        if some:
+        if some and not only_html:
             build.write_excerpt(numbered, output, alone, pdf, say)
-        else:
+        elif not only_html:
             build.write(chapters, output, pdf, say)
+        if html:
+            from symhaptic.book.site.build import write as write_site
+
+            write_site(numbered, output / "site", say, whole=not some)
     except tex.ReportError as wrong:
         refuse(str(wrong))
     mains = ["book"] if not some else ["chapters"] if alone else [path.stem for path in some]
-    typer.echo("\n".join(f"wrote {output / name}.{'pdf' if pdf else 'tex'}" for name in mains))
+    mains = [f"{name}.{'pdf' if pdf else 'tex'}" for name in mains if not only_html]
+    mains += ["site/index.html"] if html else []
+    typer.echo("\n".join(f"wrote {output / name}" for name in mains))
     if not pdf and not some and format is None:
         typer.echo(f"no PDF: {tex.NO_TEX}", err=True)
+    if not html and not some and format is None:
+        typer.echo(f"no site: {site.NEEDS}", err=True)
 
 
 def say(line: str) -> None:

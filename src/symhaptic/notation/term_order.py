@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 from sympy import Expr
 
@@ -76,6 +78,7 @@ def base_of(expr: Expr) -> Expr:
     return expr.args[0] if expr.is_Pow else expr
 
 
+@lru_cache(maxsize=4096)
 def _factor_key(expr: Expr, period: int) -> tuple[int, float, str]:
     """Numbers, symbols, sums, angles, functions; the period T is an angle's only beside omega."""
     base = base_of(expr)
@@ -99,6 +102,7 @@ def _factor_key(expr: Expr, period: int) -> tuple[int, float, str]:
     return (rank, float(len(str(base))), str(base))
 
 
+@lru_cache(maxsize=4096)
 def _term_key(expr: Expr) -> tuple[float, bool, bool, float, tuple[int, ...]]:
     """Falling powers of z (or s), plain terms before quotients, numbers last, then by size."""
     pairs = [factor.as_base_exp() for factor in sp.Mul.make_args(expr)]
@@ -119,6 +123,7 @@ def _term_key(expr: Expr) -> tuple[float, bool, bool, float, tuple[int, ...]]:
     return (-degree, quotient, not expr.free_symbols, size, names)
 
 
+@lru_cache(maxsize=4096)
 def _weight(expr: Expr) -> float:
     """A rough size of an angle, to put d theta before (d+1) theta."""
     values = {s: sp.Rational(13, 10) for s in expr.free_symbols}

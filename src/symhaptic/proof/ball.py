@@ -64,14 +64,18 @@ def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
         ctx.prec = before
 
 
-def _ball(expr: Expr, at: At) -> acb:
-    if expr in at:
-        value = at[expr]
-        return (
-            acb(value)
-            if isinstance(value, (acb, arb))
-            else _ball(sp.sympify(value, strict=True), {})
-        )
+def _ball(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
+    """The same; what ``at`` does not have yet, it has afterwards, so that no part is met twice."""
+    value = at.get(expr)
+    if value is None:
+        value = _found(expr, at)
+    elif not isinstance(value, acb):
+        value = acb(value) if isinstance(value, arb) else _ball(sp.sympify(value, strict=True), {})
+    at[expr] = value
+    return value
+
+
+def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
     if expr.is_Rational:
         return acb(fmpq(int(expr.p), int(expr.q)))
     if expr is sp.I:
@@ -130,7 +134,7 @@ def largest_root(
     for bits in PRECISIONS:
         ctx.prec = bits
         try:
-            values: At = {**point, **{s: _ball(v, point) for s, v in meant.items()}}
+            values = {**point, **{s: _ball(v, dict(point)) for s, v in meant.items()}}
             roots = acb_poly([_ball(c, values) for c in reversed(coefficients)]).complex_roots()
             return _largest([abs(root) for root in roots if keep(root)])
         except ValueError:  # not isolated at this precision

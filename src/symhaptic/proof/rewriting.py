@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
+from functools import lru_cache
 
 import sympy as sp
 from sympy import Expr
@@ -78,6 +79,7 @@ def is_complex(symbol: Expr) -> bool:
     return symbol.is_complex is not None or (entry is not None and entry.domain == "complex")
 
 
+@lru_cache(maxsize=8192)
 def as_exponentials(expr: Expr) -> Expr:
     """Sines, cosines, tangents and real parts rewritten with exponentials, nothing else touched."""
     j = sp.I

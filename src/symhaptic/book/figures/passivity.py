@@ -183,5 +183,6 @@ def save(
         size = (WIDTH, height * WIDTH)
         figure, axes = plt.subplots(*panels, figsize=size, layout="constrained")
         draw(axes)
-        figure.savefig(target, dpi=200, metadata=_METADATA[target.suffix])
+        clear = target.suffix == ".svg"  # a page of the site gives it its background
+        figure.savefig(target, dpi=200, transparent=clear, metadata=_METADATA[target.suffix])
         plt.close(figure)

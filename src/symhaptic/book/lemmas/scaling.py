@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
 import sympy as sp
 from sympy import Eq, Expr, Ne, Rational, S, Symbol
 
-from symhaptic.notation import B, K, T, b, k, m, z
+from symhaptic.notation import B, K, T, b, k, m, y, z
 from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation, whole
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, in_units
@@ -21,6 +22,7 @@ from symhaptic.proof.theorems.kernel import (
     applied,
     assume,
     chosen,
+    conjoined,
     part,
     substituted,
     witnessed,
@@ -42,6 +44,12 @@ RATE = [Eq(DAMPER, 2 * b), Eq(SPRING, 4 * k)]
 
 KEPT = [Eq(DAMPER * SOON / HEAVY, b * T / m), Eq(SPRING * SOON**2 / HEAVY, k * T**2 / m)]
 """The same for another period and another mass."""
+
+HELD = [Eq(DAMPER / HEAVY, b / m), Eq(SPRING / HEAVY, k / m)]
+"""Damper and spring grow with the mass."""
+
+FASTER = [Eq(DAMPER, y * b), Eq(SPRING, y**2 * k)]
+"""b T/m and k T^2/m are kept at y times the rate."""
 
 APART = [positive(Ne(s, 0), s > 0) for s in (T, m, SOON, HEAVY)]
 
@@ -76,22 +84,64 @@ def _carried(
     free: Symbol, before: Proposition, after: Proposition, value: Expr, kept: list[Any]
 ) -> Theorem:
     """There is a value for which ``after`` is stable, if there is one for ``before``."""
-    other, place = Symbol(f"{free}'"), Symbol("q")
+    other = Symbol(f"{free}'")
     named = Relation(other, "=", value)
     known = [assume(p) for p in (named, named, kept[1], kept[0])]
-    found, wanted = assume(before), after.at({free: other}).terms
-    for i, equation in enumerate(known):
-        terms = list(found.conclusion.terms)
-        left, right = equation.conclusion.terms
-        difference = wanted[i] - terms[i]
-        if difference != 0:
-            share = sp.cancel(difference / (right - left))
-            moved = combined(Relation(terms[i], "=", wanted[i]), [equation, share])
-            terms[i] = place
-            found = substituted(Predicate(STABLE.name, (), tuple(terms)), place, found, moved)
+    found = _moved(assume(before), after.at({free: other}), known)
     some = witnessed(found, Exists((free,), after), {free: other})
     there_is = witnessed(identity(value, value), Exists((other,), named), {other: value})
     return chosen(assume(Exists((free,), before)), chosen(there_is, some))
+
+
+def _moved(found: Theorem, wanted: Proposition, known: Sequence[Theorem | None]) -> Theorem:
+    """A stable loop in other terms, each equal to the old one by an equation or by itself."""
+    place = Symbol("q")
+    for i, equation in enumerate(known):
+        terms = list(found.conclusion.terms)
+        difference = wanted.terms[i] - terms[i]
+        if equation is not None and difference != 0:
+            left, right = equation.conclusion.terms
+            share = sp.cancel(difference / (right - left))
+            moved = combined(Relation(terms[i], "=", wanted.terms[i]), [equation, share])
+            terms[i] = place
+            found = substituted(Predicate(STABLE.name, (), tuple(terms)), place, found, moved)
+    return found
+
+
+@cache
+def with_the_mass() -> Theorem:
+    """K and B are stable <=> (m'/m) K and (m'/m) B with the mass m', under HELD."""
+    before = in_units(K, B, T, m, b, k)
+    after = in_units(K * HEAVY / m, B * HEAVY / m, T, HEAVY, DAMPER, SPRING)
+    return _both_ways(before, after, HELD)
+
+
+@cache
+def with_the_stiffness(stiffer: Symbol) -> Theorem:
+    """K'/m' = K/m, and both walls are stable or none, for K' = (m'/m) K and all else like it."""
+    grown = HEAVY / m
+    before = in_units(K, B, T, m, b, k)
+    after = in_units(stiffer, B * grown, T, HEAVY, b * grown, k * grown)
+    equally = assume(Eq(stiffer, K * grown))
+    same = combined(Eq(stiffer / HEAVY, K / m), [equally, 1 / HEAVY])
+    known = [equally, None, None, None]
+    there, back = _moved(assume(before), after, known), _moved(assume(after), before, known)
+    found = conjoined(same, either_way(there, back, before, after))
+    return closed(found, *APART)
+
+
+@cache
+def with_the_rate() -> Theorem:
+    """K and B are stable <=> y^2 K and y B are at y times the rate, under FASTER."""
+    before = in_units(K, B, T, m, b, k)
+    after = in_units(y**2 * K, y * B, T / y, m, DAMPER, SPRING)
+    return closed(_both_ways(before, after, FASTER), positive(Ne(y, 0), y > 0))
+
+
+def _both_ways(before: Proposition, after: Proposition, kept: list[Any]) -> Theorem:
+    known = [None, None, assume(kept[1]), assume(kept[0])]
+    there, back = _moved(assume(before), after, known), _moved(assume(after), before, known)
+    return closed(either_way(there, back, before, after), *APART)
 
 
 # -- walls that cannot be made stable ----------------------------------------------------

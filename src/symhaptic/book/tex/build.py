@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from symhaptic.book.ledger import GENERATED, Entry, committed, counted, ledger, 
 from symhaptic.book.measured.chapter import measurement
 from symhaptic.book.measured.record import BadRecord
 from symhaptic.book.parts import in_parts
+from symhaptic.book.rests import between
 from symhaptic.book.tex.believed import believed
 from symhaptic.book.tex.errata import errata
 from symhaptic.book.tex.mutants import mutants_listed
@@ -34,7 +36,10 @@ MEANINGS = (
     (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
     (Kind.UNDECIDED, "none of these yet"),
 )
-RESERVED = ("believed", "bench", "book", "chapters", "errata", "ledger", "mutants", "results")
+RESERVED = (
+    *("believed", "bench", "book", "chapters", "errata", "ledger", "mutants", "results"),
+    *("index", "search"),
+)
 """Names of the report's own files, which no chapter may have."""
 
 PACKAGE = "symhaptic.sty"
@@ -94,7 +99,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
                 ],
             },
         ),
-        ("results", results(entries, numbers)),
+        ("results", {**results(entries, numbers), "graph": bool(between(numbered))}),
         ("believed", believed(entries)),
         ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
         ("ledger", {"rows": rows}),
@@ -158,6 +163,7 @@ def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str],
     with drafted(target) as draft:
         _texts(files, draft)
         _figures(chapters, draft / "figures", say)
+        _graph(chapters, draft / "figures", say)
         _measured(draft / "figures", say)
         if pdf:
             typeset(draft, say)
@@ -203,6 +209,20 @@ def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) 
 
                 say(f"figure {block.title}")
                 save(block.draw, folder / f"{block.title}.pdf", block.panels, block.height)
+
+
+def _graph(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:
+    """Which chapter applies theorems of which."""
+    numbered = list(enumerate(in_parts(chapters, lambda chapter: chapter.name), 1))
+    edges = between(numbered)
+    if edges:
+        from symhaptic.book.figures.passivity import save
+        from symhaptic.book.figures.rests import graph
+
+        say("figure graph")
+        titles = {number: chapter.title for number, chapter in numbered}
+        draw = partial(graph, edges=edges, titles=titles)
+        save(draw, folder / "graph.pdf", height=1.32)
 
 
 def _measured(folder: Path, say: Callable[[str], None]) -> None:

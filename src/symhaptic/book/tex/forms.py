@@ -43,6 +43,20 @@ def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
     return ["\\printedforms", *rows, "\\formsend", ""]
 
 
+def answers(settled: Sequence[Settled]) -> str:
+    """What a chapter finds, in words: each statement with its verdict and its condition."""
+    return "\n".join(["\\answers", *map(_answered, settled), "\\answersend"])
+
+
+def _answered(item: Settled) -> str:
+    statement, verdict = item.statement, item.verdict
+    says = prose(statement.says)
+    if verdict.claimed is Kind.QUALIFIED:
+        says += f", for {condition(verdict)}"
+    place = f"\\statementlink{{{statement.id}}}{{{reference(statement.id)}}}"
+    return f"\\answer{{{place}}}{{{says}}}{{\\kind{{{verdict.kind}}}{{{verdict.kind}}}}}"
+
+
 def _beside(shown: str, verdict: Verdict, facing: bool) -> str:
     """What is printed, the condition under which it is right, and what it claims."""
     if verdict.condition:
@@ -135,13 +149,47 @@ def correction(verdict: Verdict) -> str:
     if verdict.corrected_latex is not None:
         if verdict.corrected_latex.startswith(r"\forall"):
             return f"{{\\footnotesize ${running(verdict.corrected_latex)}$}}"
-        lines = [
-            line for text in verdict.corrected_latex.split(r",\quad ") for line in broken(text)
-        ]
+        text = verdict.corrected_latex
+        if width(text) <= FORM:
+            return stack([text])
+        lines = [line for part in text.split(r",\quad ") for line in broken(part)]
         return stack(lines)
     if verdict.corrected is not None:
         return stack([latex(part) for part in verdict.corrected])
     return ""
+
+
+LONG = 70.0
+"""Width of a correction in em from which on a reader is told what shows it instead."""
+
+
+def right_is(verdict: Verdict) -> str:
+    """What is right: for a condition, or a correction; empty where what is printed is right."""
+    if verdict.claimed is Kind.QUALIFIED:
+        return f"for {condition(verdict)}"
+    text = verdict.corrected_latex or ""
+    if width(text) > LONG and verdict.shows:
+        return verdict.shows
+    return _in_words(text) if r"\text" in text else f"\\fitting{{{correction(verdict)}}}"
+
+
+def _in_words(text: str) -> str:
+    r"""A correction with words in it as a sentence, which may break between them.
+
+    >>> _in_words(r"\text{at}\ x=1,\ \text{and}\ y")
+    'at $x=1$, and $y$'
+    """
+    parts = re.split(r"\\text\{([^{}]*)\}", text.replace(r",\quad ", r",\ "))
+    words = [part if at % 2 else _formulas(part) for at, part in enumerate(parts)]
+    return " ".join("".join(words).split()).replace(" ,", ",")
+
+
+def _formulas(text: str) -> str:
+    """Formulas between words, each between dollar signs, with the commas outside."""
+    parts = re.split(r"(,?\\ )", text)
+    return "".join(
+        p.replace(r"\ ", " ") if at % 2 else f"${p}$" if p else "" for at, p in enumerate(parts)
+    )
 
 
 def _verdict(verdict: Verdict) -> str:

@@ -9,14 +9,15 @@ from typing import Any
 from sympy import Expr
 
 from symhaptic.book.chapters import Chapter
-from symhaptic.book.record import Block, Settled
+from symhaptic.book.record import Block, Record, Settled
 from symhaptic.book.rests import Said, Shown, rests, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.breaking import broken, pieces, width
-from symhaptic.book.tex.forms import printed_forms, sentence
+from symhaptic.book.tex.forms import answers, printed_forms, sentence
 from symhaptic.book.tex.words import anchor, escaped, prose
 from symhaptic.notation.latex import latex
 from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.verdict import Kind
 
 LINE = 29.0
 """Width of an equation in em, the number on its right taken off."""
@@ -32,7 +33,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
         "",
     ]
     shown = shown_in([(number, chapter)])
-    out += _answer(chapter.page.blocks, number, shown)
+    out += _answer(chapter.page, number, shown)
     steps = 0
     for block in chapter.page.blocks:
         if block.kind == "prose":
@@ -59,7 +60,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
 def _equation(block: Block, chapter: int, step: int) -> list[str]:
     heading = "Result" if block.kind == "result" else f"Step {step}"
     reason = _sentence(prose(block.text)) if block.text else ""
-    rows = _rows(block.lines)
+    rows = rows_of(block.lines)
     beside = f"\\quad paper ({block.paper})" if block.paper else ""
     tag = (
         f"\\tag*{{({chapter}.{block.number})"
@@ -83,12 +84,18 @@ def _equation(block: Block, chapter: int, step: int) -> list[str]:
     ]
 
 
-def _answer(blocks: list[Block], chapter: int, shown: Mapping[Said, Shown]) -> list[str]:
-    """The chapter's theorem, where its author has boxed one: before the steps that lead to it."""
+def _answer(page: Record, chapter: int, shown: Mapping[Said, Shown]) -> list[str]:
+    """What the chapter finds, before the steps that lead to it.
+
+    That is the theorem that its author has boxed, or else the statements that it settles, in words.
+    """
+    boxed = [block for block in page.blocks if block.kind == "theorem" and block.boxed]
+    if not boxed:
+        found = [s for s in page.settled.values() if s.verdict.kind is not Kind.DEFINITION]
+        return [answers(found), ""] if found else []
     return [
         line
-        for block in blocks
-        if block.kind == "theorem" and block.boxed
+        for block in boxed
         for line in (
             f"\\step{{Theorem.}}{{{_sentence(prose(block.title))}}}",
             _claimed("boxedclaim", block, chapter, shown),
@@ -166,7 +173,8 @@ def _sentence(text: str) -> str:
     return text if text.endswith((".", "!", "?", ":")) else f"{text}."
 
 
-def _rows(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
+def rows_of(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
+    """Lines of an equation, aligned at their sign, broken where they are too long for one."""
     rows: list[str] = []
     for left, sign, right in lines:
         shown = left if isinstance(left, str) else latex(left)

@@ -5,14 +5,13 @@ The choice is made here; formulas, conditions and corrections come from statemen
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from symhaptic.book.ledger import Entry
-from symhaptic.book.tex.breaking import width
 from symhaptic.book.tex.errata import CLASSES
-from symhaptic.book.tex.forms import condition, correction, printed, reference
+from symhaptic.book.tex.forms import condition, correction, printed, reference, right_is
 from symhaptic.book.tex.words import prose
 from symhaptic.proof.verdict import Kind
 
@@ -32,10 +31,6 @@ USE = (
 """What a reader asks, and the statements that answer."""
 
 
-LONG = 70.0
-"""Width of a correction in em from which on a reader is told what shows it instead."""
-
-
 def results(entries: Iterable[Entry], chapters: Mapping[str, int]) -> dict[str, Any]:
     """What the template of the two pages needs; ``chapters`` are numbers by source."""
     found = {entry.statement.id: entry for entry in entries}
@@ -44,13 +39,17 @@ def results(entries: Iterable[Entry], chapters: Mapping[str, int]) -> dict[str, 
         for question, ids in USE
     ]
     theirs = [entry for entry in found.values() if not entry.own]
-    wrong = [
-        (title, [_wrong(entry, chapters) for entry in theirs if entry.verdict.claimed is kind])
-        for kind, title in CLASSES
-    ]
+    listed = {
+        kind: [_wrong(entry, chapters) for entry in theirs if entry.verdict.claimed is kind]
+        for kind, _ in CLASSES
+    }
+    conditions = listed.pop(Kind.QUALIFIED)
+    titles = dict(CLASSES)
     return {
         "use": [(question, rows) for question, rows in use if rows],
-        "wrong": [(title, rows) for title, rows in wrong if rows],
+        "wrong": [(titles[kind], rows) for kind, rows in listed.items() if rows],
+        "conditions": conditions,
+        "unstated": titles[Kind.QUALIFIED],
     }
 
 
@@ -60,42 +59,21 @@ def _settled(entry: Entry) -> bool:
 
 def _use(entry: Entry, chapters: Mapping[str, int]) -> dict[str, str]:
     """The right form, its condition, and where it is shown."""
-    shown = correction(entry.verdict) or printed(entry.statement)
-    if entry.verdict.condition:
-        shown += f"\\\\[3pt]{{\\footnotesize for {condition(entry.verdict)}}}"
+    domain = entry.statement.domain
+    right = correction(entry.verdict)
+    shown = right or printed(replace(entry.statement, domain=""))
+    where = [f"${domain}$"] if domain and not right else []
+    where += [f"for {condition(entry.verdict)}"] if entry.verdict.condition else []
+    if where:
+        shown += f"\\\\[2pt]{{\\footnotesize {', '.join(where)}}}"
+    shown = shown.replace(r"\\[10pt]", r"\\[7pt]").replace(r"\\[3pt]", r"\\[1pt]")
     return {"shown": shown, **_place(entry, chapters)}
 
 
 def _wrong(entry: Entry, chapters: Mapping[str, int]) -> dict[str, str]:
     """What is said in words, and what is right: a correction, or a condition."""
-    verdict = entry.verdict
-    text = verdict.corrected_latex or ""
-    if verdict.claimed is Kind.QUALIFIED:
-        right = f"for {condition(verdict)}"
-    elif width(text) > LONG and verdict.shows:
-        right = verdict.shows
-    else:
-        right = _in_words(text) if r"\text" in text else f"\\fitting{{{correction(verdict)}}}"
+    right = right_is(entry.verdict)
     return {"says": prose(entry.statement.says), "right": right, **_place(entry, chapters)}
-
-
-def _in_words(text: str) -> str:
-    r"""A correction with words in it as a sentence, which may break between them.
-
-    >>> _in_words(r"\text{at}\ x=1,\ \text{and}\ y")
-    'at $x=1$, and $y$'
-    """
-    parts = re.split(r"\\text\{([^{}]*)\}", text.replace(r",\quad ", r",\ "))
-    words = [part if at % 2 else _formulas(part) for at, part in enumerate(parts)]
-    return " ".join("".join(words).split()).replace(" ,", ",")
-
-
-def _formulas(text: str) -> str:
-    """Formulas between words, each between dollar signs, with the commas outside."""
-    parts = re.split(r"(,?\\ )", text)
-    return "".join(
-        p.replace(r"\ ", " ") if at % 2 else f"${p}$" if p else "" for at, p in enumerate(parts)
-    )
 
 
 def _place(entry: Entry, chapters: Mapping[str, int]) -> dict[str, str]:

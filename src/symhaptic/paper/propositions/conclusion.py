@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import sympy as sp
+from sympy import Symbol
 
-from symhaptic.notation import T, b, k, k_H, m, omega
-from symhaptic.notation.proposition import ForAll, Proposition, both, implied
+from symhaptic.notation import B, K, T, b, d, k, k_H, m, omega, v, y
+from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied
 from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS
+from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
 from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.stability import DAMPER, HEAVY, LOOPS, SPRING, in_units
 from symhaptic.paper.reading import Printed
 
 
@@ -18,3 +21,52 @@ def _springs_against_arms(printed: Printed) -> Proposition:
     about = [ABOUT[0] * 10000 * k_H <= k, k <= ABOUT[1] * 10000 * k_H]
     given = [m > 0, T > 0, k_H > 0, *DAMPED, swings]
     return ForAll((m, b, k, k_H, T), implied(given, both(about)))
+
+
+@claims("s6-sampling")
+def _linear_and_quadratic_in_the_rate(printed: Printed) -> Proposition:
+    """At y times the rate y K is passive where K was, and y^2 K with y B stable.
+
+    Passive is what meets (5).  The paper does not say what becomes of the operator in the stable
+    loop: its damper and spring may change.
+    """
+    walls = at_every_frequency(FIVE)
+    passive = Iff((walls, walls.at({K: y * K, T: T / y})))
+    after = in_units(y**2 * K, y * B, T / y, m, DAMPER, SPRING)
+    stable = Iff((in_units(K, B, T, m, b, k), after))
+    given = [*LOOPS, y > 0, DAMPER >= 0, SPRING >= 0]
+    symbols = (K, B, T, m, b, k, d, y, DAMPER, SPRING)
+    return ForAll(symbols, implied(given, both([passive, stable])))
+
+
+@claims("s6-mass")
+def _mass_scales_stability_alone(printed: Printed) -> Proposition:
+    """A wall is stable where the wall in proportion to another mass is; passive with both or none.
+
+    The paper does not say what becomes of the operator: its damper and spring may change.
+    """
+    after = in_units(K * HEAVY / m, B * HEAVY / m, T, HEAVY, DAMPER, SPRING)
+    stable = Iff((in_units(K, B, T, m, b, k), after))
+    devices = (Predicate("passive_device", (v,), (x * v**2 / 2, *WALL)) for x in (m, HEAVY))
+    given = [*LOOPS, HEAVY > 0, DAMPER >= 0, SPRING >= 0]
+    symbols = (K, B, T, m, b, k, d, HEAVY, DAMPER, SPRING)
+    return ForAll(symbols, implied(given, both([stable, Iff(tuple(devices))])))
+
+
+STIFFER = Symbol("K'")
+
+
+@claims("s6-performance")
+def _stiffness_per_mass_is_kept(printed: Printed) -> Proposition:
+    """Performance is K/m, as the paper says: where both grow equally K'/m' = K/m.
+
+    And nothing else is gained: with damper, spring and B in the same proportion the wall is
+    stable where it was.
+    """
+    grown = HEAVY / m
+    after = in_units(STIFFER, B * grown, T, HEAVY, b * grown, k * grown)
+    stable = Iff((in_units(K, B, T, m, b, k), after))
+    given = [*LOOPS, HEAVY > 0, sp.Eq(STIFFER, K * grown)]
+    same = sp.Eq(STIFFER / HEAVY, K / m)
+    symbols = (K, B, T, m, b, k, d, HEAVY, STIFFER)
+    return ForAll(symbols, implied(given, both([same, stable])))

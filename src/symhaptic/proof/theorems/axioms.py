@@ -229,6 +229,13 @@ _believed(
     _eq(a, 2 * cos(x)),
     _eq(n_1, n_0),
 )
+_believed(
+    "device turns",
+    "its poles are exp(-delta/2) times exp c and exp(-c), with c real or c = j w, w < pi",
+    _numbers,
+    [DEVICE, _lt(gamma - delta**2 / 4, pi**2)],
+    _lt(-2 * exp(-delta / 2), a),
+)
 _turn = exp(I * theta)
 _way = (_turn - 1) * (n_1 * _turn + n_0)
 _work = _way * (_turn**-2 - a / _turn + e)

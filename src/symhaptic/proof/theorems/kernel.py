@@ -13,11 +13,14 @@ Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``e
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import fields
 from functools import wraps
 from importlib import import_module
+from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
+from weakref import WeakValueDictionary
 
-from sympy import Expr, Mul, S, Symbol
+from sympy import Basic, Expr, Mul, S, Symbol
 from sympy.core.relational import Relational
 
 from symhaptic.notation.proposition import (
@@ -56,7 +59,7 @@ _TOKEN = object()
 class Theorem:
     """``hypotheses`` imply ``conclusion``; made by rules only."""
 
-    __slots__ = ("_given", "_rule", "conclusion", "hypotheses")
+    __slots__ = ("__weakref__", "_given", "_rule", "conclusion", "hypotheses")
 
     hypotheses: frozenset[Proposition]
     conclusion: Proposition
@@ -125,7 +128,42 @@ def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...
     for theorem in _theorems([*args, *(v for _, v in named)]):
         if type(theorem) is not Theorem:
             raise NotShown("what looks like a theorem is none")
-    return Theorem(_TOKEN, _RULES[name](*args, **dict(named)), name, (args, named))
+    same = _exactly((name, args, named))
+    if same in _known:
+        return _known[same]
+    found = Theorem(_TOKEN, _RULES[name](*args, **dict(named)), name, (args, named))
+    if same is not None:
+        _known[same] = found
+    return found
+
+
+_known: WeakValueDictionary[Any, Theorem] = WeakValueDictionary()
+"""What was derived here and is still in somebody's hands, by its rule and what that was given.
+
+A rule gives the same for the same, so that this is the theorem and not a copy of one."""
+
+
+def forget() -> None:
+    """Derive anew from here on, even what has been derived here before."""
+    _known.clear()
+
+
+def _exactly(part: Any) -> Any:
+    """What only equal arguments share, names of bound symbols and types included; None for those
+    that cannot be told apart so."""
+    if isinstance(part, (tuple, list)):
+        parts = tuple(map(_exactly, part))
+        return None if None in parts else parts
+    if isinstance(part, (Theorem, Basic)):
+        return part
+    if isinstance(part, Proposition):
+        names = (f.name for f in fields(part))  # type: ignore[arg-type]
+        return _exactly((type(part).__name__, *(getattr(part, name) for name in names)))
+    if isinstance(part, (str, int, NoneType)):
+        return type(part).__name__, part
+    if isinstance(part, Mapping):
+        return _exactly(("at", *part.items()))
+    return None
 
 
 def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:

@@ -26,6 +26,8 @@ SOURCES = {
     "and Levinson, Theory of Ordinary Differential Equations, 1.8 and 3.1",
     "turns": "the definition of an answer",
     "one_answer": "the definition of an answer",
+    "after_a_blow": "variation of constants, and integration by parts; Rudin, Principles of "
+    "Mathematical Analysis, 6.22 and 6.12(b)",
 }
 """Each rule of this module with its source."""
 
@@ -125,3 +127,39 @@ def one_answer(one: Theorem, other: Theorem) -> Judgement:
     if again != answers(response, claim.over[0], at, again.of[2], period):
         raise NotShown(f"{again} is about another device or another force")
     return one.hypotheses | other.hypotheses, Relation(answer, "=", again.of[2])
+
+
+@rule
+def after_a_blow(
+    device: Theorem, first: Any, second: Any, ago: Symbol, test: Any, kernel: Theorem
+) -> Judgement:
+    """0 < p n1 + q n0 - f(1) from 0 < p + q exp(-delta u) - f'' - delta f' - gamma f on 0 < u < 1.
+
+    The same with <=.  f and f' are zero at u = 0.  A blow moves the device by h, a solution with
+    h(0) = 0 and h'(0) = 1, positive on (0, 1] for gamma - delta^2/4 < pi^2.  A force held before
+    moves it by n1 = int h(1 - u) du and n0 = int exp(-delta u) h(1 - u) du, and f(1) is
+    int (f'' + delta f' + gamma f) h(1 - u) du, by parts; Rudin, 6.22 and 6.12.
+    """
+    gamma_, delta_, n1, n0, _, _ = found = predicate(device, "device").of
+    p, q, f = term(first), term(second), term(test)
+    if any(ago in t.free_symbols for t in (*found, p, q)) or not all(map(real, (*found, p, q, f))):
+        raise NotShown(f"real terms without {ago} are wanted")
+    divisors = conditions(p, q, f)
+    if f.has(sp.Abs, sp.re, sp.im, sp.conjugate) or any(ago in c.free for c in divisors):
+        raise NotShown(f"{f} is not smooth by its form")
+    slope = sp.diff(f, ago)
+    if not all(is_zero(t.xreplace({ago: _ZERO})) for t in (f, slope)):
+        raise NotShown(f"{f} or its slope is not zero at the start")
+    claim = kernel.conclusion
+    if not (isinstance(claim, Relation) and claim.left == 0 and claim.sign in ("<", "<=")):
+        raise NotShown(f"{claim} is not the sign of a kernel")
+    wanted = p + q * sp.exp(-delta_ * ago)
+    wanted -= sp.diff(slope, ago) + delta_ * slope + gamma_ * f
+    if not is_zero(claim.right - wanted):
+        raise NotShown(f"{claim.right} is not {wanted}")
+    hypotheses = kernel.hypotheses - {Relation(_ZERO, "<", ago), Relation(ago, "<", _ONE)}
+    if any(ago in h.free for h in hypotheses):
+        raise NotShown(f"the kernel is not known for all {ago} between 0 and 1")
+    hypotheses |= {Relation(gamma_ - delta_**2 / 4, "<", sp.pi**2), *divisors}
+    end = f.xreplace({ago: _ONE})
+    return device.hypotheses | hypotheses, Relation(_ZERO, claim.sign, p * n1 + q * n0 - end)

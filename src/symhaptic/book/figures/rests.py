@@ -1,0 +1,103 @@
+"""The graph of what rests on what: chapters in columns, each right of all that it applies."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from symhaptic.book.figures.passivity import COLOURS
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Edges = Mapping[int, frozenset[int]]
+"""For each chapter those whose theorems it applies."""
+
+LETTERS = 25
+"""Of a line of a chapter's title."""
+
+SWEEPS = 12
+
+
+def direct(edges: Edges) -> dict[int, frozenset[int]]:
+    """Without the edges that a longer way says as well."""
+
+    def below(node: int) -> frozenset[int]:
+        return frozenset().union(*(edges.get(n, frozenset()) | below(n) for n in edges[node]))
+
+    edges = {**{n: frozenset() for under in edges.values() for n in under}, **edges}
+    return {
+        node: frozenset(n for n in under if not any(n in edges[m] | below(m) for m in under))
+        for node, under in edges.items()
+    }
+
+
+def columns(edges: Edges) -> list[list[int]]:
+    """Chapters by the longest way down, in an order in which neighbours are near each other."""
+    depth: dict[int, int] = {}
+
+    def deep(node: int) -> int:
+        if node not in depth:
+            depth[node] = 1 + max((deep(n) for n in edges[node]), default=-1)
+        return depth[node]
+
+    found: list[list[int]] = [[] for _ in range(1 + max(map(deep, edges)))]
+    for node in sorted(edges):
+        found[depth[node]].append(node)
+    near = {n: {*edges[n], *(m for m in edges if n in edges[m])} for n in edges}
+    for _ in range(SWEEPS):
+        at = {n: y for column in found for n, y in _heights(column).items()}
+        for column in found:
+            column.sort(key=lambda n: (_mean(at[m] for m in near[n]), n))
+            at |= _heights(column)
+    return found
+
+
+def _heights(column: Sequence[int]) -> dict[int, float]:
+    return {n: (i + 0.5) / len(column) for i, n in enumerate(column)}
+
+
+def _mean(values: Iterable[float]) -> float:
+    found = list(values)
+    return sum(found) / len(found)
+
+
+def graph(axes: Axes, edges: Edges, titles: Mapping[int, str]) -> None:
+    """Titles in columns, joined to what they rest on."""
+    edges = direct(edges)
+    placed = columns(edges)
+    at = {n: (x, -y) for x, column in enumerate(placed) for n, y in _heights(column).items()}
+    boxes = {
+        n: axes.text(
+            *at[n],
+            "\n".join(textwrap.wrap(f"{n}  {titles[n]}", LETTERS)),
+            fontsize=5.5,
+            linespacing=1.05,
+            ha="center",
+            va="center",
+            zorder=3,
+            bbox={"boxstyle": "round,pad=0.25", "fc": "white", "ec": COLOURS[0], "lw": 0.5},
+        )
+        for n in at
+    }
+    for n, under in edges.items():
+        for m in under:
+            axes.annotate(
+                "",
+                at[m],
+                at[n],
+                zorder=1,
+                arrowprops={
+                    "arrowstyle": "<|-,head_width=0.12,head_length=0.25",
+                    "color": COLOURS[2],
+                    "linewidth": 0.5,
+                    "patchA": boxes[n].get_bbox_patch(),
+                    "patchB": boxes[m].get_bbox_patch(),
+                    "shrinkA": 0,
+                    "shrinkB": 0,
+                },
+            )
+    axes.set_xlim(-0.45, len(placed) - 0.55)
+    axes.set_ylim(-1, 0)
+    axes.axis("off")

@@ -1,0 +1,167 @@
+"""The site as a folder: sources for Sphinx, figures as SVG, and Sphinx's run."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+
+from symhaptic.book.chapters import Chapter
+from symhaptic.book.figures.passivity import save
+from symhaptic.book.figures.rests import graph
+from symhaptic.book.ledger import Entry, counted, of_chapter
+from symhaptic.book.ledger import ledger as listed
+from symhaptic.book.parts import OWN, PARTS, part_of
+from symhaptic.book.rests import between, shown_in
+from symhaptic.book.site import mathml, tables
+from symhaptic.book.site.chapter import Place, chapter_page, kind
+from symhaptic.book.site.place import MARK, allowed
+from symhaptic.book.site.words import heading, table, words
+from symhaptic.book.tex.build import MEANINGS
+from symhaptic.book.tex.tex import ReportError
+from symhaptic.proof.verdict import Kind
+
+STATIC = Path(__file__).parent / "static"
+TITLE = "Haptic walls, verified"
+
+Numbered = tuple[int, Chapter]
+"""A chapter and its number in the book."""
+
+OPENING = """\
+Every formula of *Passivity and Stability Boundaries for Haptic Systems with Time Delay*
+(T. Hulin, A. Albu-Schäffer, G. Hirzinger, 2014), derived from first principles and judged as
+printed: by exact algebra, exact series, sign certificates or balls that contain the value, joined
+by named theorems. Nothing rests on sampling.
+"""
+
+
+def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
+    """Name and text of every page; of some chapters alone, where they are not the ``whole``."""
+    shown = shown_in(numbered)
+    pages = {c.name: chapter_page(c, Place(number, shown, whole)) for number, c in numbered}
+    entries = listed(entry for _, chapter in numbered for entry in of_chapter(chapter))
+    if whole:
+        names = {chapter.source: (number, chapter.name) for number, chapter in numbered}
+        pages |= {
+            "results": tables.results(entries),
+            "errata": tables.errata(entries),
+            "ledger": tables.ledger(entries, names),
+        }
+    pages["believed"] = tables.believed(entries)
+    pages["index"] = _index([chapter for _, chapter in numbered], entries, whole)
+    return {f"{name}.rst": text for name, text in pages.items()}
+
+
+def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -> str:
+    out = [*heading(TITLE), OPENING]
+    if whole:
+        out += [f"**{len(entries)} statements:** {counted(entries)}.", ""]
+        out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
+        out += [
+            "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, or "
+            ":ref:`every statement with its verdict <ledger>`.",
+            "",
+            ".. figure:: figures/graph.svg",
+            "   :alt: Which chapter applies theorems of which",
+            "",
+            "   An arrow leads from a chapter to one that applies a theorem of it.",
+            "",
+        ]
+    before = ["results", "errata", "ledger"] if whole else []
+    out += _tree("Results", [*before, "believed"])
+    for part in (*PARTS, OWN):
+        inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
+        if inside:
+            out += _tree(part.title, inside)
+    return "\n".join(out) + "\n"
+
+
+def _tree(title: str, names: Sequence[str]) -> list[str]:
+    head = [".. toctree::", "   :hidden:", "   :maxdepth: 1", f"   :caption: {words(title)}", ""]
+    return [*head, *(f"   {name}" for name in names), ""]
+
+
+def write(
+    numbered: Sequence[Numbered], target: Path, say: Callable[[str], None], whole: bool = True
+) -> None:
+    """Make the site in a folder of its own; what was made there before is replaced as a whole.
+
+    ``numbered`` are chapters with their numbers in the book; where they are not the ``whole``,
+    errata, ledger and results are left out.
+    """
+    allowed(target)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".draft-", dir=target.parent) as folder:
+        draft = Path(folder)
+        source, made = draft / "source", draft / "site"
+        _sources(numbered, source, say, whole)
+        say("pages of the site")
+        _sphinx(source, made, draft / "trees")
+        (made / MARK).write_text("written by `symhaptic report`; may be replaced\n")
+        if target.exists():
+            os.replace(target, draft / "old")
+        os.replace(made, target)
+
+
+def _sources(
+    numbered: Sequence[Numbered], source: Path, say: Callable[[str], None], whole: bool
+) -> None:
+    texts = sources(numbered, whole)
+    (source / "figures").mkdir(parents=True)
+    for name, text in texts.items():
+        (source / name).write_text(text, encoding="utf-8")
+    say("formulas of the site")
+    found = mathml.turned(mathml.formulas(texts.values()))
+    (source / mathml.FORMULAS).write_text(json.dumps(found), encoding="utf-8")
+    for _, chapter in numbered:
+        for block in chapter.page.blocks:
+            if block.draw is not None:
+                say(f"figure {block.title} of the site")
+                place = source / "figures" / f"{block.title}.svg"
+                save(block.draw, place, block.panels, block.height)
+    if whole:
+        titles = {number: chapter.title for number, chapter in numbered}
+        draw = partial(graph, edges=between(numbered), titles=titles)
+        save(draw, source / "figures" / "graph.svg", height=1.32)
+
+
+def _sphinx(source: Path, made: Path, trees: Path) -> None:
+    """Sphinx over the sources, in a process of its own; a warning is an error."""
+    roles = "\n".join(f".. role:: kind-{kind}" for kind in Kind)
+    settings = {
+        "project": TITLE,
+        "html_title": TITLE,
+        "html_theme": "furo",
+        "html_math_renderer": "mathml",
+        "html_static_path": [str(STATIC)],
+        "html_css_files": ["site.css"],
+        "html_js_files": ["site.js"],
+        "html_copy_source": False,
+        "html_use_index": False,
+        "html_show_search_summary": False,
+        "html_show_sphinx": False,
+        "html_show_copyright": False,
+        "extensions": ["symhaptic.book.site.mathml"],
+        "rst_prolog": f"{roles}\n\n",
+    }
+    conf = "".join(f"{name} = {value!r}\n" for name, value in settings.items())
+    (source / "conf.py").write_text(conf, encoding="utf-8")
+    how = ["-q", "-n", "-W", "--keep-going", "--no-color", "-j", "auto", "-d", str(trees)]
+    run = subprocess.run(
+        [sys.executable, "-m", "sphinx", *how, str(source), str(made)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if run.returncode != 0:
+        told = (run.stderr or run.stdout).strip().splitlines() or ["no message"]
+        raise ReportError(f"the site: {told[0]}")
+    for page in made.glob("*.html"):  # a heading without a level is none to a screen reader
+        text = page.read_text(encoding="utf-8")
+        text = text.replace('role="heading"', 'role="heading" aria-level="2"')
+        page.write_text(text, encoding="utf-8")

@@ -1,0 +1,237 @@
+"""One chapter as a page of the site: prose, steps with their proofs beside, printed forms."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from sympy import Basic
+
+from symhaptic.book.chapters import Chapter
+from symhaptic.book.consequences import CONSEQUENCES
+from symhaptic.book.record import Block, Settled
+from symhaptic.book.rests import Said, Shown, rests
+from symhaptic.book.rules import called
+from symhaptic.book.site.words import container, display, heading, math, plain, table, words
+from symhaptic.book.tex.errata import CLASSES
+from symhaptic.book.tex.forms import right_is, shown_by
+from symhaptic.book.tex.page import rows_of
+from symhaptic.book.tex.words import anchor
+from symhaptic.notation.latex import latex
+from symhaptic.paper import STATEMENTS
+from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.verdict import Kind, Verdict
+
+
+@dataclass(frozen=True)
+class Place:
+    """What a page has to know of the others."""
+
+    number: int
+    shown: Mapping[Said, Shown]
+    whole: bool = True
+    """Whether there are errata, with all chapters."""
+
+
+def chapter_page(chapter: Chapter, place: Place) -> str:
+    """reStructuredText of a chapter."""
+    page = chapter.page
+    out = [":hide-toc:", "", f".. _chapter-{chapter.name}:", ""]
+    out += heading(f"{place.number}. {words(chapter.title)}")
+    out += container("source", [f"Code: ``{chapter.source}``"])
+    out += _paragraphs(chapter.introduction)
+    out += _answer(chapter, place)
+    steps = 0
+    for block in page.blocks:
+        if block.kind == "prose":
+            out += _paragraphs(block.text)
+        elif block.kind in ("equation", "result"):
+            steps += block.kind == "equation"
+            title = "Result" if block.kind == "result" else f"Step {steps}"
+            out += _equation(block, title, place)
+        elif block.kind == "theorem":
+            steps += 1
+            out += _theorem(block, f"Step {steps}", place)
+        elif block.kind == "table":
+            out += _table(block)
+        elif block.kind == "figure":
+            out += _figure(block)
+    if page.settled:
+        out += heading("The printed forms beside it", "-")
+        for item in page.settled.values():
+            out += _printed(item, place)
+    return "\n".join(out) + "\n"
+
+
+def _paragraphs(text: str) -> list[str]:
+    return [line for part in text.split("\n\n") for line in (words(" ".join(part.split())), "")]
+
+
+def _title(lead: str, title: str, label: str) -> list[str]:
+    return [f".. _{label}:", "", f".. rubric:: {lead}. {words(title)}", ""]
+
+
+def _equation(block: Block, lead: str, place: Place) -> list[str]:
+    label = f"equation-{place.number}-{block.number}"
+    paper = f" — paper ({block.paper})" if block.paper else ""
+    said = _said(block.verdict, f"({place.number}.{block.number})", words(block.method), paper)
+    reason = [words(_sentence(block.text)), ""] if block.text else []
+    formula = container(
+        "formula boxed" if block.boxed else "formula", display(rows_of(block.lines))
+    )
+    return [
+        *_title(lead, block.title, label),
+        *container("step", [*reason, *formula, *said]),
+    ]
+
+
+def _theorem(block: Block, lead: str, place: Place) -> list[str]:
+    reason = [words(_sentence(block.text)), ""] if block.text else []
+    number = f"{place.number}.{block.number}"
+    if block.boxed:
+        back = [*reason, f"This is :ref:`the theorem ({number}) <theorem-{number}>`.", ""]
+        return [f".. rubric:: {lead}. {words(block.title)}", "", *back]
+    return [
+        *_title(lead, block.title, f"theorem-{number}"),
+        *container("step", [*reason, *_claimed(block, place)]),
+    ]
+
+
+def _claimed(block: Block, place: Place) -> list[str]:
+    """A theorem with what it rests on."""
+    *given, then = (text for _, _, text in block.lines)
+    let = "\\ , ".join(math(text) for text in given)
+    says = f"Let {let}\\ . Then {math(then)}\\ ." if given else f"{math(then)}\\ ."
+    method = words(block.method)
+    if block.theorem is not None:
+        method += by([block.theorem], place.shown)
+    kind = "claim boxed" if block.boxed else "claim"
+    number = f"({place.number}.{block.number})"
+    return [*container(kind, [says]), *_said(block.verdict, number, method)]
+
+
+def _answer(chapter: Chapter, place: Place) -> list[str]:
+    """What the chapter finds: its boxed theorem, or its statements in words."""
+    boxed = [b for b in chapter.page.blocks if b.kind == "theorem" and b.boxed]
+    out: list[str] = []
+    for block in boxed:
+        label = f"theorem-{place.number}.{block.number}"
+        out += _title("Theorem", block.title, label) + container("step", _claimed(block, place))
+    if boxed:
+        return out
+    found = [s for s in chapter.page.settled.values() if s.verdict.kind is not Kind.DEFINITION]
+    rows = [f"* {statement_link(s.statement.id)} {_in_short(s)}" for s in found]
+    return container("answer", ["**In short.**", "", *rows]) if rows else []
+
+
+def _in_short(item: Settled) -> str:
+    verdict = item.verdict
+    says = words(item.statement.says)
+    if verdict.claimed is Kind.QUALIFIED:
+        says += f", for {math(verdict.condition or '')}\\ "
+    return f"{says}: {kind(verdict.kind)}"
+
+
+def _said(verdict: str, number: str, method: str, more: str = "") -> list[str]:
+    return container("verdict", [f"{kind(verdict)} {number}{more}", "", method or ""])
+
+
+def kind(verdict: str) -> str:
+    """A verdict in its colour."""
+    return f":kind-{verdict}:`{verdict}`"
+
+
+def statement_link(id: str) -> str:
+    """The id of a statement, which leads to where it is settled."""
+    return f":ref:`{id} <statement-{id}>`"
+
+
+def by(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
+    """What theorems rest on: others of the site, and classical rules by name."""
+    found = rests(theorems, shown)
+    places = [f":ref:`({one.place}) <theorem-{one.place}>`" for one in found.shown]
+    names = {called(rule): rule for rule in found.rules}
+    rules = [f":ref:`{_link_text(name)} <rule-{anchor(rule)}>`" for name, rule in names.items()]
+    return f" by {', '.join([*places, *rules])}" if places or rules else ""
+
+
+def _link_text(name: str) -> str:
+    return name.replace("<", "less than").replace("`", "'")
+
+
+def _printed(item: Settled, place: Place) -> list[str]:
+    """A statement of the paper as printed, what it claims, its verdict and what is right."""
+    statement, verdict = item.statement, item.verdict
+    out = [f"**{statement.id}** — {plain(statement.location)} — {words(statement.says)}", ""]
+    if statement.latex:
+        out += display([f"&{line}" for line in statement.latex])
+    if statement.domain:
+        out += [math(statement.domain), ""]
+    if verdict.condition:
+        out += [f"Right for {math(verdict.condition)}\\ .", ""]
+    right = _right(verdict)
+    if right:
+        out += ["Right is:", "", *right]
+    if verdict.proposition:
+        out += container("claim", [f"Claims {math(verdict.proposition)}\\ ."])
+    consequence = CONSEQUENCES.get(statement.id)
+    if consequence:
+        out += [f"*For a device:* {words(consequence)}", ""]
+    if place.whole and statement.id in STATEMENTS and verdict.claimed in dict(CLASSES):
+        out += [f":ref:`In the errata <erratum-{statement.id}>`", ""]
+    judged = item.settlement.judged
+    ground = "a theorem" + by([judged.theorem], place.shown) if judged else words(verdict.method)
+    shows = [words(text) for text in shown_by(verdict)]
+    said = "; ".join([ground, *shows])
+    out += container("verdict", [kind(verdict.kind), "", said])
+    return [f".. _statement-{statement.id}:", "", *container("statement", out)]
+
+
+def _right(verdict: Verdict) -> list[str]:
+    """The right form where the printed one is wrong."""
+    if verdict.corrected_latex is not None:
+        return display([f"&{part}" for part in verdict.corrected_latex.split(r",\quad ")])
+    if verdict.corrected is not None:
+        return display([f"&{latex(part)}" for part in verdict.corrected])
+    return []
+
+
+def in_words(verdict: Verdict) -> str:
+    """What is right, in one line."""
+    if verdict.claimed is Kind.QUALIFIED:
+        return f"for {math(verdict.condition or '')}"
+    if verdict.corrected_latex is not None:
+        return math(verdict.corrected_latex)
+    return words(right_is(verdict)) if verdict.corrected is None else math(latex(verdict.corrected))
+
+
+def _table(block: Block) -> list[str]:
+    rows = [[_cell(cell) for cell in row] for row in block.rows]
+    return [*table("numbers", rows), words(block.text), ""]
+
+
+def _cell(cell: object) -> str:
+    return (
+        words(cell)
+        if isinstance(cell, str)
+        else math(latex(cell))
+        if isinstance(cell, Basic)
+        else str(cell)
+    )
+
+
+def _figure(block: Block) -> list[str]:
+    alt = plain(re.sub(r"[$\\{}]", "", block.text))
+    return [
+        f".. figure:: figures/{block.title}.svg",
+        f"   :alt: {alt}",
+        "",
+        f"   {words(block.text)}",
+        "",
+    ]
+
+
+def _sentence(text: str) -> str:
+    text = text[:1].upper() + text[1:]
+    return text if text.endswith((".", "!", "?", ":")) else f"{text}."

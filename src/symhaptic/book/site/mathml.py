@@ -1,0 +1,111 @@
+"""MathML for the site: all formulas are turned by one run of pandoc, before Sphinx asks for them.
+
+Pandoc and not a script of the browser: what it writes needs no network and no script, it is read
+by screen readers, and it keeps the LaTeX beside each formula, to be copied.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+from symhaptic.book.tex.tex import ReportError
+
+FORMULAS = "formulas.json"
+"""Where the sources keep what pandoc wrote."""
+
+_INLINE = re.compile(r":math:`([^`]*)`")
+_DISPLAY = re.compile(r"^( *)\.\. math::\n\n\1   (.*)$", re.MULTILINE)
+
+
+def formulas(sources: Iterable[str]) -> set[tuple[str, bool]]:
+    """Every formula of these sources, and whether it stands by itself."""
+    found: set[tuple[str, bool]] = set()
+    for text in sources:
+        found |= {(tex, False) for tex in _INLINE.findall(text)}
+        found |= {(tex, True) for _, tex in _DISPLAY.findall(text)}
+    return found
+
+
+def turned(wanted: Iterable[tuple[str, bool]]) -> dict[str, str]:
+    """MathML of each formula, by its LaTeX with a mark in front of what stands by itself."""
+    listed = sorted(wanted)
+    blocks = [
+        {"t": "Para", "c": [{"t": "Math", "c": [{"t": _style(alone)}, tex]}]}
+        for tex, alone in listed
+    ]
+    document = {"pandoc-api-version": [1, 23, 1], "meta": {}, "blocks": blocks}
+    run = subprocess.run(
+        [_pandoc(), "-f", "json", "-t", "html5", "--mathml"],
+        input=json.dumps(document),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if run.returncode != 0 or run.stderr:
+        first = (run.stderr or "no message").strip().splitlines()[0]
+        raise ReportError(f"pandoc could not read a formula: {first}")
+    made = re.findall(r"<p>(.*?)</p>", run.stdout, re.DOTALL)
+    made = [spaced(html) for html in made]
+    return {key(tex, alone): html for (tex, alone), html in zip(listed, made, strict=True)}
+
+
+_NAMED = r"<mrow><mi[^>]*>\w+</mi><mo>&#8289;</mo></mrow>"
+"""The name of a function and the sign, of no width, that it is applied."""
+
+_THIN = '<mspace width="0.167em"></mspace>'
+
+
+def spaced(html: str) -> str:
+    """The thin spaces that TeX puts around the name of a function."""
+    html = re.sub(rf"({_NAMED})(?!<mo[^>]*>\()", rf"\1{_THIN}", html)
+    before = r'</mi>|</mn>|</msup>|</msub>|</mfrac>|form="postfix">\)</mo>'
+    return re.sub(rf"({before})({_NAMED})", rf"\1{_THIN}\2", html)
+
+
+def key(tex: str, alone: bool) -> str:
+    """A formula as it is looked up."""
+    return f"{'$$' if alone else '$'}{tex}"
+
+
+def _style(alone: bool) -> str:
+    return "DisplayMath" if alone else "InlineMath"
+
+
+def _pandoc() -> str:
+    import pypandoc
+
+    return str(pypandoc.get_pandoc_path())
+
+
+# -- for Sphinx ---------------------------------------------------------------------------
+
+
+def _known(writer: Any) -> Mapping[str, str]:
+    found: Mapping[str, str] = writer.config.symhaptic_formulas
+    return found
+
+
+def _visit(writer: Any, node: nodes.math) -> None:
+    writer.body.append(_known(writer)[key(node.astext(), False)])
+    raise nodes.SkipNode
+
+
+def _visit_block(writer: Any, node: nodes.math_block) -> None:
+    writer.body.append(f'<div class="math">{_known(writer)[key(node.astext(), True)]}</div>')
+    raise nodes.SkipNode
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Sphinx's entry: formulas are looked up, none is turned while pages are written."""
+    known = json.loads((Path(app.srcdir) / FORMULAS).read_text(encoding="utf-8"))
+    app.add_config_value("symhaptic_formulas", known, "")
+    app.add_html_math_renderer("mathml", (_visit, None), (_visit_block, None))
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

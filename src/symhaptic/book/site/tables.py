@@ -1,0 +1,122 @@
+"""The pages beside the chapters: the results, the errata, the ledger and what is believed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from symhaptic.book.ledger import Entry
+from symhaptic.book.rests import used
+from symhaptic.book.rules import called, classical, says
+from symhaptic.book.site.chapter import in_words, kind, statement_link
+from symhaptic.book.site.words import container, display, heading, math, plain, table, words
+from symhaptic.book.tex.errata import CLASSES
+from symhaptic.book.tex.forms import shown_by
+from symhaptic.book.tex.results import USE
+from symhaptic.book.tex.words import anchor
+from symhaptic.notation.latex import latex
+from symhaptic.notation.proposition import MEANINGS
+from symhaptic.notation.written import written
+from symhaptic.proof.theorems.axioms import AXIOMS
+from symhaptic.proof.verdict import Kind
+
+Chapters = Mapping[str, tuple[int, str]]
+"""Number and name of each chapter, by the file that it is derived in."""
+
+
+def results(entries: Sequence[Entry]) -> str:
+    """The formulas to use, each with its condition."""
+    found = {entry.statement.id: entry for entry in entries}
+    out = [".. _results:", "", *heading("The formulas to use")]
+    out += ["As printed, or as corrected, each with the condition under which it is right.", ""]
+    for question, ids in USE:
+        out += [f".. rubric:: {words(question)}", ""]
+        for id in ids:
+            if id in found and found[id].derivation is not None:
+                out += _use(found[id])
+    return "\n".join(out) + "\n"
+
+
+def _use(entry: Entry) -> list[str]:
+    statement, verdict = entry.statement, entry.verdict
+    lines = statement.latex
+    if verdict.corrected_latex is not None:
+        lines = tuple(verdict.corrected_latex.split(r",\quad "))
+    elif verdict.corrected is not None:
+        lines = tuple(latex(part) for part in verdict.corrected)
+    shown = display([f"&{line}" for line in lines]) if lines else [words(statement.says), ""]
+    where = [math(statement.domain)] if statement.domain else []
+    where += [f"for {math(verdict.condition)}"] if verdict.condition else []
+    out = [*shown, *([", ".join(where), ""] if where else [])]
+    return container("step", [*out, f"{statement_link(statement.id)} {kind(verdict.kind)}", ""])
+
+
+def errata(entries: Sequence[Entry]) -> str:
+    """What is wrong, and what is right only under a condition."""
+    out = [".. _errata:", "", *heading("Errata")]
+    for of, title in CLASSES:
+        listed = [e for e in entries if not e.own and e.verdict.claimed is of]
+        if listed:
+            out += heading(title, "-")
+            out += [line for entry in listed for line in _erratum(entry)]
+    return "\n".join(out) + "\n"
+
+
+def _erratum(entry: Entry) -> list[str]:
+    statement, verdict = entry.statement, entry.verdict
+    out = [
+        f"{statement_link(statement.id)} — {plain(statement.location)} — {kind(verdict.kind)}",
+        "",
+    ]
+    out += [words(statement.says), ""]
+    if statement.latex:
+        out += display([f"&{line}" for line in statement.latex])
+    out += ["Right is:" if of_form(entry) else "It holds:", "", in_words(verdict), ""]
+    shown = "; ".join(words(text) for text in shown_by(verdict))
+    if shown:
+        out += [f"*Shown by* {shown}", ""]
+    if entry.consequence:
+        out += [f"*For a device:* {words(entry.consequence)}", ""]
+    return [f".. _erratum-{statement.id}:", "", *container("statement", out)]
+
+
+def of_form(entry: Entry) -> bool:
+    """Whether something else is right than what is printed."""
+    return entry.verdict.claimed is not Kind.QUALIFIED
+
+
+def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
+    """Every statement with its verdict, to be filtered and sorted."""
+    head = ["statement", "what it says", "verdict", "where", "chapter"]
+    rows = [head]
+    for entry in entries:
+        number, name = chapters.get(entry.derivation or "", (0, ""))
+        rows.append(
+            [
+                statement_link(entry.statement.id) if name else entry.statement.id,
+                words(entry.statement.says),
+                kind(entry.verdict.kind),
+                "own finding" if entry.own else plain(entry.statement.location),
+                f":doc:`chapter {number} <{name}>`" if name else "",
+            ]
+        )
+    out = [".. _ledger:", "", *heading("Every statement and its verdict")]
+    return "\n".join([*out, *table("ledger", rows)]) + "\n"
+
+
+def believed(entries: Sequence[Entry]) -> str:
+    """The classical rules with their sources, and what the predicates mean."""
+    counts = used(entry.verdict.rests for entry in entries)
+    out = [".. _believed:", "", *heading("Everything that has to be believed")]
+    out += [
+        "A theorem is made by rules only. Classical theorems are applied, not proved; each has "
+        "its source, and the number of statements that rest on it.",
+        "",
+    ]
+    for rule, source in classical().items():
+        told = math(written(AXIOMS[rule].says)) if rule in AXIOMS else plain(says(rule))
+        out += [f".. _rule-{anchor(rule)}:", "", f".. rubric:: {plain(called(rule))}", ""]
+        out += [told, "", f"*Source:* {plain(source)}. Statements: {counts[rule]}.", ""]
+    out += heading("Predicates, and what they mean", "-")
+    for name, (_, _, _, meaning) in MEANINGS.items():
+        out += [f"**{plain(name.replace('_', ' '))}** {plain(meaning.replace('``', ''))}.", ""]
+    return "\n".join(out) + "\n"

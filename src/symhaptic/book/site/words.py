@@ -1,0 +1,107 @@
+"""Words and formulas for reStructuredText."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+_PLAIN = {
+    r"\,": "\u202f",
+    r"\%": "%",
+    r"\&": "&",
+    r"\_": "_",
+    r"\#": "#",
+    r"\^{}": "^",
+    "~": "\xa0",
+}
+"""What prose writes for TeX, and what it means."""
+
+_LEFT_OUT = (r"\allowbreak ", r"\allowbreak", r"\br ")
+
+
+def formula(tex: str) -> str:
+    r"""LaTeX as MathML's maker reads it: places to break a line left out, changes underlined.
+
+    >>> formula(r"a,\allowbreak b\changed{c}")
+    'a,b\\underline{c}'
+    """
+    for mark in _LEFT_OUT:
+        tex = tex.replace(mark, "")
+    return " ".join(tex.replace(r"\changed{", r"\underline{").split())
+
+
+def math(tex: str) -> str:
+    """A formula in a line of text."""
+    return f":math:`{formula(tex)}`"
+
+
+def plain(text: str) -> str:
+    r"""Words without formulas: what reStructuredText takes for itself is written out.
+
+    >>> plain(r"a 5\,\% |loss| of `x`_")
+    'a 5\u202f% \\|loss\\| of \\`x\\`\\_'
+    """
+    for tex, meant in _PLAIN.items():
+        text = text.replace(tex, meant)
+    text = re.sub(r"\\(?:emph|texttt|textbf)\{([^{}]*)\}", r"\1", text)
+    return re.sub(r"([\\*`|_])", r"\\\1", text)
+
+
+def words(text: str) -> str:
+    r"""Prose with formulas between dollar signs.
+
+    >>> words("the angle $\\theta$, twice")
+    'the angle :math:`\\theta`\\ , twice'
+    """
+    parts = re.split(r"\$([^$]*)\$", text)
+    out = ""
+    for at, part in enumerate(parts):
+        if at % 2 == 0:
+            follows = at > 0 and part[:1].strip() != ""
+            out += ("\\ " if follows else "") + plain(part)
+        elif part.strip():
+            out += ("\\ " if out[-1:].strip() else "") + math(part)
+    return out.strip()
+
+
+def display(rows: Iterable[str]) -> list[str]:
+    """Lines of a formula that stands by itself, one below the other."""
+    lines = [formula(row) for row in rows]
+    body = lines[0].replace("&", "") if len(lines) == 1 else _aligned(lines)
+    return [".. math::", "", f"   {body}", ""]
+
+
+def _aligned(lines: list[str]) -> str:
+    return r"\begin{aligned}" + r" \\ ".join(lines) + r"\end{aligned}"
+
+
+def indented(lines: Iterable[str], by: int = 3) -> list[str]:
+    """Lines as the content of a directive."""
+    return [" " * by + line if line else "" for text in lines for line in text.split("\n")]
+
+
+def container(kind: str, lines: Iterable[str]) -> list[str]:
+    """Lines that belong together, of a kind that the style sheet knows."""
+    return [f".. container:: {kind}", "", *indented(lines), ""]
+
+
+def heading(title: str, mark: str = "=") -> list[str]:
+    """A title with the line below it that makes it one."""
+    return [title, mark * max(len(title), 4), ""]
+
+
+def table(kind: str, rows: Iterable[Iterable[str]], widths: str = "auto") -> list[str]:
+    """Rows of cells, the head first."""
+    out = [
+        ".. list-table::",
+        f"   :class: {kind}",
+        f"   :widths: {widths}",
+        "   :header-rows: 1",
+        "",
+    ]
+    for row in rows:
+        for at, cell in enumerate(row):
+            first, *rest = cell.split("\n")
+            out.append(f"   {'*' if at == 0 else ' '} - {first}")
+            out += [f"       {line}" for line in rest]
+    return [*out, ""]

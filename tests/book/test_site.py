@@ -1,0 +1,220 @@
+"""The site in a browser: nothing missing, nothing asked of the network, to be read by everybody."""
+
+import re
+import shutil
+from collections import defaultdict
+from html.parser import HTMLParser
+
+import pytest
+from chapters import chapter
+
+from symhaptic.book.chapters import shipped
+from symhaptic.book.parts import in_parts
+from symhaptic.book.site.build import write
+from symhaptic.book.site.mathml import turned
+from symhaptic.book.site.words import words
+from symhaptic.book.tex.tex import ReportError
+
+ALL = in_parts([path.stem for path in shipped()], str)
+SOME = ["s2a_device", "s3b_envelope", "s3c_stiffness_maximum", "s4a_discretisation"]
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+browser_needed = pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed")
+
+
+def numbered(names):
+    return [(ALL.index(name) + 1, chapter(name)) for name in names]
+
+
+@pytest.fixture(scope="module")
+def some(tmp_path_factory):
+    """The site of a few chapters."""
+    target = tmp_path_factory.mktemp("some") / "site"
+    write(numbered(SOME), target, lambda _: None, whole=False)
+    return target
+
+
+@pytest.fixture(scope="module")
+def browser():
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as play:
+        found = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield found
+        found.close()
+
+
+@pytest.fixture
+def opened(browser):
+    """A page that fails on what it writes to the console or asks of the network."""
+    page = browser.new_page()
+    bad = []
+    page.on("console", lambda told: bad.append(told.text) if told.type == "error" else None)
+    page.on("pageerror", lambda error: bad.append(str(error)))
+    page.on("request", lambda asked: asked.url.startswith("file:") or bad.append(asked.url))
+    yield page
+    assert bad == []
+    page.close()
+
+
+class Links(HTMLParser):
+    """Ids of a page, where it leads, and what it loads."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.ids, self.leads, self.loads = set(), [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        given = dict(attrs)
+        self.ids |= {given["id"]} if "id" in given else set()
+        if tag == "a" and "href" in given:
+            self.leads.append(given["href"])
+        elif given.get("src") or (tag == "link" and given.get("href")):
+            self.loads.append(given.get("src") or given["href"])
+
+
+def broken(folder):
+    """Links and loads of a site that lead nowhere, or out of it."""
+    pages = {path.name: Links(path.read_text(encoding="utf-8")) for path in folder.glob("*.html")}
+    found = defaultdict(list)
+    for name, page in pages.items():
+        for link in page.leads:
+            file, _, anchor = link.partition("#")
+            there = pages.get(file or name)
+            if link != "#" and not link.startswith("http"):
+                lost = there is None or (anchor and anchor not in there.ids)
+                found[name] += [link] if lost else []
+        files = [load.partition("?")[0] for load in page.loads if load != "#"]
+        found[name] += [file for file in files if not (folder / file).is_file()]
+    return {name: links for name, links in found.items() if links}
+
+
+def test_every_link_leads_somewhere(some):
+    assert broken(some) == {}
+
+
+def test_a_missing_anchor_is_found(some, tmp_path):
+    copy = shutil.copytree(some, tmp_path / "site")
+    page = copy / "s3c_stiffness_maximum.html"
+    page.write_text(page.read_text().replace('id="statement-eq11"', 'id="statement-eq12"'))
+    (copy / "index.html").write_text('<a href="s3c_stiffness_maximum.html#statement-eq11">x</a>')
+    assert "index.html" in broken(copy)
+
+
+def test_the_largest_stiffness_can_be_copied_as_latex(some):
+    text = (some / "s3c_stiffness_maximum.html").read_text(encoding="utf-8")
+    assert r"K = \frac{2b\tan\tfrac{\pi}{4(d+1)}}{T}</annotation>" in text
+
+
+def test_no_tex_is_left_in_the_words(some):
+    for path in some.glob("s*.html"):
+        text = re.sub(
+            r"<annotation.*?</annotation>|<pre>.*?</pre>", "", path.read_text(), flags=re.S
+        )
+        text = re.sub(r"<[^>]*>", "", text)
+        assert not re.findall(r"\\[a-zA-Z]+|\$", text), path.name
+
+
+@pytest.mark.parametrize(
+    ("text", "made"),
+    [
+        ("a $b$ c", "a :math:`b` c"),
+        ("5\\,\\% of *it*", "5\u202f% of \\*it\\*"),
+        ("$x$, $y$s", ":math:`x`\\ , :math:`y`\\ s"),
+    ],
+)
+def test_words(text, made):
+    assert words(text) == made
+
+
+def test_a_formula_that_pandoc_cannot_read_is_told():
+    with pytest.raises(ReportError, match=r"^pandoc could not read a formula: .*\\nosuch"):
+        turned([(r"\nosuch{x}", False)])
+
+
+def test_a_folder_of_somebody_else_stays(tmp_path):
+    (tmp_path / "site").mkdir()
+    (tmp_path / "site" / "index.html").write_text("mine")
+    with pytest.raises(ReportError, match="site there is not made by"):
+        write(numbered(SOME[:1]), tmp_path / "site", lambda _: None, whole=False)
+    assert (tmp_path / "site" / "index.html").read_text() == "mine"
+
+
+def test_a_site_is_replaced_as_a_whole(tmp_path):
+    target = tmp_path / "site"
+    for names in (SOME[:1], SOME[1:2]):
+        write(numbered(names), target, lambda _: None, whole=False)
+    assert [path.stem for path in target.glob("s*.html") if path.stem in ALL] == SOME[1:2]
+    assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
+@browser_needed
+def test_formulas_have_a_size(some, opened):
+    opened.goto((some / "s3c_stiffness_maximum.html").as_uri())
+    boxes = opened.eval_on_selector_all(
+        "math", "all => all.map(m => m.getBoundingClientRect()).map(b => [b.width, b.height])"
+    )
+    assert len(boxes) > 30
+    assert all(width > 2 and height > 4 for width, height in boxes)
+
+
+@browser_needed
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious(some, browser, scheme):
+    from axe_playwright_python.sync_playwright import Axe
+
+    page = browser.new_page(color_scheme=scheme)  # axe itself asks for what a file may not give
+    for name in ("index", "s3c_stiffness_maximum", "s3b_envelope", "believed"):
+        page.goto((some / f"{name}.html").as_uri())
+        found = Axe().run(page).response["violations"]
+        bad = [v for v in found if v["impact"] in ("serious", "critical")]
+        assert [(v["id"], v["nodes"][0]["html"]) for v in bad] == [], name
+
+
+@browser_needed
+def test_a_narrow_screen_scrolls_formulas_and_not_the_page(some, opened):
+    opened.set_viewport_size({"width": 360, "height": 700})
+    for name in SOME:
+        opened.goto((some / f"{name}.html").as_uri())
+        wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+        assert opened.evaluate(wide) <= 0, name
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """The site of all chapters."""
+    target = tmp_path_factory.mktemp("whole") / "site"
+    write(numbered(ALL), target, lambda _: None)
+    return target
+
+
+@pytest.mark.slow
+def test_the_whole_site_is_whole_and_small(whole):
+    assert broken(whole) == {}
+    assert sum(path.stat().st_size for path in whole.rglob("*") if path.is_file()) < 15e6
+
+
+@pytest.mark.slow
+@browser_needed
+def test_the_search_finds_an_equation(whole, opened):
+    opened.goto((whole / "search.html").as_uri() + "?q=eq11")
+    opened.wait_for_selector("ul.search li a")
+    links = opened.eval_on_selector_all("ul.search li a", "all => all.map(a => a.href)")
+    assert any("s3c_stiffness_maximum" in link for link in links)
+
+
+@pytest.mark.slow
+@browser_needed
+def test_the_ledger_is_filtered_and_sorted(whole, opened):
+    opened.goto((whole / "ledger.html").as_uri())
+    shown = "table.ledger tbody tr:not([hidden])"
+    assert opened.locator(shown).count() > 140
+    opened.get_by_label("Verdict").select_option("refuted")
+    refuted = opened.locator(shown).count()
+    assert 1 <= refuted < 20
+    opened.get_by_label("Find").fill("shrinks")
+    assert opened.locator(shown).count() == 1
+    opened.get_by_label("Find").fill("")
+    opened.get_by_label("Verdict").select_option("")
+    opened.get_by_role("button", name="verdict").click()
+    assert opened.locator(f"{shown} td:nth-child(3)").first.inner_text().strip() == "argued"
