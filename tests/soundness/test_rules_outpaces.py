@@ -60,6 +60,11 @@ def test_exponents_in_symbols_are_whole_by_hypothesis():
     assert sp.simplify(three.right - outpaces(assume(stable(z**3 + x)), t).conclusion.right) == 0
 
 
+def test_that_there_is_a_zero_is_a_hypothesis():
+    # of z^(n + 1) alone; n = -1 would leave 1, of which 0 < 0 would be said
+    assert whole(n) in outpaces(assume(stable(z ** (n + 1))), t).hypotheses
+
+
 @pytest.mark.parametrize(
     "theorem",
     [

@@ -212,6 +212,7 @@ def outpaces(inside: Theorem, angle: Any) -> Judgement:
     value, mirror = (there(way, lambda e: sp.S.One) for way in (sp.I, -sp.I))
     speed, back = (there(way, lambda e: e - degree / 2) for way in (sp.I, -sp.I))
     hypotheses |= inside.hypotheses | conditions(angle, *powers.values())
+    hypotheses |= {whole(s) for s in degree.free_symbols}
     return hypotheses, Relation(_ZERO, "<", speed * mirror + back * value)
 
 
