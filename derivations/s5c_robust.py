@@ -1,93 +1,95 @@
 r"""Without damping, is any wall stable with every spring?
 
 A wall is robustly stable if it is stable with every spring up to the Nyquist frequency. The paper
-sees the region of these walls shrink to the origin as $\delta\to0$. We show that none is left, and
-that two springs are enough to exclude them all.
+sees the region of these walls shrink to the origin as $\delta\to0$. We show that none is left, for
+every delay, and that one spring excludes all walls that do not pull.
 """
 
-from sympy import I, S, cos, exp, sin, tan
+from sympy import I, S, cos, diff, sin
 
-from symhaptic.model import fractional, loop, plant
+from symhaptic.book.lemmas.undamped_robust import chord, outpaced, pulled, vanishes
+from symhaptic.model import loop, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import Omega, alpha, beta, d, gamma, l, phi, theta, z
+from symhaptic.notation import Omega, alpha, beta, d, gamma, n_0, n_1, z
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):
     undamped, swing, apart = Parts(damping=False), {gamma: Omega**2}, 2 * I * Omega
-    n, turned = (1 - cos(Omega)) / Omega**2, exp(-I * (d + 1) * theta)
-    flat = 2 * (cos(theta) - cos(Omega))
-    turned *= alpha * cos(theta / 2) + I * (alpha + 2 * beta) * sin(theta / 2)
+    device = plant.sampled(plant.normalised(undamped), split=apart)
     page.say(
         "Without damping the device swings for ever, by $\\Omega=\\sqrt\\gamma$ per period, and "
-        "$n_1=n_0=(1-\\cos\\Omega)/\\Omega^2$. On the circle the polynomial is a real number and a "
-        "positive multiple of $V=e^{-j(d+1)\\theta}\\bigl(\\alpha\\cos\\frac\\theta2"
-        "+j(\\alpha+2\\beta)\\sin\\frac\\theta2\\bigr)$:"
+        "$n_1=n_0=(1-\\cos\\Omega)/\\Omega^2$:"
     )
-    whole = on_circle(loop.characteristic(undamped, split=apart) * z ** (-d - 2)).subs(swing)
-    at_whole = page.same("whole delays", whole, flat + 2 * n * cos(theta / 2) * turned)
-    page.show(
-        "A whole delay",
-        r"z^{-(d+2)}p_1",
-        r"2(\cos\theta-\cos\Omega)+2n_1\cos\tfrac\theta2\;V",
-        at_whole,
-    )
-    half = fractional.late(plant.normalised(undamped), S.Half, split=apart)
-    late = z ** (l + 2) * half.device.denominator + half.numerator * ((alpha + beta) * z - beta)
-    even = (flat + 2 * (1 - cos(theta)) * cos(Omega / 2)) / Omega**2
-    at_half = page.same(
-        "half a period more",
-        on_circle(late * z ** (-l - 3)).subs(swing),
-        flat + even * turned.subs(d, l + S.Half),
-    )
-    page.show(
-        "A delay of $d=\\ell+\\tfrac12$",
-        r"z^{-(\ell+3)}p_1",
-        r"2(\cos\theta-\cos\Omega)+\frac{2}{\Omega^2}\Bigl(\cos\theta-\cos\Omega"
-        r"+(1-\cos\theta)\cos\tfrac\Omega2\Bigr)V",
-        at_half,
-        because="the bracket is linear in $\\cos\\theta$, positive at both ends for "
-        "$0<\\Omega<\\pi$",
+    page.step("The device", device.denominator.subs(swing), z**2 - 2 * z * cos(Omega) + 1, name="A")
+    equal = page.same("equal", device.n1.subs(swing), device.n0.subs(swing))
+    page.show("Its numerator", n_1, n_0, equal)
+    wall = (alpha + beta) * z - beta
+    whole = z ** (d + 1) * (z**2 - 2 * z * cos(Omega) + 1) + n_0 * (z + 1) * wall
+    page.same(
+        "the polynomial",
+        loop.characteristic(undamped, split=apart).subs(swing),
+        whole.subs(n_0, (1 - cos(Omega)) / Omega**2),
     )
     page.say(
-        "All roots are inside if and only if this turns by $+\\pi$ from $\\theta=0$, where it is "
-        "positive for $\\alpha>-\\gamma$, to $\\theta=\\pi$, where it is real. Take the spring "
-        "with $(d+1)\\Omega=\\tfrac\\pi2$ and any wall with $\\alpha>0$. With "
-        "$r=(\\alpha+2\\beta)/\\alpha$, "
-        "$\\arg V=-(d+1)\\theta+\\arctan(r\\tan\\frac\\theta2)$."
+        "Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and more than "
+        "$\\tfrac12$ to its real part if $|a|<1=|z|$. So if all $d+3$ zeros of $p_1$ lie inside, "
+        "$2\\Re(zp_1'\\bar p_1)>(d+3)|p_1|^2$ on the circle. Look where only the wall is left:"
     )
-    slope = -(d + 1) + tan(phi) / tan(theta / 2) / 2 * (1 + tan(theta / 2) ** 2) / (
-        1 + tan(phi) ** 2
-    )
-    falls = page.step(
-        "Where $V$ is real, with $\\varphi=(d+1)\\theta$",
-        slope,
-        -(2 * (d + 1) * sin(theta) - sin(2 * phi)) / (2 * sin(theta)),
-        name=r"\frac{d\arg V}{d\theta}\Big|_{r\tan\frac\theta2=\tan\varphi}",
-        because="negative, as $|\\sin N\\theta|<N\\sin\\theta$ for whole $N=2(d+1)$, by induction",
+    value, speed = (on_circle(e, Omega) for e in (whole, z * diff(whole, z)))
+    back, slowed = (e.xreplace({I: -I}) for e in (value, speed))
+    along, across = alpha * (1 + cos(Omega)), (alpha + 2 * beta) * sin(Omega)
+    total, late = alpha + beta, d + 1
+    square = late * (total**2 + beta**2 - 2 * cos(Omega) * total * beta) - total**2 + beta**2
+    page.step(
+        "At the device's own angle $\\theta=\\Omega$",
+        speed * back + slowed * value - (d + 3) * value * back,
+        -4 * n_0 * sin(Omega) * (along * sin(late * Omega) - across * cos(late * Omega))
+        - 2 * n_0**2 * (1 + cos(Omega)) * square,
+        name=r"2\Re(zp_1'\bar p_1)-(d+3)|p_1|^2",
+        because="which should be positive",
     )
     page.say(
-        "Up to $\\theta=\\Omega$ the real number is positive and $-\\pi<\\arg V<\\tfrac\\pi2$: the "
-        "sum avoids the negative numbers. At $\\Omega$ only $V$ is left, with an argument "
-        "between $-\\pi$ and 0. Beyond, the real number is negative. So the sum can meet the "
-        "positive numbers only where $V$ is positive, and there both go down. Its argument stays "
-        "below 0 and cannot end at $+\\pi$: a root is on or outside the circle, for all "
-        "$\\alpha>0$. For $\\alpha<0$ a root is outside without a spring:"
+        "Take the spring with $(d+1)\\Omega=\\tfrac\\pi2$. The first term is then "
+        "$-4n_0\\alpha\\sin\\Omega\\,(1+\\cos\\Omega)$, and in the second one"
     )
-    free = loop.characteristic(Parts(False, False))
-    at_one = page.step("At $\\gamma=0$", free.subs(z, 1), alpha, name="p_1(1)")
+    page.step(
+        "A sum of squares",
+        (late + 1) * square,
+        ((late + 1) * beta - late * cos(Omega) * total) ** 2
+        + (late**2 * sin(Omega) ** 2 - 1) * total**2,
+        name=r"(d+2)(\ldots)",
+    )
+    page.lemma(
+        "A sine lies above its chord: $(d+1)\\sin\\Omega\\ge1$",
+        chord(),
+        because="with $d=p/(q+1)$, $M=q+1$ and $N=p+q+1$, and $\\Omega=M\\psi$",
+    )
+    page.lemma(
+        "Beside this spring no wall that does not pull is stable",
+        outpaced(),
+        because="neither term is positive; the delay is any fraction, with $z=w^{q+1}$ as the "
+        "paper has it",
+    )
+    page.lemma(
+        "A wall that pulls is not stable beside a spring that is softer",
+        pulled(),
+        because="the polynomial is not positive at 1",
+    )
     page.say(
-        "So two springs, none and $\\gamma=(\\pi/(2(d+1)))^2$, leave no wall stable but those with "
-        "$\\alpha=0$, which without a spring have a root at 1. Of these, $\\arg V=-\\varphi\\pm"
-        "\\tfrac\\pi2$, and the same argument with a slightly stiffer ($\\beta>0$) or softer "
-        "($\\beta<0$) spring gives roots strictly outside. The origin is left, where the device "
-        "swings alone: it is stable in the limit only."
+        "So no wall is left. Of those with $\\alpha\\ge0$ all but the origin have a zero outside "
+        "beside the first spring: the inequality would hold weakly with zeros on the circle, too, "
+        "but the right side is negative. At the origin the device swings alone: it is stable in "
+        "the limit only."
     )
+    claim = CLAIMED["s5c-robust-vanishes"](())
+    symbols, given, then = taken_apart(claim)
     page.settle(
         "s5c-robust-vanishes",
-        at_whole,
-        at_half,
-        page.same("slope", falls, slope),
-        page.same("at one", at_one, alpha),
-        note="two springs are enough; shown for $2d\\in\\mathbb N_0$, all delays of Fig. 13",
+        for_all(symbols, given, vanishes(then.of[0])),
+        example=example({alpha: S.Zero, beta: S.Zero, d: S.Zero}, given),
+        note="for every delay; one spring excludes all walls that do not pull",
     )

@@ -280,8 +280,8 @@ CHANGES = [
     ("s5a_figure", "(1 - a - e) * n_0", "(1 - a + e) * n_0"),
     ("s5b_figure", "Rational(1, 2000)", "Rational(7, 10000)"),  # delta sqrt(gamma) = 0.00063
     ("s5b_figure", "delta * phi * sin(phi)", "delta * phi * cos(phi)"),
-    ("s5c_robust", "(1 - cos(theta)) * cos(Omega / 2)", "(1 - cos(theta)) * cos(Omega)"),
-    ("s5c_robust", "- sin(2 * phi)", "- sin(phi)"),
+    ("s5c_robust", "(late + 1) * beta - late", "(late + 2) * beta - late"),
+    ("s5c_robust", "- across * cos(late", "+ across * cos(late"),
     ("s5c_robust_figure", "z ** (1 - epsilon)", "z**epsilon"),
 ]
 

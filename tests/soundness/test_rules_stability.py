@@ -14,7 +14,7 @@ from sympy import Rational, S, symbols
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
 from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate, Relation, whole
-from symhaptic.proof.theorems.familiar import device_static, loop_late
+from symhaptic.proof.theorems.familiar import axiom, device_static, loop_late
 from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.roots import jury, last_coefficient
 from symhaptic.proof.verdict import Unfounded
@@ -169,6 +169,25 @@ def test_a_device_at_rest_is_balanced_by_its_spring():
         assert abs(1 + a1 + a0 - g * (b1 + b0)) < 1e-12
     with pytest.raises(NotShown):
         device_static(assume(whole(n)))
+
+
+def test_an_undamped_device_swings_and_its_numerator_is_even():
+    n_1, n_0, a, _ = NAMES
+    device = Predicate("device", (), (x**2, 0, *NAMES))
+    found = axiom("undamped device", x, *NAMES)
+    assert found.hypotheses == {device}
+    assert found.conclusion == And(
+        (Relation(a, "=", 2 * sp.cos(x)), Relation(n_1, "=", n_0)),
+    )
+    for turn in (0.0, 0.3, 1.9, 3.1, 7.0):
+        top, (_, a1, _), _ = cont2discrete(([1.0], [1.0, 0.0, turn**2]), 1.0, method="zoh")
+        _, b1, b0 = top[0]
+        assert abs(-a1 - 2 * np.cos(turn)) < 1e-12
+        assert abs(b1 - b0) < 1e-12
+    # with damping neither is true
+    top, (_, a1, _), _ = cont2discrete(([1.0], [1.0, 0.4, 0.09]), 1.0, method="zoh")
+    assert abs(-a1 - 2 * np.cos(0.3)) > 0.1
+    assert abs(top[0][1] - top[0][2]) > 0.01
 
 
 @pytest.mark.parametrize("delay", [0, 1, 2])

@@ -233,3 +233,15 @@ def _springs_up_to_nyquist(printed: Printed) -> Proposition:
     robust = ForAll((gamma,), implied(damped, STABLE.at({delta: DAMPED})))
     then = both([*curves, right_of_the_origin(robust)])
     return ForAll((alpha, beta, d), implied([one_of(*PANELS)], then))
+
+
+@claims("s5c-robust-vanishes")
+def _nothing_is_left_without_damping(printed: Printed) -> Proposition:
+    """For delta = 0 no wall is stable with every spring, whatever the delay, d >= 0.
+
+    The springs are those below the Nyquist frequency that hold the device at all, 0 < gamma < pi^2:
+    with that of the frequency itself no wall is stable, and without a spring none with alpha <= 0.
+    What is left is the origin, where the device swings alone: stable in the limit, not more.
+    """
+    held = ForAll((gamma,), implied([gamma > 0, gamma < sp.pi**2], STABLE.at({delta: sp.S.Zero})))
+    return ForAll((alpha, beta, d), implied([d >= 0], Not((held,))))

@@ -222,6 +222,14 @@ _believed(
     _stable(_A),
 )
 _believed(
+    "undamped device",
+    "cos and sin of x t solve y'' + x^2 y = 0; a period of the motion may run backwards",
+    [x, *NUMBERS],
+    [_named("device", x**2, 0, *NUMBERS)],
+    _eq(a, 2 * cos(x)),
+    _eq(n_1, n_0),
+)
+_believed(
     "device turns",
     "its poles are exp(-delta/2) times exp c and exp(-c), with c real or c = j w, w < pi",
     _numbers,

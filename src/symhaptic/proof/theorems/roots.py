@@ -47,6 +47,8 @@ SOURCES = {
     "first_minors": "the half plane goes to the circle by z = (1+s)/(1-s), and 1/s keeps it; "
     "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
     "hurwitz": "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
+    "outpaces": "each zero a adds z/(z - a) to z p'/p, and Re z/(z - a) > 1/2 for |a| < |z| = 1; "
+    "Marden, Geometry of Polynomials, Section 1",
     "pole_at": "definition of a pole",
     "degree": "definition of the degree",
     "not_of_degree": "different powers are linearly independent",
@@ -189,6 +191,29 @@ def first_minors(inside: Theorem, count: int) -> Judgement:
     start = Relation(_ZERO, "<", sp.Add(*powers.values()))
     hypotheses |= inside.hypotheses | conditions(*powers.values())
     return hypotheses, And((start, *_minors(rising, count)))
+
+
+@rule
+def outpaces(inside: Theorem, angle: Any) -> Judgement:
+    """Of p with its zeros inside, n |p|^2 < 2 Re conj(p) z p' at z = exp(j theta); n is its degree.
+
+    p is monic and real, and n is 1 at least.  That exponents are whole is a hypothesis.
+    """
+    claim, angle = predicate(inside, "stable"), term(angle)
+    [polynomial], [variable] = claim.of, claim.over
+    degree, hypotheses = _leading(polynomial, _ZERO, variable)
+    if not real(angle) or variable in angle.free_symbols or not _seen_whole(sp.expand(degree - 1)):
+        raise NotShown(f"{angle} is not real by its form, or {polynomial} may have no zero")
+    powers = _powers(polynomial, variable)
+
+    def there(way: Expr, share: Any) -> Expr:
+        return sp.Add(*(share(e) * c * sp.exp(way * angle * e) for e, c in powers.items()))
+
+    value, mirror = (there(way, lambda e: sp.S.One) for way in (sp.I, -sp.I))
+    speed, back = (there(way, lambda e: e - degree / 2) for way in (sp.I, -sp.I))
+    hypotheses |= inside.hypotheses | conditions(angle, *powers.values())
+    hypotheses |= {whole(s) for s in degree.free_symbols}
+    return hypotheses, Relation(_ZERO, "<", speed * mirror + back * value)
 
 
 def _choose(of: Expr, count: int) -> Expr:
