@@ -18,7 +18,7 @@ from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.rests import between, shown_in
-from symhaptic.book.site import mathml, tables
+from symhaptic.book.site import explorer, mathml, tables
 from symhaptic.book.site.chapter import Place, chapter_page, kind
 from symhaptic.book.site.place import MARK, allowed
 from symhaptic.book.site.words import heading, table, words
@@ -53,6 +53,7 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
             "ledger": tables.ledger(entries, names),
         }
     pages["believed"] = tables.believed(entries)
+    pages[explorer.NAME] = explorer.page({chapter.name for _, chapter in numbered})
     pages["index"] = _index([chapter for _, chapter in numbered], entries, whole)
     return {f"{name}.rst": text for name, text in pages.items()}
 
@@ -64,8 +65,9 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         out += [told, ""]
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
         out += [
-            "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, or "
-            ":ref:`every statement with its verdict <ledger>`.",
+            "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, "
+            ":ref:`every statement with its verdict <ledger>`, or "
+            ":ref:`a wall of your own <explorer>`.",
             "",
             ".. figure:: figures/graph.svg",
             "   :alt: Which chapter applies theorems of which",
@@ -74,7 +76,7 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
             "",
         ]
     before = ["results", "errata", "ledger"] if whole else []
-    out += _tree("Results", [*before, "believed"])
+    out += _tree("Results", [explorer.NAME, *before, "believed"])
     for part in (*PARTS, OWN):
         inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
         if inside:
@@ -103,6 +105,8 @@ def write(
         _sources(numbered, source, say, whole)
         say("pages of the site")
         _sphinx(source, made, draft / "trees")
+        for name, text in explorer.files():
+            (made / "_static" / name).write_text(text, encoding="utf-8")
         (made / MARK).write_text("written by `symhaptic report`; may be replaced\n")
         if target.exists():
             os.replace(target, draft / "old")
