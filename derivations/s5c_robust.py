@@ -7,7 +7,7 @@ every delay, and that one spring excludes all walls that do not pull.
 
 from sympy import I, S, cos, diff, sin
 
-from symhaptic.book.lemmas.undamped_robust import chord, outpaced, pulled, vanishes
+from symhaptic.book.lemmas.undamped_robust import chord, excluded, outpaced, pulled, vanishes
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
@@ -73,6 +73,11 @@ def derive(page):
         outpaced(),
         because="neither term is positive; the delay is any fraction, with $z=w^{q+1}$ as the "
         "paper has it",
+    )
+    page.lemma(
+        "So no loop of a wall that does not pull is stable beside the spring with "
+        "$(d+1)\\sqrt\\gamma=\\frac\\pi2$",
+        excluded(),
     )
     page.lemma(
         "A wall that pulls is not stable beside a spring that is softer",

@@ -226,10 +226,10 @@ def test_arms_are_those_of_table_two(page):
         assert [Decimal(page.input_value(f"#field-{key}")) for key in "mkb"] == [
             Decimal(text) for text in (arm.mass, arm.stiffness, arm.damping)
         ]
-    page.select_option("#device", "0")  # 0.1 kg, 0.5 Ns/m
+    page.select_option("#device", "1")  # 0.04 kg, 0.8 Ns/m
     page.select_option("#arm", "1")
     rest(page)
-    assert [page.input_value(f"#field-{key}") for key in "mbk"] == ["0.9", "6", "568"]
+    assert [page.input_value(f"#field-{key}") for key in "mbk"] == ["0.84", "6.3", "568"]
 
 
 def test_a_link_carries_the_state(site, page):
@@ -264,6 +264,9 @@ def test_a_bad_number_is_marked_and_changes_nothing(page):
         rest(page)
         assert page.get_attribute("#field-m", "aria-invalid") == "true"
         assert told(page, "told-limit") == before
+        assert "more than 0" in page.inner_text("#wrong")
+    page.fill("#field-m", "0.2")
+    assert page.inner_text("#wrong") == ""
 
 
 def test_numbers_without_units_set_the_loop(page):

@@ -67,7 +67,7 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         out += [
             "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, "
             ":ref:`every statement with its verdict <ledger>`, or "
-            ":ref:`a wall of your own <explorer>`.",
+            ":ref:`explore a wall of your own <explorer>`.",
             "",
             ".. figure:: figures/graph.svg",
             "   :alt: Which chapter applies theorems of which",
@@ -76,7 +76,8 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
             "",
         ]
     before = ["results", "errata", "ledger"] if whole else []
-    out += _tree("Results", [explorer.NAME, *before, "believed"])
+    out += _tree("Results", [*before, "believed"])
+    out += _tree("Try it", [explorer.NAME])
     for part in (*PARTS, OWN):
         inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
         if inside:
@@ -105,8 +106,6 @@ def write(
         _sources(numbered, source, say, whole)
         say("pages of the site")
         _sphinx(source, made, draft / "trees")
-        for name, text in explorer.files():
-            (made / "_static" / name).write_text(text, encoding="utf-8")
         (made / MARK).write_text("written by `symhaptic report`; may be replaced\n")
         if target.exists():
             os.replace(target, draft / "old")
@@ -129,6 +128,9 @@ def _sources(
                 say(f"figure {block.title} of the site")
                 place = source / "figures" / f"{block.title}.svg"
                 save(block.draw, place, block.panels, block.height)
+    (source / "scripts" / explorer.NAME).mkdir(parents=True)
+    for name, text in explorer.files():
+        (source / "scripts" / name).write_text(text, encoding="utf-8")
     if whole:
         titles = {number: chapter.title for number, chapter in numbered}
         draw = partial(graph, edges=between(numbered), titles=titles)
@@ -143,7 +145,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_title": TITLE,
         "html_theme": "furo",
         "html_math_renderer": "mathml",
-        "html_static_path": [str(STATIC)],
+        "html_static_path": [str(STATIC), "scripts"],
         "html_css_files": ["site.css"],
         "html_js_files": ["site.js"],
         "html_copy_source": False,

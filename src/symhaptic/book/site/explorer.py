@@ -15,12 +15,12 @@ from typing import Any
 
 import sympy as sp
 
+from symhaptic.book.site.devices import ARMS, DEVICES
 from symhaptic.book.site.words import container, display, heading, plain, words
 from symhaptic.export.request import built, chosen, target
 from symhaptic.notation import B, K, T, b, d, k, m, t_d
 from symhaptic.paper import STATEMENTS as PAPER
 from symhaptic.paper.reading import read
-from symhaptic.paper.tables import TABLE_II
 from symhaptic.rules import STATEMENTS as RULES
 
 NAME = "explorer"
@@ -109,20 +109,11 @@ def kernels() -> str:
 
 def data() -> str:
     """Devices, arms and rules as a script."""
-    arms = [
-        {
-            "name": f"{arm.authors}{', with device' if arm.with_device else ''}",
-            "m": arm.mass,
-            "b": arm.damping,
-            "k": arm.stiffness,
-            "source": f"Arm: {arm.authors}, Table II of the paper.",
-        }
-        for arm in TABLE_II
-    ]
-    devices = json.loads((HOME / "devices.json").read_text(encoding="utf-8"))
-    given = json.dumps({"devices": devices, "arms": arms}, indent=1)
+    named = {"devices": DEVICES, "arms": ARMS}
+    given = {kind: [one._asdict() for one in presets] for kind, presets in named.items()}
     rules = ",\n".join(_rule(id) for id in RULES)
-    return f'"use strict";\nexplorer.data = {given};\nexplorer.rules = [\n{rules}\n];\n'
+    presets = f"explorer.data = {json.dumps(given, indent=1)};"
+    return f'"use strict";\n{presets}\nexplorer.rules = [\n{rules}\n];\n'
 
 
 def _rule(id: str) -> str:

@@ -26,9 +26,12 @@
     field.addEventListener("input", () => {
       const good = explorer.allowed(key, field.value);
       field.setAttribute("aria-invalid", String(!good));
+      const least = q.signed ? "" : q.zero ? " from 0 on" : " more than 0";
+      document.getElementById("wrong").textContent = good ? "" : `${q.label} in ${q.unit}: a number${least} is allowed; the picture shows ${field.now}.`;
       if (good) changed(key, String(Number(field.value)));
     });
     box.show = (state) => {
+      field.now = state[key];
       const place = toSlider(q, Number(state[key]));
       if (Number(slider.value) !== place) slider.value = place;
       slider.setAttribute("aria-valuetext", `${state[key]} ${q.unit}`);
@@ -79,10 +82,11 @@
     }
     const apply = () => {
       const chosen = [devices[device.value], arms[arm.value]].filter(Boolean);
-      const sum = (key) => String(Number(chosen.reduce((total, one) => total + Number(one[key] ?? 0), 0).toPrecision(12)));
-      const fresh = {};
-      if (Number(sum("m")) > 0) Object.assign(fresh, { m: sum("m"), b: sum("b"), k: sum("k") });
-      for (const one of chosen) for (const key of ["K", "B"]) if (one[key]) fresh[key] = one[key];
+      const fresh = Object.assign({}, ...chosen.map((one) => one.values));
+      for (const key of ["m", "b", "k"]) {
+        const there = chosen.map((one) => one.values[key]).filter((text) => text !== undefined);
+        if (there.length) fresh[key] = String(Number(there.reduce((sum, text) => sum + Number(text), 0).toPrecision(12)));
+      }
       set(fresh, chosen.map((one) => one.source).filter(Boolean));
     };
     device.addEventListener("change", apply);

@@ -81,25 +81,27 @@
     return { left: left - 0.06 * wide, right: right + 0.08 * wide, low: low - 0.08 * tall, high: high + 0.08 * tall };
   };
 
+  // what is stable, row by row, and its part of the line alpha = -gamma
   explorer.stablePath = (n, points, view, frame) => {
-    const out = [];
+    const [out, edge] = [[], []];
     for (let py = frame.top; py < frame.bottom; py += ROW) {
       const beta = frame.value(0, py + ROW / 2)[1];
       const inside = explorer.marks(n, points, beta).map(([alpha]) => alpha).filter((alpha) => alpha > view.left && alpha < view.right);
       const ends = [view.left, ...inside, view.right];
       for (let i = 1; i < ends.length; ++i) {
         if (!haptic.is_stable((ends[i] + ends[i - 1]) / 2, beta, n.gamma, n.delta, n.d)) continue;
+        if (ends[i - 1] === -n.gamma) edge.push(`M${frame.x(-n.gamma).toFixed(1)} ${py}v${ROW}`);
         out.push(`M${frame.x(ends[i - 1]).toFixed(1)} ${py}H${frame.x(ends[i]).toFixed(1)}v${ROW}H${frame.x(ends[i - 1]).toFixed(1)}z`);
       }
     }
-    return out.join("");
+    return [out.join(""), edge.join("")];
   };
 
   explorer.borderPath = (n, points, frame) => {
     let [out, open] = ["", false];
     for (let i = 1; i < points.length; ++i) {
-      const [p, q] = [points[i - 1], points[i]];
-      const there = explorer.borders(n, p, q);
+      const [p, q] = [points[i - 1], points[i]].map((point) => [Math.max(point[0], -n.gamma), point[1]]);
+      const there = explorer.borders(n, points[i - 1], points[i]);
       if (there && !open) out += `M${frame.x(p[0]).toFixed(1)} ${frame.y(p[1]).toFixed(1)}`;
       if (there) out += `L${frame.x(q[0]).toFixed(1)} ${frame.y(q[1]).toFixed(1)}`;
       open = there;

@@ -57,9 +57,10 @@ document.addEventListener("DOMContentLoaded", () => {
     };
     const { element } = explorer;
     const linear = [view.low, view.high].map((beta) => `${plain.x(haptic.linear_limit(beta, n.delta, n.d)).toFixed(1)} ${plain.y(beta).toFixed(1)}`);
+    const [stable, left] = explorer.stablePath(n, points, view, plain);
     plain.inside.append(
-      element("path", { class: "stable", d: explorer.stablePath(n, points, view, plain) }),
-      element("path", { class: "edge", d: explorer.borderPath(n, points, plain) }),
+      element("path", { class: "stable", d: stable }),
+      element("path", { class: "edge", d: left + explorer.borderPath(n, points, plain) }),
       element("path", { class: "passive", d: explorer.passivePath(n, plain) }),
       element("path", { class: "linear", d: `M${linear.join("L")}` }),
       element("path", { class: "axis", d: `M${plain.x(0).toFixed(1)} ${frame.top}V${frame.bottom}M${frame.left} ${plain.y(0).toFixed(1)}H${frame.right}` }),
