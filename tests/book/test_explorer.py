@@ -13,12 +13,14 @@ from chapters import chapter
 from scipy.linalg import expm
 
 from symhaptic import Scene, is_passive, is_stable, max_passive_stiffness, passivity_margin
+from symhaptic.book.chapters import shipped
 from symhaptic.book.site import explorer
 from symhaptic.book.site.build import write
 from symhaptic.notation.quantities import decimal, nearest
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness, stiffest_at
 from symhaptic.numeric.tracing.margin import delay_margin
 from symhaptic.paper.tables import TABLE_II
+from symhaptic.rules import STATEMENTS as RULES
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed")
@@ -217,6 +219,7 @@ def test_the_rules_are_those_in_print(page):
         found = float(page.get_attribute(f".rule-{name} .rule-value", "data-value"))
         assert math.isclose(found, value, rel_tol=1e-14), name
     assert "1.07 times" in page.inner_text(".rule-damping-over-delay .rule-verdict")  # 2750/2582
+    assert "allows 2750 N/m, 1.07 times" in page.inner_text("#told-short")
 
 
 def test_arms_are_those_of_table_two(page):
@@ -346,6 +349,12 @@ def test_axe_finds_nothing_serious(site, browser, scheme, width):
     wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
     assert page.evaluate(wide) <= 0
     page.close()
+
+
+def test_every_limit_and_rule_leads_to_a_chapter():
+    names = {path.stem for path in shipped()}
+    assert {one.chapter for one in explorer.TOLD} | set(explorer.CHAPTERS.values()) <= names
+    assert explorer.CHAPTERS.keys() == explorer.MEANT.keys() == RULES.keys()
 
 
 def test_kernels_are_small():

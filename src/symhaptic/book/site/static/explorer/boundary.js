@@ -22,6 +22,13 @@
     return stable(n, x + u, y + v) !== stable(n, x - u, y - v);
   };
 
+  // the same of every piece of a curve, told once; the piece i ends at point i
+  const known = new WeakMap();
+  explorer.bordering = (n, points) => {
+    if (!known.has(points)) known.set(points, points.map((point, i) => i > 0 && explorer.borders(n, points[i - 1], point)));
+    return known.get(points);
+  };
+
   // alpha + 2 beta of the walls with a root at -1, from the end of the curve
   explorer.line = (points) => {
     const [alpha, beta, theta] = points.at(-1) ?? [NaN, NaN, 0];

@@ -69,12 +69,9 @@
       else if (n.delta > 0) [left, right, low, high] = [0, limits.stiffest_passive[0], -n.delta, n.delta];
     } else {
       add(-n.gamma, 0);
-      for (let i = 1; i < points.length; ++i) {
-        if (explorer.borders(n, points[i - 1], points[i])) {
-          add(points[i - 1][0], points[i - 1][1]);
-          add(points[i][0], points[i][1]);
-        }
-      }
+      explorer.bordering(n, points).forEach((there, i) => {
+        if (there) for (const [alpha, beta] of [points[i - 1], points[i]]) add(alpha, beta);
+      });
     }
     const wide = right - left || 1;
     const tall = high - low || 1;
@@ -97,11 +94,19 @@
     return [out.join(""), edge.join("")];
   };
 
+  // a point that lies left of a bound, moved there along its piece
+  function cut(point, other, left) {
+    if (point[0] >= left || other[0] < left) return point;
+    const share = (left - point[0]) / (other[0] - point[0]);
+    return [left, point[1] + share * (other[1] - point[1])];
+  }
+
   explorer.borderPath = (n, points, frame) => {
     let [out, open] = ["", false];
+    const bordering = explorer.bordering(n, points);
     for (let i = 1; i < points.length; ++i) {
-      const [p, q] = [points[i - 1], points[i]].map((point) => [Math.max(point[0], -n.gamma), point[1]]);
-      const there = explorer.borders(n, points[i - 1], points[i]);
+      const [p, q] = [cut(points[i - 1], points[i], -n.gamma), cut(points[i], points[i - 1], -n.gamma)];
+      const there = bordering[i];
       if (there && !open) out += `M${frame.x(p[0]).toFixed(1)} ${frame.y(p[1]).toFixed(1)}`;
       if (there) out += `L${frame.x(q[0]).toFixed(1)} ${frame.y(q[1]).toFixed(1)}`;
       open = there;

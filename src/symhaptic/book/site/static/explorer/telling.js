@@ -42,7 +42,19 @@
     say("told-delay", limits.delay * T * 1000, "ms", late);
     if (late) document.getElementById("told-delay").textContent = `> ${explorer.number(200 * T * 1000)} ms`;
     rules(s, limit * K);
+    short(s, limit * K);
   };
+
+  // the limit beside the rule that one would have used
+  function short(s, exact) {
+    const plain = Number(s.B) === 0 && Number(s.t_d) === 0;
+    const rule = explorer.rules.find((one) => one.id === (plain ? "twice-damping" : "damping-over-delay"));
+    const value = rule.limit(Object.fromEntries(Object.entries(s).map(([key, text]) => [key, Number(text)])));
+    const own = exact > 0 ? `At this damping K may reach ${explorer.number(exact)} N/m` : "At this damping no stiffness is stable";
+    const times = exact > 0 ? `, ${explorer.number(Number((value / exact).toPrecision(3)))} times that` : "";
+    const name = plain ? "K ≤ 2b/T" : "K < (b + B)/(t_d + T/2)";
+    document.getElementById("told-short").textContent = `${own}; the usual rule, ${name}, allows ${explorer.number(value)} N/m${times}.`;
+  }
 
   function rules(s, exact) {
     const values = Object.fromEntries(Object.entries(s).map(([key, text]) => [key, Number(text)]));
