@@ -55,7 +55,7 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
             **guides(),
         }
     pages["believed"] = tables.believed(entries)
-    pages["explorer"] = explorer.page([chapter.name for _, chapter in numbered])
+    pages[explorer.NAME] = explorer.page({chapter.name for _, chapter in numbered})
     pages["index"] = _index([chapter for _, chapter in numbered], entries, whole)
     return {f"{name}.rst": text for name, text in pages.items()}
 
@@ -68,8 +68,8 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
         out += [
             "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, "
-            ":ref:`every statement with its verdict <ledger>`, or :doc:`turn a loop by hand "
-            "<explorer>`.",
+            ":ref:`every statement with its verdict <ledger>`, or "
+            ":ref:`explore a wall of your own <explorer>`.",
             "",
             ".. figure:: figures/graph.svg",
             "   :alt: Which chapter applies theorems of which",
@@ -79,7 +79,7 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         ]
     before = ["results", "errata", "ledger"] if whole else []
     out += _tree("Results", [*before, "believed"])
-    out += _tree("Use it", ["explorer", *(guides() if whole else ())])
+    out += _tree("Use it", [explorer.NAME, *(guides() if whole else ())])
     for part in (*PARTS, OWN):
         inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
         if inside:
@@ -130,8 +130,8 @@ def _sources(
                 say(f"figure {block.title} of the site")
                 place = source / "figures" / f"{block.title}.svg"
                 save(block.draw, place, block.panels, block.height)
-    (source / "scripts").mkdir()
-    for name, text in explorer.assets().items():
+    (source / "scripts" / explorer.NAME).mkdir(parents=True)
+    for name, text in explorer.files():
         (source / "scripts" / name).write_text(text, encoding="utf-8")
     if whole:
         titles = {number: chapter.title for number, chapter in numbered}

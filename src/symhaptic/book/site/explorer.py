@@ -1,155 +1,205 @@
-"""The explorer: a page on which one loop can be turned by hand, by the exported functions."""
+"""The explorer: a page that draws a loop's regions and tells its limits, by exported kernels.
+
+What it computes comes from the exporter, the rules from their print and the arms from Table II;
+the scripts beside it draw, hold the state and lay out.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from html import escape
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+import sympy as sp
+
 from symhaptic.book.site.devices import ARMS, DEVICES
-from symhaptic.book.site.words import heading
-from symhaptic.export import request
+from symhaptic.book.site.words import container, display, heading, plain, words
+from symhaptic.export.request import built, chosen, target
+from symhaptic.notation import B, K, T, b, d, k, m, t_d
+from symhaptic.paper import STATEMENTS as PAPER
+from symhaptic.paper.reading import read
 from symhaptic.rules import STATEMENTS as RULES
 
-FILES = Path(__file__).parent / "static" / "explorer"
-SCRIPTS = ("loop.js", "plot.js", "page.js")
-STYLES = ("explorer.css", "figure.css")
-
-FUNCTIONS = (
-    *("is_stable", "stability_boundary", "max_stable_stiffness", "discretize_late"),
-    *("passivity_boundary", "passivity_margin", "max_passive_stiffness"),
+NAME = "explorer"
+KERNELS = (
+    *("discretize", "discretize_late", "is_stable", "stability_boundary", "max_stable_stiffness"),
+    *("passivity_margin", "passivity_margin_at", "max_passive_stiffness", "linear_limit"),
 )
-"""What the page computes with."""
+"""What the page asks of the exporter."""
 
-OUT = (
-    ("stable", "the wall, with this arm"),
-    ("passive", "the wall, with the device alone"),
-    ("margin", "passivity margin, in damping of the device"),
-    ("stiffest", "stiffest stable wall"),
-    ("here", "stable up to, with this B"),
-    ("stiffest-passive", "stiffest passive wall"),
-    ("passive-here", "passive up to, with this B"),
-    ("later", "more delay until it is not stable"),
-    ("numbers", "in units of mass and period"),
+SCRIPTS = (
+    *("kernels", "decimal", "data", "state", "boundary", "limits", "response"),
+    *("drawing", "copies", "controls", "telling", "page"),
 )
-"""Names of the results, with what is said of them."""
+"""In the order in which the page loads them."""
 
-LINKED = {
-    "stiffest": "s5b_stiffest_wall",
-    "stiffest-passive": "s3c_stiffness_maximum",
-    "passive": "s3a_passivity_condition",
-    "stable": "s4d_explicit_boundary",
+HOME = Path(__file__).parent
+
+MEANT: dict[str, Any] = {
+    "rules:twice-damping": sp.Eq(B, 0),
+    "rules:damping-over-delay": sp.true,
+    "rules:four-masses": sp.Eq(B, 0),
+    "rules:two-masses": sp.Eq(B, 0),
+    "rules:damped-contact": (B > 0) & sp.Eq(b, 0) & sp.Eq(k, 0) & sp.Eq(t_d, 0),
 }
-"""Chapters that derive a result."""
+"""The loops of which each rule claims something, as the propositions of the room ``rules`` say."""
+
+CHAPTERS = {
+    "rules:twice-damping": "s8a_twice_the_damping",
+    "rules:damping-over-delay": "s8b_damping_over_delay",
+    "rules:four-masses": "s8c_four_masses",
+    "rules:two-masses": "s8d_two_masses",
+    "rules:damped-contact": "s8e_damped_contact",
+}
 
 
-def assets() -> dict[str, str]:
-    """The exported functions as a script, and the presets, by their names as files."""
-    target = request.target("javascript")
-    _, files = request.built(target, request.chosen(list(FUNCTIONS), request.scene("")), "haptic")
-    presets = {
-        "devices": [_preset(name, values, source) for name, values, source in DEVICES],
-        "arms": [_preset(name, values, source) for name, values, source in ARMS],
-    }
-    data = f"globalThis.explorerData = {json.dumps(presets)};\n"
-    return {"haptic.script.js": files["haptic.script.js"], "explorer-data.js": data}
+@dataclass(frozen=True)
+class Told:
+    """One limit: where its number stands, its formula, and the chapter that derives it."""
+
+    id: str
+    title: str
+    formula: tuple[str, ...]
+    chapter: str
 
 
-def _preset(name: str, values: dict[str, float], source: str) -> dict[str, Any]:
-    return {"name": name, "values": values, "source": source}
+_BOUNDARY = r"p\big(e^{j\theta};\, \alpha(\theta), \beta(\theta)\big) = 0,\quad \theta = \omega T"
+_WHOLE = (*PAPER["eq5"].latex, r"K \ge 0,\quad d \in \mathbb{N}_0")
+_PUSHES = (*PAPER["eq4"].latex, r"K \ge 0")
+
+TOLD = (
+    Told(
+        "told-limit", "Largest stable stiffness at this damping", (_BOUNDARY,),
+        "s4d_explicit_boundary",
+    ),
+    Told(
+        "told-stiffest", "Largest stable stiffness at any damping",
+        (r"\frac{\mathrm{d}\alpha}{\mathrm{d}\theta} = 0",), "s5b_stiffest_wall",
+    ),
+    Told(
+        "told-passive-limit", "Largest passive stiffness at this damping", _WHOLE,
+        "s3a_passivity_condition",
+    ),
+    Told(
+        "told-stiffest-passive", "Largest passive stiffness at any damping",
+        (r"K = \frac{2b}{T}\tan\frac{\pi}{4(d+1)},\quad d \in \mathbb{N}_0",),
+        "s3c_stiffness_maximum",
+    ),
+    Told("told-linear", "Linear condition", PAPER["eq24"].latex, "s4e_line"),
+    Told(
+        "told-needed", "Damping that this wall needs to be passive", _PUSHES,
+        "s3_energy",
+    ),
+    Told(
+        "told-delay", "Largest delay of this wall",
+        (r"t_d < T\,\min\{d : |\lambda(d)| = 1\}",), "s4d_roots_delay_margin",
+    ),
+)  # fmt: skip
 
 
-def page(chapters: Sequence[str]) -> str:
-    """The page as reStructuredText; results lead to those of the chapters that are there."""
-    styles = "".join((FILES / name).read_text(encoding="utf-8") for name in STYLES)
-    out = [*heading("Explore a wall"), ".. raw:: html", ""]
-    out += [f"   {line}" for line in _html(styles, chapters).splitlines()]
+@cache
+def kernels() -> str:
+    """The exported script: all functions are in ``haptic``."""
+    _, files = built(target("javascript"), chosen(KERNELS), "haptic", vectors=False)
+    return files["haptic.script.js"]
+
+
+def data() -> str:
+    """Devices, arms and rules as a script."""
+    named = {"devices": DEVICES, "arms": ARMS}
+    given = {kind: [one._asdict() for one in presets] for kind, presets in named.items()}
+    rules = ",\n".join(_rule(id) for id in RULES)
+    presets = f"explorer.data = {json.dumps(given, indent=1)};"
+    return f'"use strict";\n{presets}\nexplorer.rules = [\n{rules}\n];\n'
+
+
+def _rule(id: str) -> str:
+    """The stiffness that a rule allows, made of its print."""
+    (printed,) = (relation for line in RULES[id].latex for relation in read(line))
+    if printed.lhs != K:
+        raise ValueError(f"{id}: {printed} is no bound of K")
+    limit = sp.jscode(printed.rhs.subs(d, t_d / T))
+    meant = "true" if MEANT[id] == sp.true else sp.jscode(MEANT[id])
+    names = ", ".join(symbol.name for symbol in (m, b, k, T, t_d, K, B))
+    arrow = f"({{ {names} }}) =>"
+    return f'{{ id: "{_short(id)}", limit: {arrow} {limit}, meant: {arrow} {meant} }}'
+
+
+def _short(id: str) -> str:
+    return id.partition(":")[2]
+
+
+def page(chapters: Collection[str]) -> str:
+    """reStructuredText, with links to those ``chapters`` that the site has."""
+    out = [":hide-toc:", "", f".. _{NAME}:", "", *heading("Explore a wall")]
+    out += [
+        words(
+            "Set a device, an arm and a virtual wall, or drag the wall in the picture. What is "
+            "stable and what is passive is computed in this page, by the kernels that the package "
+            "exports; the address carries what is set."
+        ),
+        "",
+        *_raw(_markup("explorer.html")),
+        *heading("Limits of this loop", "-"),
+    ]
+    for told in TOLD:
+        out += _limit(told, chapters)
+    out += [*heading("Rules in circulation", "-"), *_paragraph(_RULES)]
+    for id, rule in RULES.items():
+        out += container(f"limit rule rule-{_short(id)}", _rule_rows(id, rule.latex, chapters))
+    out += [*heading("Take it along", "-"), *_raw(_markup("share.html"))]
+    scripts = "\n".join(f'<script src="_static/{NAME}/{name}.js"></script>' for name in SCRIPTS)
+    out += _raw(f'<link rel="stylesheet" href="_static/{NAME}/{NAME}.css">\n{scripts}')
     return "\n".join(out) + "\n"
 
 
-def _html(styles: str, chapters: Sequence[str]) -> str:
-    scripts = "\n".join(
-        f'<script src="_static/{name}"></script>'
-        for name in ("haptic.script.js", "explorer-data.js", *(f"explorer/{s}" for s in SCRIPTS))
-    )
-    rows = [_row(name, text, LINKED.get(name), chapters) for name, text in OUT]
-    rules = [
-        _row(
-            id.partition(":")[2],
-            f"rule in circulation: {_plain(RULES[id].latex[0])}",
-            chapter,
-            chapters,
-        )
-        for id, chapter in (
-            ("rules:twice-damping", "s8a_twice_the_damping"),
-            ("rules:damping-over-delay", "s8b_damping_over_delay"),
-            ("rules:four-masses", "s8c_four_masses"),
-        )
+_RULES = (
+    "What one of these rules allows for this loop, beside the exact limit at this damping. None "
+    "of them is safe for every loop; each chapter has a wall that shows it."
+)
+
+
+def _limit(told: Told, chapters: Collection[str]) -> list[str]:
+    note = f'<p class="note" id="{told.id}-note"></p>'
+    lines = [
+        *_paragraph(_linked(told.title, told.chapter, chapters)),
+        *_raw(f'<p id="{told.id}"></p>'),
+        *_raw(note),
+        *display([f"&{line}" for line in told.formula]),
     ]
-    return f"""\
-<style id="explorer-style">
-{styles}</style>
-<p>Turn a loop by hand: a device, the arm that holds it, a sampled wall. What is green is stable,
-what is brown is passive. Each point and each number is computed by the functions that
-<code>symhaptic export</code> writes, here in your browser.</p>
-<noscript><p>This page computes in the browser, and needs JavaScript.</p></noscript>
-<div class="explorer">
-<form>
-<fieldset><legend>Device</legend>
-<label for="devices">preset</label>
-<select id="devices"><option value="">choose</option></select>
-<p class="source" id="devices-source"></p>
-<div data-group="mD bD"></div></fieldset>
-<fieldset><legend>Arm that holds it</legend>
-<label for="arms">preset</label>
-<select id="arms"><option value="">choose</option></select>
-<p class="source" id="arms-source"></p>
-<div data-group="mH bH kH"></div></fieldset>
-<fieldset><legend>Loop</legend><div data-group="T td"></div></fieldset>
-<fieldset><legend>Wall</legend><div data-group="K B"></div>
-<p class="hint">or drag it in the picture</p></fieldset>
-<p class="told" role="alert"></p>
-</form>
-<div class="figures">
-<svg class="regions" viewBox="0 0 640 440" role="img" aria-label="Stable and passive walls"></svg>
-<p class="hint"><label><input type="checkbox" id="near"> close-up of the passive walls</label></p>
-<p class="short" aria-live="polite"></p>
-<svg class="motion" viewBox="0 0 640 200" role="img" aria-label="Motion after a push"></svg>
-<table><caption class="source">Limits of this loop</caption><tbody>
-{"".join(rows)}{"".join(rules)}</tbody></table>
-<p class="hint">More delay is looked for in steps of a sixteenth of a period; all other numbers are
-those of the exported functions.</p>
-<div class="row">
-<button type="button" data-copy="Python">Copy as Python</button>
-<button type="button" data-copy="TOML">TOML</button>
-<button type="button" data-copy="C">C</button>
-<button type="button" data-copy="link">Link</button>
-<button type="button" data-save="svg">Save SVG</button>
-<button type="button" data-save="png">PNG</button>
-</div>
-<pre class="copied" tabindex="0" aria-label="What was copied"></pre>
-</div>
-</div>
-{scripts}
-"""
+    return container("limit", lines)
 
 
-def _plain(latex: str) -> str:
-    """The few forms of the rules without LaTeX."""
-    for old, new in (
-        (r"K \leq \frac{2b}{T}", "K ≤ 2b/T"),
-        (r"K < \frac{b+B}{t_d+T/2}", "K < (b + B)/(t_d + T/2)"),
-        (r"K < \frac{4m}{T^2}", "K < 4m/T²"),
-    ):
-        if latex == old:
-            return new
-    return latex
+def _rule_rows(id: str, latex: tuple[str, ...], chapters: Collection[str]) -> list[str]:
+    title = plain(_short(id).replace("-", " ").capitalize())
+    return [
+        *_paragraph(_linked(title, CHAPTERS[id], chapters)),
+        *_raw('<p class="rule-value"></p>'),
+        *_raw('<p class="rule-verdict"></p>'),
+        *display([f"&{line}" for line in latex]),
+    ]
 
 
-def _row(name: str, text: str, chapter: str | None, chapters: Sequence[str]) -> str:
-    said = escape(text)
-    if chapter in chapters:
-        said = f'<a href="{chapter}.html">{said}</a>'
-    return f'<tr><th scope="row">{said}</th><td data-out="{name}"></td></tr>\n'
+def _linked(title: str, chapter: str, chapters: Collection[str]) -> str:
+    return f":ref:`{title} <chapter-{chapter}>`" if chapter in chapters else title
+
+
+def _paragraph(text: str) -> list[str]:
+    return [text, ""]
+
+
+def _raw(html: str) -> list[str]:
+    return [".. raw:: html", "", *(f"   {line}" for line in html.splitlines()), ""]
+
+
+def _markup(name: str) -> str:
+    return (HOME / name).read_text(encoding="utf-8")
+
+
+def files() -> Iterator[tuple[str, str]]:
+    """What is made for the page beside its static files, by name."""
+    yield f"{NAME}/kernels.js", kernels()
+    yield f"{NAME}/data.js", data()
