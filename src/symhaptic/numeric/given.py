@@ -19,7 +19,7 @@ from array_api_compat import (
 )
 
 from symhaptic.kernels import haptic
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, compiled
 from symhaptic.numeric.arguments import Array
 
 
@@ -46,7 +46,7 @@ class Given:
         if not is_numpy_array(self.values[0]):
             return kernel(*self.values)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            found = kernel(*self.values)
+            found = compiled.of(kernel)(*self.values)
         return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
 
     def each(self, work: Callable[..., Any]) -> Any:
