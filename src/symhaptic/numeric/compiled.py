@@ -6,8 +6,9 @@ SYMHAPTIC_KERNELS=array leaves the compiled ones aside, SYMHAPTIC_KERNELS=compil
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from functools import wraps
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial, wraps
 from inspect import signature
 from types import ModuleType
 from typing import Any, ParamSpec, TypeVar, cast
@@ -24,7 +25,12 @@ _DOUBLE = np.dtype(np.float64)
 _LARGEST = 1e70
 """As in :mod:`symhaptic.numeric.arguments`, which tells what is wrong with what is beyond."""
 
+_WHOLE = 2**53
+"""Whole numbers up to here are floats."""
+
 _LOW = {"alpha": -_LARGEST, "beta": -_LARGEST}
+_FINITE = (-sys.float_info.max, sys.float_info.max)
+
 _HIGH = {"delay": 1e15}
 
 
@@ -70,66 +76,73 @@ def of(kernel: Callable[..., Any]) -> Callable[..., Any]:
     return cast(Callable[..., Any], getattr(MODULE, name, kernel))
 
 
-def at_once(name: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
+def at_once(
+    name: str,
+    into: Callable[..., Any] | None = None,
+    work: Callable[..., Any] | None = None,
+) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Let floats and float64 arrays go to a ufunc without a detour.
 
+    Or to ``work``, which is given the ufunc before them; ``into`` is the tuple of the results.
     One look at the result tells whether all was in range: elsewhere a number is NaN.  A truth
-    value does not tell, and there one look at each argument does.  What is not surely in range,
-    and all else, goes to the function itself, which says what is wrong.
+    value does not tell, nor does what ``work`` makes; there one look at each argument does.  What
+    is not surely in range, and all else, goes to the function itself, which says what is wrong.
     """
 
     def around(function: Callable[P, R]) -> Callable[P, R]:
         ufunc = getattr(MODULE, name, None)
         if ufunc is None:
             return function
-        names = list(signature(function).parameters)[: ufunc.nin]
+        names = [n for n in signature(function).parameters if n != "sheet"]
         bounds = [(_LOW.get(n, 0.0), _HIGH.get(n, _LARGEST)) for n in names]
-        truth = ufunc.types[0].endswith("?")
-        count = len(names)
-        slow = cast(Callable[..., R], function)
+        look = work is not None or ufunc.types[0].endswith("?")
+        kernel = ufunc if work is None else partial(work, ufunc)
 
         @wraps(function)
-        def called(*args: Any, **named: Any) -> Any:
-            given = args
-            if named:
-                if len(args) + len(named) != count:
-                    return slow(*args, **named)
-                try:
-                    given = (*args, *[named[n] for n in names[len(args) :]])
-                except KeyError:
-                    return slow(*args, **named)
-            elif len(args) != count:
-                return slow(*args)
-            plain = True
-            for value in given:
-                kind = type(value)
-                if kind is not float:
-                    if kind is not np.ndarray or value.dtype is not _DOUBLE or not value.size:
-                        return slow(*args, **named)
-                    plain = False
-            if truth:
-                for value, (low, high) in zip(given, bounds, strict=True):
-                    if type(value) is float:
-                        if not low <= value <= high:
-                            return slow(*args, **named)
-                    elif not (value.min() >= low and value.max() <= high):
-                        return slow(*args, **named)
+        def called(*args: P.args, **named: P.kwargs) -> R:
+            given = _numbers(names, args, named)
+            if given is None or (look and not all(map(_within, given, bounds))):
+                return function(*args, **named)
             try:
-                found = ufunc(*given)
+                found = kernel(*given)
             except ValueError:  # shapes that do not broadcast
-                return slow(*args, **named)
-            if not truth:
-                first = found[0] if type(found) is tuple else found
-                if plain:
-                    good = -np.inf < first < np.inf
-                else:
-                    good = first.min() > -np.inf and first.max() < np.inf
-                if not good:
-                    return slow(*args, **named)
-            if type(found) is tuple:
-                return tuple([np.asarray(f) for f in found])
-            return np.asarray(found)
+                return function(*args, **named)
+            several = type(found) is tuple
+            if not look and not _within(found[0] if several else found, _FINITE):
+                return function(*args, **named)
+            if not several:
+                return cast(R, np.asarray(found))
+            arrays = [np.asarray(f) for f in found]
+            return cast(R, tuple(arrays) if into is None else into(*arrays))
 
-        return cast(Callable[P, R], called)
+        return called
 
     return around
+
+
+def _numbers(names: list[str], args: Sequence[Any], named: Mapping[str, Any]) -> Any:
+    """All arguments in their order, floats and float64 arrays that are not empty; or None."""
+    if len(args) + len(named) != len(names):
+        return None
+    if named:
+        if not named.keys() <= set(names[len(args) :]):
+            return None
+        args = (*args, *[named[n] for n in names[len(args) :]])
+    found = args
+    for value in args:
+        kind = type(value)
+        if kind is float:
+            continue
+        if kind is np.float64 or (kind is int and -_WHOLE <= value <= _WHOLE):
+            found = [float(v) if type(v) is kind else v for v in found]
+        elif kind is not np.ndarray or value.dtype is not _DOUBLE or not value.size:
+            return None
+    return found
+
+
+def _within(value: Any, bounds: tuple[float, float]) -> bool:
+    """Whether all numbers are; NaN is not."""
+    low, high = bounds
+    if type(value) is np.ndarray:
+        return bool(value.min() >= low and value.max() <= high)
+    return bool(low <= value <= high)
