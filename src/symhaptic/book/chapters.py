@@ -13,6 +13,8 @@ from types import ModuleType, TracebackType
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import PACKAGE
+from symhaptic.book.sources import add
+from symhaptic.paper.statement import Source
 from symhaptic.proof.recheck import confirm
 
 
@@ -102,6 +104,29 @@ def shipped() -> list[Path]:
     return sorted(folder().glob("s*.py"))
 
 
+SOURCE_FILE = "source.py"
+
+_sources: dict[Path, Source] = {}
+"""Folders whose source is known."""
+
+
+def source_beside(path: Path) -> Source | None:
+    """The source in whose folder a chapter stands, if it is one.
+
+    Raises :class:`BadChapter` with what is wrong with its ``source.py``.
+    """
+    file = path.resolve().parent / SOURCE_FILE
+    if file.parent not in _sources:
+        if not file.is_file():
+            return None
+        module = _load(file)
+        with _SomebodyElses(file):
+            if not hasattr(module, "SOURCE") or not hasattr(module, "STATEMENTS"):
+                raise BadChapter(file, "has no SOURCE or no STATEMENTS")
+            _sources[file.parent] = add(module.SOURCE, module.STATEMENTS)
+    return _sources[file.parent]
+
+
 def run(path: Path) -> Chapter:
     """Run one derivation.
 
@@ -109,6 +134,7 @@ def run(path: Path) -> Chapter:
     """
     begin = time.perf_counter()
     _ran.append(path)
+    source_beside(path)
     module = _load(path)
     derive = getattr(module, "derive", None)
     if not callable(derive):
