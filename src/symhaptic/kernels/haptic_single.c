@@ -8,2304 +8,766 @@
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
 
-// (cosh(sqrt(w)) - 1 - w/2)/w^2
-static float cos_series(float w) {
-    const float square = (w*w);
-    const float b5 = 1.1470745e-11f;
-    const float b4 = 2.0876756e-09f;
-    const float b3 = b5*square + 2.755732e-07f;
-    const float b2 = b4*square + 2.4801588e-05f;
-    const float b1 = b3*square + 0.0013888889f;
-    const float b0 = b2*square + 0.041666668f;
-    return b0 + b1*w;
+// x + y and what it misses, for |x| >= |y|
+static void fast_two_sum(float x, float y, float *total_out, float *lost_out) {
+    const float total = x + y;
+    const float back = total - x;
+    *total_out = total;
+    *lost_out = -back + y;
+    return;
+}
+
+// x - y and what it misses
+static void two_diff(float x, float y, float *total_out, float *lost_out) {
+    const float total = x - y;
+    const float back = total - x;
+    const float rest = -back + total;
+    const float one = -rest + x;
+    const float two = -back - y;
+    *total_out = total;
+    *lost_out = one + two;
+    return;
+}
+
+// w = delta^2/4 - gamma, what it misses, its root and the size of the poles
+static void device_motion(float gamma, float delta, float *w_out, float *w_low_out,
+    float *root_out, float *reach_out) {
+    const float half = 0.5f*delta;
+    const float square = (half*half);
+    float total, lost; two_diff(square, gamma, &total, &lost);
+    const float rest = lost + fmaf(half, half, -(half*half));
+    float total2, lost2; fast_two_sum(total, rest, &total2, &lost2);
+    const float root = sqrtf(fabsf(total2));
+    *w_out = total2;
+    *w_low_out = lost2;
+    *root_out = root;
+    *reach_out = (total2 < 0.0f ? 0.25f*gamma : 0.44444445f*half + 0.44444445f*root);
+    return;
 }
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static float decay_series(float x) {
     const float square = (x*x);
-    const float b9 = 2.0876756e-09f;
-    const float b8 = 2.5052108e-08f;
-    const float b7 = b9*square + 2.755732e-07f;
-    const float b6 = b8*square + 2.7557319e-06f;
-    const float b5 = b7*square + 2.4801588e-05f;
-    const float b4 = b6*square + 0.0001984127f;
-    const float b3 = b5*square + 0.0013888889f;
-    const float b2 = b4*square + 0.008333334f;
-    const float b1 = b3*square + 0.041666668f;
-    const float b0 = b2*square + 0.16666667f;
-    return b0 - b1*x;
+    return square*(square*(square*(2.5052108e-08f*square + 2.7557319e-06f) + 0.0001984127f) +
+        0.008333334f) - x*(square*(square*(square*(2.0876756e-09f*square + 2.755732e-07f) +
+        2.4801588e-05f) + 0.0013888889f) + 0.041666668f) + 0.16666667f;
+}
+
+// x (y + y_low) and what it misses
+static void wide_prod(float x, float y, float y_low, float *total_out, float *lost_out) {
+    *total_out = x*y;
+    *lost_out = x*y_low + fmaf(x, y, -(x*y));
+    return;
+}
+
+// exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
+static void brief_fading(float rate, float low, float *fall_out, float *fall_low_out,
+    float *mean_out, float *mean_low_out) {
+    float total, lost; fast_two_sum(1.0f, -0.5f*rate, &total, &lost);
+    const float curved = (rate*rate)*decay_series(rate);
+    float total2, lost2; fast_two_sum(total, curved, &total2, &lost2);
+    const float bent = low*(0.125f*(rate*rate) - 0.33333334f*rate + 0.5f);
+    const float mean_low = -bent + lost + lost2;
+    float total3, lost3; wide_prod(rate, total2, mean_low, &total3, &lost3);
+    float total4, lost4; fast_two_sum(1.0f, -total3, &total4, &lost4);
+    const float off = lost3 + low*total2;
+    *fall_out = total4;
+    *fall_low_out = lost4 - off;
+    *mean_out = total2;
+    *mean_low_out = mean_low;
+    return;
+}
+
+// (x + x_low)/(y + y_low) and what it misses
+static void wide_quot(float x, float y, float x_low, float y_low, float *total_out,
+    float *lost_out) {
+    const float total = x/y;
+    const float left = -total*y + x;
+    const float left2 = left - fmaf(total, y, -(total*y));
+    const float rest = -total*y_low + x_low;
+    const float left3 = left2 + rest;
+    *total_out = total;
+    *lost_out = left3/y;
+    return;
+}
+
+// exp(-rate), (1 - exp(-rate))/rate and what they miss
+static void fading_pair(float rate, float low, float *fall_out, float *fall_low_out,
+    float *mean_out, float *mean_low_out) {
+    if (rate < 0.75f) {
+        float fall_, fall_low, mean, mean_low;
+        brief_fading(rate, low, &fall_, &fall_low, &mean, &mean_low);
+        *fall_out = fall_;
+        *fall_low_out = fall_low;
+        *mean_out = mean;
+        *mean_low_out = mean_low;
+        return;
+    }
+    const float sunk = expf(-rate);
+    float total, lost; fast_two_sum(1.0f, -sunk, &total, &lost);
+    const float sunk_low = -low*sunk;
+    float total2, lost2; wide_quot(total, rate, lost - sunk_low, low, &total2, &lost2);
+    *fall_out = sunk;
+    *fall_low_out = sunk_low;
+    *mean_out = total2;
+    *mean_low_out = lost2;
+    return;
+}
+
+// number + delta one - gamma two and what it misses, of pairs
+static void fall_term(float gamma, float delta, float one, float one_low, float two, float two_low,
+    float number, float *total_out, float *low_out) {
+    float total, lost; wide_prod(delta, one, one_low, &total, &lost);
+    float total2, lost2; wide_prod(gamma, two, two_low, &total2, &lost2);
+    float total3, lost3; two_diff(total, total2, &total3, &lost3);
+    float total4, lost4; two_diff(total3, -number, &total4, &lost4);
+    const float rest = lost - lost2;
+    const float both = lost3 + lost4;
+    *total_out = total4;
+    *low_out = both + rest;
+    return;
 }
 
 // divided difference of exp at 0, p and q, less 1/2
 static float fall_series(float gamma, float delta) {
+    float one2;
+    float two2;
     if ((delta < 0.125f) && (fabsf(gamma) < 0.00390625f)) {
-        const float b7 = 2.7557319e-06f;
-        const float b6 = b7*delta + 2.4801588e-05f;
-        const float b5 = b6*delta - b7*gamma + 0.0001984127f;
-        const float b4 = b5*delta - b6*gamma + 0.0013888889f;
-        const float total = b4*delta;
-        const float lost = fmaf(delta, b4, -(delta*b4));
-        const float total2 = b5*gamma;
-        const float lost2 = fmaf(gamma, b5, -(gamma*b5));
-        const float total3 = total - total2;
-        const float back = -total + total3;
-        const float rest = -back + total3;
-        const float one = -rest + total;
-        const float two = -back - total2;
-        const float lost3 = one + two;
-        const float total4 = total3 + 0.008333334f;
-        const float back2 = -total3 + total4;
-        const float rest2 = -back2 + total4;
-        const float one2 = -rest2 + total3;
-        const float two2 = 0.008333334f - back2;
-        const float lost4 = one2 + two2;
-        const float low = lost - lost2 + lost3 + lost4;
-        const float total5 = delta*total4;
-        const float lost5 = delta*low + fmaf(delta, total4, -(delta*total4));
-        const float total6 = b4*gamma;
-        const float lost6 = fmaf(gamma, b4, -(gamma*b4));
-        const float total7 = total5 - total6;
-        const float back3 = -total5 + total7;
-        const float rest3 = -back3 + total7;
-        const float one3 = -rest3 + total5;
-        const float two3 = -back3 - total6;
-        const float lost7 = one3 + two3;
-        const float total8 = total7 + 0.041666668f;
-        const float back4 = -total7 + total8;
-        const float rest4 = -back4 + total8;
-        const float one4 = -rest4 + total7;
-        const float two4 = 0.041666668f - back4;
-        const float lost8 = one4 + two4;
-        const float low2 = lost5 - lost6 + lost7 + lost8;
-        const float total9 = delta*total8;
-        const float lost9 = delta*low2 + fmaf(delta, total8, -(delta*total8));
-        const float total10 = gamma*total4;
-        const float lost10 = gamma*low + fmaf(gamma, total4, -(gamma*total4));
-        const float total11 = -total10 + total9;
-        const float back5 = total11 - total9;
-        const float rest5 = -back5 + total11;
-        const float one5 = -rest5 + total9;
-        const float two5 = -back5 - total10;
-        const float lost11 = one5 + two5;
-        const float total12 = total11 + 0.16666667f;
-        const float back6 = -total11 + total12;
-        const float rest6 = -back6 + total12;
-        const float one6 = -rest6 + total11;
-        const float two6 = 0.16666667f - back6;
-        const float lost12 = one6 + two6;
-        const float low3 = -lost10 + lost11 + lost12 + lost9;
-        const float total13 = delta*total12;
-        const float lost13 = delta*low3 + fmaf(delta, total12, -(delta*total12));
-        const float total14 = gamma*total8;
-        const float lost14 = gamma*low2 + fmaf(gamma, total8, -(gamma*total8));
-        const float total15 = total13 - total14;
-        const float back7 = -total13 + total15;
-        const float rest7 = -back7 + total15;
-        const float one7 = -rest7 + total13;
-        const float two7 = -back7 - total14;
-        const float lost15 = one7 + two7;
-        const float total16 = total15;
-        const float back8 = -total15 + total16;
-        const float rest8 = -back8 + total16;
-        const float one8 = -rest8 + total15;
-        const float two8 = -back8;
-        const float lost16 = one8 + two8;
-        const float low4 = lost13 - lost14 + lost15 + lost16;
-        return low4 + total16;
+        one2 = 0.0f;
+        two2 = 0.0f;
+    } else {
+        float one = 0.0f;
+        float two = 0.0f;
+        static const float number_of[] = {4.1103176e-19f, 8.220635e-18f, 1.5619207e-16f,
+            2.8114574e-15f, 4.7794773e-14f, 7.6471636e-13f, 1.1470745e-11f, 1.6059044e-10f,
+            2.0876756e-09f, 2.5052108e-08f, 2.755732e-07f};
+        for (int at_number = 0; at_number < 11; ++at_number) {
+            const float number = number_of[at_number];
+            const float next_one = delta*one - gamma*two + number;
+            two = one;
+            one = next_one;
+        }
+        one2 = one;
+        two2 = two;
     }
-    const float b18 = 4.1103176e-19f;
-    const float b17 = b18*delta + 8.220635e-18f;
-    const float b16 = b17*delta - b18*gamma + 1.5619207e-16f;
-    const float b15 = b16*delta - b17*gamma + 2.8114574e-15f;
-    const float b14 = b15*delta - b16*gamma + 4.7794773e-14f;
-    const float b13 = b14*delta - b15*gamma + 7.6471636e-13f;
-    const float b12 = b13*delta - b14*gamma + 1.1470745e-11f;
-    const float b11 = b12*delta - b13*gamma + 1.6059044e-10f;
-    const float b10 = b11*delta - b12*gamma + 2.0876756e-09f;
-    const float b9 = b10*delta - b11*gamma + 2.5052108e-08f;
-    const float b8 = -b10*gamma + b9*delta + 2.755732e-07f;
-    const float b72 = b8*delta - b9*gamma + 2.7557319e-06f;
-    const float b62 = b72*delta - b8*gamma + 2.4801588e-05f;
-    const float b52 = b62*delta - b72*gamma + 0.0001984127f;
-    const float b42 = b52*delta - b62*gamma + 0.0013888889f;
-    const float total17 = b42*delta;
-    const float lost17 = fmaf(delta, b42, -(delta*b42));
-    const float total18 = b52*gamma;
-    const float lost18 = fmaf(gamma, b52, -(gamma*b52));
-    const float total19 = total17 - total18;
-    const float back9 = -total17 + total19;
-    const float rest9 = -back9 + total19;
-    const float one9 = -rest9 + total17;
-    const float two9 = -back9 - total18;
-    const float lost19 = one9 + two9;
-    const float total20 = total19 + 0.008333334f;
-    const float back10 = -total19 + total20;
-    const float rest10 = -back10 + total20;
-    const float one10 = -rest10 + total19;
-    const float two10 = 0.008333334f - back10;
-    const float lost20 = one10 + two10;
-    const float low5 = lost17 - lost18 + lost19 + lost20;
-    const float total21 = delta*total20;
-    const float lost21 = delta*low5 + fmaf(delta, total20, -(delta*total20));
-    const float total22 = b42*gamma;
-    const float lost22 = fmaf(gamma, b42, -(gamma*b42));
-    const float total23 = total21 - total22;
-    const float back11 = -total21 + total23;
-    const float rest11 = -back11 + total23;
-    const float one11 = -rest11 + total21;
-    const float two11 = -back11 - total22;
-    const float lost23 = one11 + two11;
-    const float total24 = total23 + 0.041666668f;
-    const float back12 = -total23 + total24;
-    const float rest12 = -back12 + total24;
-    const float one12 = -rest12 + total23;
-    const float two12 = 0.041666668f - back12;
-    const float lost24 = one12 + two12;
-    const float low6 = lost21 - lost22 + lost23 + lost24;
-    const float total25 = delta*total24;
-    const float lost25 = delta*low6 + fmaf(delta, total24, -(delta*total24));
-    const float total26 = gamma*total20;
-    const float lost26 = gamma*low5 + fmaf(gamma, total20, -(gamma*total20));
-    const float total27 = total25 - total26;
-    const float back13 = -total25 + total27;
-    const float rest13 = -back13 + total27;
-    const float one13 = -rest13 + total25;
-    const float two13 = -back13 - total26;
-    const float lost27 = one13 + two13;
-    const float total28 = total27 + 0.16666667f;
-    const float back14 = -total27 + total28;
-    const float rest14 = -back14 + total28;
-    const float one14 = -rest14 + total27;
-    const float two14 = 0.16666667f - back14;
-    const float lost28 = one14 + two14;
-    const float low7 = lost25 - lost26 + lost27 + lost28;
-    const float total29 = delta*total28;
-    const float lost29 = delta*low7 + fmaf(delta, total28, -(delta*total28));
-    const float total30 = gamma*total24;
-    const float lost30 = gamma*low6 + fmaf(gamma, total24, -(gamma*total24));
-    const float total31 = total29 - total30;
-    const float back15 = -total29 + total31;
-    const float rest15 = -back15 + total31;
-    const float one15 = -rest15 + total29;
-    const float two15 = -back15 - total30;
-    const float lost31 = one15 + two15;
-    const float total32 = total31;
-    const float back16 = -total31 + total32;
-    const float rest16 = -back16 + total32;
-    const float one16 = -rest16 + total31;
-    const float two16 = -back16;
-    const float lost32 = one16 + two16;
-    const float low8 = lost29 - lost30 + lost31 + lost32;
-    return low8 + total32;
+    const float one3 = delta*one2 - gamma*two2 + 2.7557319e-06f;
+    const float one4 = delta*one3 - gamma*one2 + 2.4801588e-05f;
+    const float one5 = delta*one4 - gamma*one3 + 0.0001984127f;
+    const float one6 = delta*one5 - gamma*one4 + 0.0013888889f;
+    float one7, one_low;
+    fall_term(gamma, delta, one6, 0.0f, one5, 0.0f, 0.008333334f, &one7, &one_low);
+    float one8, one_low2;
+    fall_term(gamma, delta, one7, one_low, one6, 0.0f, 0.041666668f, &one8, &one_low2);
+    float one9, one_low3;
+    fall_term(gamma, delta, one8, one_low2, one7, one_low, 0.16666667f, &one9, &one_low3);
+    float one10, one_low4;
+    fall_term(gamma, delta, one9, one_low3, one8, one_low2, 0.0f, &one10, &one_low4);
+    return one10 + one_low4;
+}
+
+// n0 of a device with slow poles
+static float fall_near(float fade_, float fade_low, float gamma, float delta) {
+    float total, lost; wide_prod(fade_, fade_, 2.0f*fade_low, &total, &lost);
+    const float rest = fall_series(gamma, delta);
+    float total2, lost2; two_diff(rest, -0.5f, &total2, &lost2);
+    float total3, lost3; wide_prod(total, total2, lost2, &total3, &lost3);
+    const float low = lost*total2 + lost3;
+    return low + total3;
+}
+
+// n0 of a creeping device
+static float fall_creep(float reach, float fade_, float fade_low, float gamma, float delta,
+    float p, float p_low, float slow, float slow_low, float mean, float mean_low, float ratio,
+    float ratio_low, float even, float even_low) {
+    if (reach < 0.5625f) {
+        return fall_near(fade_, fade_low, gamma, delta);
+    }
+    float total, lost; wide_prod(ratio, mean, mean_low, &total, &lost);
+    float total2, lost2; two_diff(even, total, &total2, &lost2);
+    const float pulled_low = lost + mean*ratio_low;
+    const float rest = even_low + lost2 - pulled_low;
+    float total3, lost3; wide_quot(total2, p, rest, p_low, &total3, &lost3);
+    float total4, lost4; wide_prod(slow, total3, lost3, &total4, &lost4);
+    const float low = lost4 + slow_low*total3;
+    return low + total4;
+}
+
+// n0 of a swinging device
+static float fall_swing(float reach, float fade_, float fade_low, float half, float envelope,
+    float even, float even_low, float wave, float wave_low, float gamma, float near, float known) {
+    if (reach < 0.5625f) {
+        return fall_near(fade_, fade_low, gamma, 2.0f*half);
+    }
+    if (near > 0.0f) {
+        return known;
+    }
+    float total, lost; wide_prod(half, wave, wave_low, &total, &lost);
+    float total2, lost2; two_diff(total, even, &total2, &lost2);
+    float total3, lost3; two_diff(total2, -envelope, &total3, &lost3);
+    const float rest = -even_low + lost + lost2 + lost3;
+    float total4, lost4; wide_prod(envelope, total3, rest, &total4, &lost4);
+    const float whole = (gamma == 0.0f ? 1.0f : gamma);
+    float total5, lost5; wide_quot(total4, whole, lost4, 0.0f, &total5, &lost5);
+    return lost5 + total5;
+}
+
+// what the root of |square + square_low| misses
+static float root_miss(float square, float square_low, float root) {
+    const float sign_low = (square < 0.0f ? -square_low : square_low);
+    const float left = -(root*root) + fabsf(square);
+    const float left2 = left - fmaf(root, root, -(root*root));
+    const float left3 = left2 + sign_low;
+    const float whole = (root == 0.0f ? 1.0f : root);
+    return 0.5f*left3/whole;
+}
+
+// the poles p = half + root and q = gamma/p and what they miss
+static void real_poles(float gamma, float half, float w, float w_low, float root, float *p_out,
+    float *p_low_out, float *q_out, float *q_low_out) {
+    float total, lost; fast_two_sum(half, root, &total, &lost);
+    const float p_low = lost + root_miss(w, w_low, root);
+    const float whole = (total == 0.0f ? 1.0f : total);
+    const float q = gamma/whole;
+    const float off = gamma - q*whole;
+    const float off2 = off - fmaf(whole, q, -(whole*q));
+    const float off3 = off2 - p_low*q;
+    *p_out = whole;
+    *p_low_out = p_low;
+    *q_out = q;
+    *q_low_out = off3/whole;
+    return;
 }
 
 // divided difference of exp at h, sqrt(w), -sqrt(w), less 1/2
 static float rise_series(float h, float w) {
+    float total2;
+    float one2;
+    float two2;
     if ((fabsf(w) < 0.00390625f) && (h < 0.0625f)) {
-        const float e7 = 2.7557319e-06f;
-        const float b7 = e7;
-        const float e6 = 2.4801588e-05f;
-        const float b6 = b7*h + e6;
-        const float e5 = e7*w + 0.0001984127f;
-        const float b5 = b6*h + e5;
-        const float e4 = e6*w + 0.0013888889f;
-        const float b4 = b5*h + e4;
-        const float e3 = e5*w + 0.008333334f;
-        const float b3 = b4*h + e3;
-        const float e2 = e4*w + 0.041666668f;
-        const float b2 = b3*h + e2;
-        const float e1 = e3*w + 0.16666667f;
-        const float b1 = b2*h + e1;
-        const float e0 = e2*w;
-        const float b0 = b1*h + e0;
-        return b0;
+        total2 = 0.0f;
+        one2 = 0.0f;
+        two2 = 0.0f;
+    } else {
+        float total = 0.0f;
+        float one = 0.0f;
+        float two = 0.0f;
+        static const float number_of[] = {4.1103176e-19f, 8.220635e-18f, 1.5619207e-16f,
+            2.8114574e-15f, 4.7794773e-14f, 7.6471636e-13f, 1.1470745e-11f, 1.6059044e-10f,
+            2.0876756e-09f, 2.5052108e-08f, 2.755732e-07f};
+        for (int at_number = 0; at_number < 11; ++at_number) {
+            const float number = number_of[at_number];
+            const float even = number + two*w;
+            const float next_total = even + h*total;
+            two = one;
+            one = even;
+            total = next_total;
+        }
+        total2 = total;
+        one2 = one;
+        two2 = two;
     }
-    const float e18 = 4.1103176e-19f;
-    const float b18 = e18;
-    const float e17 = 8.220635e-18f;
-    const float b17 = b18*h + e17;
-    const float e16 = e18*w + 1.5619207e-16f;
-    const float b16 = b17*h + e16;
-    const float e15 = e17*w + 2.8114574e-15f;
-    const float b15 = b16*h + e15;
-    const float e14 = e16*w + 4.7794773e-14f;
-    const float b14 = b15*h + e14;
-    const float e13 = e15*w + 7.6471636e-13f;
-    const float b13 = b14*h + e13;
-    const float e12 = e14*w + 1.1470745e-11f;
-    const float b12 = b13*h + e12;
-    const float e11 = e13*w + 1.6059044e-10f;
-    const float b11 = b12*h + e11;
-    const float e10 = e12*w + 2.0876756e-09f;
-    const float b10 = b11*h + e10;
-    const float e9 = e11*w + 2.5052108e-08f;
-    const float b9 = b10*h + e9;
-    const float e8 = e10*w + 2.755732e-07f;
-    const float b8 = b9*h + e8;
-    const float e72 = e9*w + 2.7557319e-06f;
-    const float b72 = b8*h + e72;
-    const float e62 = e8*w + 2.4801588e-05f;
-    const float b62 = b72*h + e62;
-    const float e52 = e72*w + 0.0001984127f;
-    const float b52 = b62*h + e52;
-    const float e42 = e62*w + 0.0013888889f;
-    const float b42 = b52*h + e42;
-    const float e32 = e52*w + 0.008333334f;
-    const float b32 = b42*h + e32;
-    const float e22 = e42*w + 0.041666668f;
-    const float b22 = b32*h + e22;
-    const float e19 = e32*w + 0.16666667f;
-    const float b19 = b22*h + e19;
-    const float e02 = e22*w;
-    const float b02 = b19*h + e02;
-    return b02;
+    const float even2 = two2*w + 2.7557319e-06f;
+    const float total3 = even2 + h*total2;
+    const float even3 = one2*w + 2.4801588e-05f;
+    const float total4 = even3 + h*total3;
+    const float even4 = even2*w + 0.0001984127f;
+    const float total5 = even4 + h*total4;
+    const float even5 = even3*w + 0.0013888889f;
+    const float total6 = even5 + h*total5;
+    const float even6 = even4*w + 0.008333334f;
+    const float total7 = even6 + h*total6;
+    const float even7 = even5*w + 0.041666668f;
+    const float total8 = even7 + h*total7;
+    const float even8 = even6*w + 0.16666667f;
+    const float total9 = even8 + h*total8;
+    const float even9 = even7*w;
+    return even9 + h*total9;
+}
+
+// n1 of a device with slow poles
+static float rise_near(float fade_, float fade_low, float half, float w) {
+    const float rest = rise_series(half, w);
+    float total, lost; two_diff(rest, -0.5f, &total, &lost);
+    float total2, lost2; wide_prod(fade_, total, lost, &total2, &lost2);
+    const float low = fade_low*total + lost2;
+    return low + total2;
+}
+
+// n1 of a creeping device
+static float rise_creep(float reach, float fade_, float fade_low, float half, float w, float p,
+    float p_low, float slow, float slow_low, float mean, float mean_low, float even,
+    float even_low) {
+    if (reach < 0.5625f) {
+        return rise_near(fade_, fade_low, half, w);
+    }
+    float total, lost; wide_prod(slow, even, even_low, &total, &lost);
+    float total2, lost2; two_diff(mean, total, &total2, &lost2);
+    const float pulled_low = even*slow_low + lost;
+    const float rest = lost2 + mean_low - pulled_low;
+    float total3, lost3; wide_quot(total2, p, rest, p_low, &total3, &lost3);
+    return lost3 + total3;
+}
+
+// n1 of a swinging device
+static float rise_swing(float reach, float fade_, float fade_low, float half, float w,
+    float envelope, float even, float even_low, float wave, float wave_low, float gamma,
+    float near, float known) {
+    if (reach < 0.5625f) {
+        return rise_near(fade_, fade_low, half, w);
+    }
+    if (near > 0.0f) {
+        return known;
+    }
+    float total, lost; wide_prod(half, wave, wave_low, &total, &lost);
+    float total2, lost2; two_diff(even, -total, &total2, &lost2);
+    float total3, lost3;
+    wide_prod(envelope, total2, even_low + lost + lost2, &total3, &lost3);
+    float total4, lost4; fast_two_sum(1.0f, -total3, &total4, &lost4);
+    const float whole = (gamma == 0.0f ? 1.0f : gamma);
+    float total5, lost5; wide_quot(total4, whole, -lost3 + lost4, 0.0f, &total5, &lost5);
+    return lost5 + total5;
+}
+
+// exp(-half) of a device with slow poles, and what it misses
+static void slow_fade(float reach, float half, float *fade_out, float *low_out) {
+    if (reach < 0.5625f) {
+        float fall_, fall_low, mean, mean_low;
+        brief_fading(0.5f*half, 0.0f, &fall_, &fall_low, &mean, &mean_low);
+        float total, lost; wide_prod(fall_, fall_, 2.0f*fall_low, &total, &lost);
+        *fade_out = total;
+        *low_out = lost;
+        return;
+    }
+    *fade_out = 0.0f;
+    *low_out = 0.0f;
+    return;
+}
+
+// a of a creeping device
+static float trace_creep(float slow, float slow_low, float ratio, float ratio_low) {
+    float total, lost; fast_two_sum(1.0f, ratio, &total, &lost);
+    float total2, lost2; wide_prod(slow, total, lost + ratio_low, &total2, &lost2);
+    const float low = lost2 + slow_low*total;
+    return low + total2;
+}
+
+// a of a swinging device
+static float trace_swing(float envelope, float even, float even_low) {
+    float total, lost; wide_prod(envelope, even, even_low, &total, &lost);
+    return 2.0f*lost + 2.0f*total;
+}
+
+// (cosh(sqrt(w)) - 1 - w/2)/w^2
+static float cos_series(float w) {
+    const float square = (w*w);
+    return square*(2.0876756e-09f*square + 2.4801588e-05f) + w*
+        (square*(1.1470745e-11f*square + 2.755732e-07f) + 0.0013888889f) + 0.041666668f;
 }
 
 // (sinh(sqrt(w))/sqrt(w) - 1)/w
 static float sin_series(float w) {
     const float square = (w*w);
-    const float b5 = 1.6059044e-10f;
-    const float b4 = 2.5052108e-08f;
-    const float b3 = b5*square + 2.7557319e-06f;
-    const float b2 = b4*square + 0.0001984127f;
-    const float b1 = b3*square + 0.008333334f;
-    const float b0 = b2*square + 0.16666667f;
-    return b0 + b1*w;
+    return square*(2.5052108e-08f*square + 0.0001984127f) + w*
+        (square*(1.6059044e-10f*square + 2.7557319e-06f) + 0.008333334f) + 0.16666667f;
+}
+
+// cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle
+static void waving_pair(float square, float square_low, float angle, float *even_out,
+    float *even_low_out, float *odd_out, float *odd_low_out) {
+    if (square > -1.5f) {
+        float total, lost; fast_two_sum(1.0f, 0.5f*square, &total, &lost);
+        const float curved = (square*square)*cos_series(square);
+        float total2, lost2; fast_two_sum(total, curved, &total2, &lost2);
+        const float both = lost + lost2;
+        const float bent = square*sin_series(square);
+        float total3, lost3; fast_two_sum(1.0f, bent, &total3, &lost3);
+        *even_out = total2;
+        *even_low_out = both + 0.5f*square_low;
+        *odd_out = total3;
+        *odd_low_out = lost3 + 0.16666667f*square_low;
+        return;
+    }
+    const float angle_low = root_miss(square, square_low, angle);
+    const float sine = sinf(angle);
+    const float cosine = cosf(angle);
+    float total4, lost4;
+    wide_quot(sine, angle, angle_low*cosine, angle_low, &total4, &lost4);
+    *even_out = cosine;
+    *even_low_out = -angle_low*sine;
+    *odd_out = total4;
+    *odd_low_out = lost4;
+    return;
+}
+
+// x y and what it misses
+static void two_prod(float x, float y, float *total_out, float *lost_out) {
+    *total_out = x*y;
+    *lost_out = fmaf(x, y, -(x*y));
+    return;
+}
+
+// whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
+static void whole_turns(float half, float square, float square_low, float root, float stiff,
+    float *near_out, float *risen_out, float *sunk_out, float *moved_out) {
+    if ((half < 0.75f) && (root < 4096.0f) && (root > 3.0f)) {
+        const float count = floorf(0.5f*root/3.1415927f + 0.5f);
+        float total8, lost8; two_prod(count, 6.2831855f, &total8, &lost8);
+        float total9, lost9; two_diff(root, -total8, &total9, &lost9);
+        const float missed = root_miss(square, square_low, root);
+        const float turns = (count*count);
+        float total, lost; two_prod(turns, 39.478416f, &total, &lost);
+        float total2, lost2; two_prod(turns, 1.1614864e-06f, &total2, &lost2);
+        float total3, lost3; two_diff(-square, total, &total3, &lost3);
+        float total4, lost4; two_diff(total3, lost, &total4, &lost4);
+        float total5, lost5; two_diff(total4, total2, &total5, &lost5);
+        float total6, lost6; two_diff(total5, square_low, &total6, &lost6);
+        const float low = -lost2 + lost3 + lost4 + lost5 + lost6 + 1.1704737e-14f*turns;
+        float total7, lost7; two_diff(total6, -low, &total7, &lost7);
+        const float both_low = -1.7484555e-07f*count + lost8 + lost9 + missed;
+        const float whole = (total9 == 0.0f ? 1.0f : total9);
+        float total10, lost10; wide_quot(total7, whole, lost7, both_low, &total10, &lost10);
+        const float far = (total10*total10);
+        if ((count > 0.0f) && (far < 1.5f)) {
+            float fall_, fall_low, mean, mean_low;
+            brief_fading(half, 0.0f, &fall_, &fall_low, &mean, &mean_low);
+            float total26, lost26; fast_two_sum(1.0f, -fall_, &total26, &lost26);
+            float total11, lost11; wide_prod(total10, total10, 2.0f*lost10, &total11, &lost11);
+            float total13, lost13;
+            fast_two_sum(1.0f, -total11*sin_series(-total11), &total13, &lost13);
+            float total14, lost14; wide_prod(total10, total13, lost13, &total14, &lost14);
+            const float bent = (total11*total11)*cos_series(-total11);
+            float total12, lost12; fast_two_sum(0.5f*total11, -bent, &total12, &lost12);
+            const float lift_low = 0.5f*lost11*total13 + lost12;
+            float total19, lost19; wide_prod(fall_, total12, lift_low, &total19, &lost19);
+            float total29, lost29; wide_prod(fall_, total12, lift_low, &total29, &lost29);
+            float total15, lost15;
+            wide_quot(total14, root, lost10*(1.0f - total12) + lost14, missed, &total15, &lost15);
+            float total16, lost16; wide_prod(fall_, total15, lost15, &total16, &lost16);
+            float total17, lost17; two_diff(mean, total16, &total17, &lost17);
+            float total21, lost21; two_diff(mean, total15, &total21, &lost21);
+            float total22, lost22;
+            wide_prod(half, total21, -lost15 + lost21 + mean_low, &total22, &lost22);
+            float total23, lost23; two_diff(total12, total22, &total23, &lost23);
+            const float whole2 = (stiff == 0.0f ? 1.0f : stiff);
+            const float low2 = -fall_low*total15 - lost16 + lost17 + mean_low;
+            float total18, lost18; wide_prod(half, total17, low2, &total18, &lost18);
+            float total20, lost20; two_diff(total18, -total19, &total20, &lost20);
+            const float low3 = lift_low - lost22 + lost23;
+            float total24, lost24; two_diff(total23, -low3, &total24, &lost24);
+            float total25, lost25; wide_prod(fall_, total24, lost24, &total25, &lost25);
+            const float low4 = -fall_low + lost26;
+            float total27, lost27; fast_two_sum(total26, low4, &total27, &lost27);
+            float total28, lost28; wide_prod(total27, total27, 2.0f*lost27, &total28, &lost28);
+            float total30, lost30; two_diff(total28, -2.0f*total29, &total30, &lost30);
+            const float low5 = fall_low*total12 + lost18 + lost19 + lost20;
+            float total31, lost31; wide_quot(total20, whole2, low5, 0.0f, &total31, &lost31);
+            const float low6 = fall_low*total24 + lost25;
+            float total32, lost32; wide_quot(total25, whole2, low6, 0.0f, &total32, &lost32);
+            const float low7 = 2.0f*fall_low*total12 + lost28 + 2.0f*lost29 + lost30;
+            float total33, lost33; wide_quot(total30, whole2, low7, 0.0f, &total33, &lost33);
+            *near_out = 1.0f;
+            *risen_out = lost31 + total31;
+            *sunk_out = lost32 + total32;
+            *moved_out = lost33 + total33;
+            return;
+        }
+        *near_out = 0.0f;
+        *risen_out = 0.0f;
+        *sunk_out = 0.0f;
+        *moved_out = 0.0f;
+        return;
+    }
+    *near_out = 0.0f;
+    *risen_out = 0.0f;
+    *sunk_out = 0.0f;
+    *moved_out = 0.0f;
+    return;
 }
 
 // n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
 // device in a period; a, the sum of the sampled device's poles
 static void fall_rise_swing(float gamma, float delta, float *fall_out, float *rise_out,
     float *swing_out) {
-    const float half = 0.5f*delta;
-    const float square = (half*half);
-    const float total = -gamma + square;
-    const float back = -square + total;
-    const float rest = -back + total;
-    const float one = -rest + square;
-    const float two = -back - gamma;
-    const float lost = one + two;
-    const float rest2 = lost + fmaf(half, half, -(half*half));
-    const float total2 = rest2 + total;
-    const float back2 = -total + total2;
-    const float lost2 = -back2 + rest2;
-    float fall_of;
-    float rise_of;
-    float swing_of;
-    if (total2 < 0.0f) {
-        const float reach = 0.25f*gamma;
-        if (reach < 0.5625f) {
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float given5 = 0.5f*half;
-            const float total54 = 1.0f - 0.5f*given5;
-            const float back32 = total54 - 1.0f;
-            const float lost54 = -back32 - 0.5f*given5;
-            const float decay_series_of4 = decay_series(given5);
-            const float curved5 = decay_series_of4*(given5*given5);
-            const float total55 = curved5 + total54;
-            const float back33 = -total54 + total55;
-            const float lost55 = -back33 + curved5;
-            const float mean_low6 = lost54 + lost55;
-            const float total56 = given5*total55;
-            const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-            const float total57 = 1.0f - total56;
-            const float back34 = total57 - 1.0f;
-            const float lost57 = -back34 - total56;
-            const float fall_low6 = -lost56 + lost57;
-            const float total58 = (total57*total57);
-            const float lost58 = 2.0f*fall_low6*total57 +
-                fmaf(total57, total57, -(total57*total57));
-            const float total59 = (total58*total58);
-            const float lost59 = 2.0f*lost58*total58 + fmaf(total58, total58, -(total58*total58));
-            const float rest15 = fall_series(gamma, delta);
-            const float total60 = rest15 + 0.5f;
-            const float back35 = -rest15 + total60;
-            const float rest16 = -back35 + total60;
-            const float one14 = rest15 - rest16;
-            const float two14 = 0.5f - back35;
-            const float lost60 = one14 + two14;
-            const float total61 = total59*total60;
-            const float lost61 = lost60*total59 + fmaf(total59, total60, -(total59*total60));
-            const float half2 = half;
-            const float given52 = 0.5f*half2;
-            const float total532 = 1.0f - 0.5f*given52;
-            const float back312 = total532 - 1.0f;
-            const float lost532 = -back312 - 0.5f*given52;
-            const float decay_series_of5 = decay_series(given52);
-            const float curved52 = decay_series_of5*(given52*given52);
-            const float total542 = curved52 + total532;
-            const float back322 = -total532 + total542;
-            const float lost542 = -back322 + curved52;
-            const float mean_low62 = lost532 + lost542;
-            const float total552 = given52*total542;
-            const float lost552 = given52*mean_low62 + fmaf(given52, total542, -(given52*total542));
-            const float total562 = 1.0f - total552;
-            const float back332 = total562 - 1.0f;
-            const float lost562 = -back332 - total552;
-            const float fall_low62 = -lost552 + lost562;
-            const float total572 = (total562*total562);
-            const float lost572 = 2.0f*fall_low62*total562 +
-                fmaf(total562, total562, -(total562*total562));
-            const float rest132 = rise_series(half2, total2);
-            const float total582 = rest132 + 0.5f;
-            const float back342 = -rest132 + total582;
-            const float rest142 = -back342 + total582;
-            const float one122 = rest132 - rest142;
-            const float two122 = 0.5f - back342;
-            const float lost582 = one122 + two122;
-            const float total592 = total572*total582;
-            const float lost592 = lost582*total572 + fmaf(total572, total582, -(total572*total582));
-            float even;
-            float even_low2;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float total20 = 0.5f*given3 + 1.0f;
-                const float back13 = total20 - 1.0f;
-                const float lost20 = -back13 + 0.5f*given3;
-                const float cos_series_of = cos_series(given3);
-                const float curved3 = cos_series_of*(given3*given3);
-                const float total21 = curved3 + total20;
-                const float back14 = -total20 + total21;
-                const float lost21 = -back14 + curved3;
-                const float even_low = 0.5f*lost2 + lost20 + lost21;
-                even = total21;
-                even_low2 = even_low;
-            } else {
-                const float size = fabsf(total2);
-                const float root = sqrtf(size);
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float sine = sinf(root);
-                const float cosine = cosf(root);
-                even = cosine;
-                even_low2 = -root_low*sine;
-            }
-            const float total212 = envelope*even;
-            const float lost212 = envelope*even_low2 + fmaf(envelope, even, -(envelope*even));
-            fall_of = lost59*total60 + lost61 + total61;
-            rise_of = lost572*total582 + lost592 + total592;
-            swing_of = 2.0f*lost212 + 2.0f*total212;
-        } else {
-            const float size = fabsf(total2);
-            const float root = sqrtf(size);
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float stiff = gamma;
-            float even;
-            float even_low2;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float total20 = 0.5f*given3 + 1.0f;
-                const float back13 = total20 - 1.0f;
-                const float lost20 = -back13 + 0.5f*given3;
-                const float cos_series_of = cos_series(given3);
-                const float curved3 = cos_series_of*(given3*given3);
-                const float total21 = curved3 + total20;
-                const float back14 = -total20 + total21;
-                const float lost21 = -back14 + curved3;
-                const float even_low = 0.5f*lost2 + lost20 + lost21;
-                even = total21;
-                even_low2 = even_low;
-            } else {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float sine = sinf(root);
-                const float cosine = cosf(root);
-                even = cosine;
-                even_low2 = -root_low*sine;
-            }
-            const float total212 = envelope*even;
-            const float lost212 = envelope*even_low2 + fmaf(envelope, even, -(envelope*even));
-            float count;
-            if (root < 4096.0f) {
-                count = floorf(0.5f*root/3.1415927f + 0.5f);
-            } else {
-                count = 0.0f;
-            }
-            const float turns = (count*count);
-            const float total29 = 39.478416f*turns;
-            const float lost29 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-            const float total30 = 1.1614864e-06f*turns;
-            const float lost30 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-            const float total31 = -total2 - total29;
-            const float back18 = total2 + total31;
-            const float rest6 = -back18 + total31;
-            const float one5 = -rest6 - total2;
-            const float two5 = -back18 - total29;
-            const float lost31 = one5 + two5;
-            const float total32 = -lost29 + total31;
-            const float back19 = -total31 + total32;
-            const float rest7 = -back19 + total32;
-            const float one6 = -rest7 + total31;
-            const float two6 = -back19 - lost29;
-            const float lost32 = one6 + two6;
-            const float total33 = -total30 + total32;
-            const float back20 = -total32 + total33;
-            const float rest8 = -back20 + total33;
-            const float one7 = -rest8 + total32;
-            const float two7 = -back20 - total30;
-            const float lost33 = one7 + two7;
-            const float total34 = -lost2 + total33;
-            const float back21 = -total33 + total34;
-            const float rest9 = -back21 + total34;
-            const float one8 = -rest9 + total33;
-            const float two8 = -back21 - lost2;
-            const float lost34 = one8 + two8;
-            const float low = -lost30 + lost31 + lost32 + lost33 + lost34 + 1.1704737e-14f*turns;
-            const float total35 = low + total34;
-            const float total36 = 6.2831855f*count;
-            const float total37 = root + total36;
-            const float whole3 = (total37 == 0.0f ? 1.0f : total37);
-            const float total38 = total35/whole3;
-            const float far = (total38*total38);
-            if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float back22 = -total34 + total35;
-                const float rest10 = -back22 + total35;
-                const float one9 = -rest10 + total34;
-                const float two9 = -back22 + low;
-                const float lost35 = one9 + two9;
-                const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                const float back23 = -root + total37;
-                const float rest11 = -back23 + total37;
-                const float one10 = -rest11 + root;
-                const float two10 = -back23 + total36;
-                const float lost37 = one10 + two10;
-                const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-                const float left19 = total35 - total38*whole3;
-                const float left20 = left19 - fmaf(total38, whole3, -(total38*whole3));
-                const float left21 = -both_low*total38 + left20 + lost35;
-                const float lost38 = left21/whole3;
-                const float eta = total38;
-                const float eta_low = lost38;
-                const float total39 = (eta*eta);
-                const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                const float cos_series_of2 = cos_series(-total39);
-                const float bent2 = cos_series_of2*(total39*total39);
-                const float total40 = -bent2 + 0.5f*total39;
-                const float back24 = -0.5f*total39 + total40;
-                const float lost40 = -back24 - bent2;
-                const float sin_series_of2 = sin_series(-total39);
-                const float total41 = -sin_series_of2*total39 + 1.0f;
-                const float back25 = total41 - 1.0f;
-                const float lost41 = -back25 - sin_series_of2*total39;
-                const float lift_low = 0.5f*lost39*total41 + lost40;
-                const float total42 = eta*total41;
-                const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-                const float some2 = root;
-                const float total43 = total42/some2;
-                const float left22 = -some2*total43 + total42;
-                const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-                const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*total43;
-                const float lost43 = left24/some2;
-                const float given4 = half;
-                const float total44 = 1.0f - 0.5f*given4;
-                const float back26 = total44 - 1.0f;
-                const float lost44 = -back26 - 0.5f*given4;
-                const float decay_series_of3 = decay_series(given4);
-                const float curved4 = decay_series_of3*(given4*given4);
-                const float total45 = curved4 + total44;
-                const float back27 = -total44 + total45;
-                const float lost45 = -back27 + curved4;
-                const float mean_low5 = lost44 + lost45;
-                const float total46 = given4*total45;
-                const float lost46 = given4*mean_low5 + fmaf(given4, total45, -(given4*total45));
-                const float total47 = 1.0f - total46;
-                const float back28 = total47 - 1.0f;
-                const float lost47 = -back28 - total46;
-                const float fall_low5 = -lost46 + lost47;
-                const float total48 = -total43 + total45;
-                const float back29 = -total45 + total48;
-                const float rest12 = -back29 + total48;
-                const float one11 = -rest12 + total45;
-                const float two11 = -back29 - total43;
-                const float lost48 = one11 + two11;
-                const float total49 = given4*total48;
-                const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                    fmaf(given4, total48, -(given4*total48));
-                const float total50 = total40 - total49;
-                const float back30 = -total40 + total50;
-                const float rest13 = -back30 + total50;
-                const float one12 = -rest13 + total40;
-                const float two12 = -back30 - total49;
-                const float lost50 = one12 + two12;
-                const float low2 = lift_low - lost49 + lost50;
-                const float total51 = low2 + total50;
-                const float back31 = -total50 + total51;
-                const float rest14 = -back31 + total51;
-                const float one13 = -rest14 + total50;
-                const float two13 = -back31 + low2;
-                const float lost51 = one13 + two13;
-                const float total52 = total47*total51;
-                const float lost52 = lost51*total47 + fmaf(total47, total51, -(total47*total51));
-                const float low3 = fall_low5*total51 + lost52;
-                const float total53 = total52/stiff;
-                const float left25 = -stiff*total53 + total52;
-                const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-                const float left27 = left26 + low3;
-                const float lost53 = left27/stiff;
-                const float total472 = total43*total47;
-                const float lost472 = lost43*total47 + fmaf(total47, total43, -(total47*total43));
-                const float total482 = total45 - total472;
-                const float back292 = -total45 + total482;
-                const float rest112 = -back292 + total482;
-                const float one102 = -rest112 + total45;
-                const float two102 = -back292 - total472;
-                const float lost482 = one102 + two102;
-                const float low22 = -fall_low5*total43 - lost472 + lost482 + mean_low5;
-                const float total492 = given4*total482;
-                const float lost492 = given4*low22 + fmaf(given4, total482, -(given4*total482));
-                const float total502 = total40*total47;
-                const float lost502 = lift_low*total47 + fmaf(total47, total40, -(total47*total40));
-                const float total512 = total492 + total502;
-                const float back302 = -total492 + total512;
-                const float rest122 = -back302 + total512;
-                const float one112 = -rest122 + total492;
-                const float two112 = -back302 + total502;
-                const float lost512 = one112 + two112;
-                const float low32 = fall_low5*total40 + lost492 + lost502 + lost512;
-                const float total522 = total512/stiff;
-                const float left252 = -stiff*total522 + total512;
-                const float left262 = left252 - fmaf(total522, stiff, -(total522*stiff));
-                const float left272 = left262 + low32;
-                const float lost522 = left272/stiff;
-                fall_of = lost53 + total53;
-                rise_of = lost522 + total522;
-                swing_of = 2.0f*lost212 + 2.0f*total212;
-            } else {
-                float odd;
-                float odd_low2;
-                if (square2 > -1.5f) {
-                    const float given3 = square2;
-                    const float sin_series_of = sin_series(given3);
-                    const float bent = given3*sin_series_of;
-                    const float total22 = bent + 1.0f;
-                    const float back15 = total22 - 1.0f;
-                    const float lost22 = -back15 + bent;
-                    const float odd_low = 0.16666667f*lost2 + lost22;
-                    odd = total22;
-                    odd_low2 = odd_low;
-                } else {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float sine = sinf(root);
-                    const float cosine = cosf(root);
-                    const float some = root;
-                    const float total23 = sine/some;
-                    const float left13 = sine - some*total23;
-                    const float left14 = left13 - fmaf(total23, some, -(total23*some));
-                    const float left15 = cosine*root_low + left14 - root_low*total23;
-                    const float lost23 = left15/some;
-                    odd = total23;
-                    odd_low2 = lost23;
-                }
-                const float total24 = half*odd;
-                const float lost24 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-                const float total25 = -even + total24;
-                const float back16 = -total24 + total25;
-                const float rest4 = -back16 + total25;
-                const float one3 = -rest4 + total24;
-                const float two3 = -back16 - even;
-                const float lost25 = one3 + two3;
-                const float total26 = envelope + total25;
-                const float back17 = -total25 + total26;
-                const float rest5 = -back17 + total26;
-                const float one4 = -rest5 + total25;
-                const float two4 = -back17 + envelope;
-                const float lost26 = one4 + two4;
-                const float total27 = envelope*total26;
-                const float lost27 = envelope*(-even_low2 + lost24 + lost25 + lost26) +
-                    fmaf(envelope, total26, -(envelope*total26));
-                const float total28 = total27/stiff;
-                const float left16 = -stiff*total28 + total27;
-                const float left17 = left16 - fmaf(total28, stiff, -(total28*stiff));
-                const float left18 = left17 + lost27;
-                const float lost28 = left18/stiff;
-                const float total242 = even + total24;
-                const float back162 = -even + total242;
-                const float rest42 = -back162 + total242;
-                const float one32 = even - rest42;
-                const float two32 = -back162 + total24;
-                const float lost242 = one32 + two32;
-                const float total252 = envelope*total242;
-                const float lost252 = envelope*(even_low2 + lost24 + lost242) +
-                    fmaf(envelope, total242, -(envelope*total242));
-                const float total262 = 1.0f - total252;
-                const float back172 = total262 - 1.0f;
-                const float lost262 = -back172 - total252;
-                const float total272 = total262/stiff;
-                const float left162 = -stiff*total272 + total262;
-                const float left172 = left162 - fmaf(total272, stiff, -(total272*stiff));
-                const float left182 = left172 - lost252 + lost262;
-                const float lost272 = left182/stiff;
-                fall_of = lost28 + total28;
-                rise_of = lost272 + total272;
-                swing_of = 2.0f*lost212 + 2.0f*total212;
-            }
-        }
-    } else {
-        const float size = fabsf(total2);
-        const float root = sqrtf(size);
-        const float total3 = half + root;
-        const float reach = 0.44444445f*total3;
-        if (reach < 0.5625f) {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            const float given5 = 0.5f*half;
-            const float total54 = 1.0f - 0.5f*given5;
-            const float back32 = total54 - 1.0f;
-            const float lost54 = -back32 - 0.5f*given5;
-            const float decay_series_of4 = decay_series(given5);
-            const float curved5 = decay_series_of4*(given5*given5);
-            const float total55 = curved5 + total54;
-            const float back33 = -total54 + total55;
-            const float lost55 = -back33 + curved5;
-            const float mean_low6 = lost54 + lost55;
-            const float total56 = given5*total55;
-            const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-            const float total57 = 1.0f - total56;
-            const float back34 = total57 - 1.0f;
-            const float lost57 = -back34 - total56;
-            const float fall_low6 = -lost56 + lost57;
-            const float total58 = (total57*total57);
-            const float lost58 = 2.0f*fall_low6*total57 +
-                fmaf(total57, total57, -(total57*total57));
-            const float total59 = (total58*total58);
-            const float lost59 = 2.0f*lost58*total58 + fmaf(total58, total58, -(total58*total58));
-            const float rest15 = fall_series(gamma, delta);
-            const float total60 = rest15 + 0.5f;
-            const float back35 = -rest15 + total60;
-            const float rest16 = -back35 + total60;
-            const float one14 = rest15 - rest16;
-            const float two14 = 0.5f - back35;
-            const float lost60 = one14 + two14;
-            const float total61 = total59*total60;
-            const float lost61 = lost60*total59 + fmaf(total59, total60, -(total59*total60));
-            const float half2 = half;
-            const float given52 = 0.5f*half2;
-            const float total532 = 1.0f - 0.5f*given52;
-            const float back312 = total532 - 1.0f;
-            const float lost532 = -back312 - 0.5f*given52;
-            const float decay_series_of5 = decay_series(given52);
-            const float curved52 = decay_series_of5*(given52*given52);
-            const float total542 = curved52 + total532;
-            const float back322 = -total532 + total542;
-            const float lost542 = -back322 + curved52;
-            const float mean_low62 = lost532 + lost542;
-            const float total552 = given52*total542;
-            const float lost552 = given52*mean_low62 + fmaf(given52, total542, -(given52*total542));
-            const float total562 = 1.0f - total552;
-            const float back332 = total562 - 1.0f;
-            const float lost562 = -back332 - total552;
-            const float fall_low62 = -lost552 + lost562;
-            const float total572 = (total562*total562);
-            const float lost572 = 2.0f*fall_low62*total562 +
-                fmaf(total562, total562, -(total562*total562));
-            const float rest132 = rise_series(half2, total2);
-            const float total582 = rest132 + 0.5f;
-            const float back342 = -rest132 + total582;
-            const float rest142 = -back342 + total582;
-            const float one122 = rest132 - rest142;
-            const float two122 = 0.5f - back342;
-            const float lost582 = one122 + two122;
-            const float total592 = total572*total582;
-            const float lost592 = lost582*total572 + fmaf(total572, total582, -(total572*total582));
-            float fall_;
-            float fall_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-            }
-            float fall2;
-            float fall_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-            }
-            const float total222 = fall2 + 1.0f;
-            const float back152 = total222 - 1.0f;
-            const float lost222 = -back152 + fall2;
-            const float total232 = fall_*total222;
-            const float lost232 = fall_*(fall_low4 + lost222) +
-                fmaf(fall_, total222, -(fall_*total222));
-            const float creep2 = fall_low2*total222 + lost232 + total232;
-            fall_of = lost59*total60 + lost61 + total61;
-            rise_of = lost572*total582 + lost592 + total592;
-            swing_of = creep2;
-        } else {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            float fall_;
-            float fall_low2;
-            float mean;
-            float mean_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-                mean = total5;
-                mean_low2 = mean_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                const float total8 = 1.0f - sunk;
-                const float back7 = total8 - 1.0f;
-                const float lost8 = -back7 - sunk;
-                const float bottom = q;
-                const float total9 = total8/bottom;
-                const float left4 = -bottom*total9 + total8;
-                const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-                const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-                const float lost9 = left6/bottom;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-                mean = total9;
-                mean_low2 = lost9;
-            }
-            float fall2;
-            float fall_low4;
-            float mean2;
-            float mean_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-                mean2 = total11;
-                mean_low4 = mean_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                const float total14 = 1.0f - sunk2;
-                const float back11 = total14 - 1.0f;
-                const float lost14 = -back11 - sunk2;
-                const float bottom2 = 2.0f*root;
-                const float total15 = total14/bottom2;
-                const float left7 = -bottom2*total15 + total14;
-                const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-                const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-                const float lost15 = left9/bottom2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-                mean2 = total15;
-                mean_low4 = lost15;
-            }
-            const float total16 = fall2*mean;
-            const float lost16 = fall2*mean_low2 + fmaf(fall2, mean, -(fall2*mean));
-            const float pulled_low = fall_low4*mean + lost16;
-            const float total17 = mean2 - total16;
-            const float back12 = -mean2 + total17;
-            const float rest3 = -back12 + total17;
-            const float one2 = mean2 - rest3;
-            const float two2 = -back12 - total16;
-            const float lost17 = one2 + two2;
-            const float total18 = total17/whole2;
-            const float left10 = total17 - total18*whole2;
-            const float left11 = left10 - fmaf(total18, whole2, -(total18*whole2));
-            const float left12 = left11 + lost17 + mean_low4 - p_low*total18 - pulled_low;
-            const float lost18 = left12/whole2;
-            const float total19 = fall_*total18;
-            const float lost19 = fall_*lost18 + fmaf(fall_, total18, -(fall_*total18));
-            const float creep_ = fall_low2*total18 + lost19 + total19;
-            const float total162 = fall_*mean2;
-            const float lost162 = fall_*mean_low4 + fmaf(fall_, mean2, -(fall_*mean2));
-            const float pulled_low2 = fall_low2*mean2 + lost162;
-            const float total172 = mean - total162;
-            const float back122 = -mean + total172;
-            const float rest32 = -back122 + total172;
-            const float one22 = mean - rest32;
-            const float two22 = -back122 - total162;
-            const float lost172 = one22 + two22;
-            const float total182 = total172/whole2;
-            const float left102 = total172 - total182*whole2;
-            const float left112 = left102 - fmaf(total182, whole2, -(total182*whole2));
-            const float left122 = left112 + lost172 + mean_low2 - p_low*total182 - pulled_low2;
-            const float lost182 = left122/whole2;
-            const float total222 = fall2 + 1.0f;
-            const float back152 = total222 - 1.0f;
-            const float lost222 = -back152 + fall2;
-            const float total232 = fall_*total222;
-            const float lost232 = fall_*(fall_low4 + lost222) +
-                fmaf(fall_, total222, -(fall_*total222));
-            const float creep2 = fall_low2*total222 + lost232 + total232;
-            fall_of = creep_;
-            rise_of = lost182 + total182;
-            swing_of = creep2;
-        }
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const float half = 0.5f*delta;
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        const float envelope = expf(-half);
+        *fall_out = fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+            odd_low, gamma, near, sunk);
+        *rise_out = rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
+        *swing_out = trace_swing(envelope, even, even_low);
+        return;
     }
-    *fall_out = fall_of;
-    *rise_out = rise_of;
-    *swing_out = swing_of;
+    const float half = 0.5f*delta;
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall_, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    *fall_out = fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *rise_out = rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+        mean_low, mean2, mean_low2);
+    *swing_out = trace_creep(fall_, fall_low, fall2, fall_low2);
     return;
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
 static float fall(float gamma, float delta) {
-    const float half = 0.5f*delta;
-    const float square = (half*half);
-    const float total = -gamma + square;
-    const float back = -square + total;
-    const float rest = -back + total;
-    const float one = -rest + square;
-    const float two = -back - gamma;
-    const float lost = one + two;
-    const float rest2 = lost + fmaf(half, half, -(half*half));
-    const float total2 = rest2 + total;
-    if (total2 < 0.0f) {
-        const float reach = 0.25f*gamma;
-        if (reach < 0.5625f) {
-            const float given5 = 0.5f*half;
-            const float total54 = 1.0f - 0.5f*given5;
-            const float back32 = total54 - 1.0f;
-            const float lost54 = -back32 - 0.5f*given5;
-            const float curved5 = (given5*given5)*decay_series(given5);
-            const float total55 = curved5 + total54;
-            const float back33 = -total54 + total55;
-            const float lost55 = -back33 + curved5;
-            const float mean_low6 = lost54 + lost55;
-            const float total56 = given5*total55;
-            const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-            const float total57 = 1.0f - total56;
-            const float back34 = total57 - 1.0f;
-            const float lost57 = -back34 - total56;
-            const float fall_low6 = -lost56 + lost57;
-            const float total58 = (total57*total57);
-            const float lost58 = 2.0f*fall_low6*total57 +
-                fmaf(total57, total57, -(total57*total57));
-            const float total59 = (total58*total58);
-            const float lost59 = 2.0f*lost58*total58 + fmaf(total58, total58, -(total58*total58));
-            const float rest15 = fall_series(gamma, delta);
-            const float total60 = rest15 + 0.5f;
-            const float back35 = -rest15 + total60;
-            const float rest16 = -back35 + total60;
-            const float one14 = rest15 - rest16;
-            const float two14 = 0.5f - back35;
-            const float lost60 = one14 + two14;
-            const float envelope2 = total59;
-            const float total61 = envelope2*total60;
-            const float lost61 = envelope2*lost60 + fmaf(envelope2, total60, -(envelope2*total60));
-            return lost59*total60 + lost61 + total61;
-        }
-        const float back2 = -total + total2;
-        const float lost2 = -back2 + rest2;
-        const float size = fabsf(total2);
-        const float root = sqrtf(size);
-        float count;
-        if (root < 4096.0f) {
-            count = floorf(0.5f*root/3.1415927f + 0.5f);
-        } else {
-            count = 0.0f;
-        }
-        const float turns = (count*count);
-        const float total29 = 39.478416f*turns;
-        const float lost29 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-        const float total30 = 1.1614864e-06f*turns;
-        const float lost30 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-        const float total31 = -total2 - total29;
-        const float back18 = total2 + total31;
-        const float rest6 = -back18 + total31;
-        const float one5 = -rest6 - total2;
-        const float two5 = -back18 - total29;
-        const float lost31 = one5 + two5;
-        const float total32 = -lost29 + total31;
-        const float back19 = -total31 + total32;
-        const float rest7 = -back19 + total32;
-        const float one6 = -rest7 + total31;
-        const float two6 = -back19 - lost29;
-        const float lost32 = one6 + two6;
-        const float total33 = -total30 + total32;
-        const float back20 = -total32 + total33;
-        const float rest8 = -back20 + total33;
-        const float one7 = -rest8 + total32;
-        const float two7 = -back20 - total30;
-        const float lost33 = one7 + two7;
-        const float total34 = -lost2 + total33;
-        const float back21 = -total33 + total34;
-        const float rest9 = -back21 + total34;
-        const float one8 = -rest9 + total33;
-        const float two8 = -back21 - lost2;
-        const float lost34 = one8 + two8;
-        const float low = -lost30 + lost31 + lost32 + lost33 + lost34 + 1.1704737e-14f*turns;
-        const float total35 = low + total34;
-        const float total36 = 6.2831855f*count;
-        const float total37 = root + total36;
-        const float whole3 = (total37 == 0.0f ? 1.0f : total37);
-        const float total38 = total35/whole3;
-        const float far = (total38*total38);
-        if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-            const float sign_low = -lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float stiff = gamma;
-            const float back22 = -total34 + total35;
-            const float rest10 = -back22 + total35;
-            const float one9 = -rest10 + total34;
-            const float two9 = -back22 + low;
-            const float lost35 = one9 + two9;
-            const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-            const float back23 = -root + total37;
-            const float rest11 = -back23 + total37;
-            const float one10 = -rest11 + root;
-            const float two10 = -back23 + total36;
-            const float lost37 = one10 + two10;
-            const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-            const float left19 = total35 - total38*whole3;
-            const float left20 = left19 - fmaf(total38, whole3, -(total38*whole3));
-            const float left21 = -both_low*total38 + left20 + lost35;
-            const float lost38 = left21/whole3;
-            const float eta = total38;
-            const float eta_low = lost38;
-            const float total39 = (eta*eta);
-            const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-            const float bent2 = (total39*total39)*cos_series(-total39);
-            const float total40 = -bent2 + 0.5f*total39;
-            const float back24 = -0.5f*total39 + total40;
-            const float lost40 = -back24 - bent2;
-            const float total41 = -total39*sin_series(-total39) + 1.0f;
-            const float back25 = total41 - 1.0f;
-            const float lost41 = -back25 - total39*sin_series(-total39);
-            const float lift_low = 0.5f*lost39*total41 + lost40;
-            const float total42 = eta*total41;
-            const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-            const float some2 = root;
-            const float total43 = total42/some2;
-            const float left22 = -some2*total43 + total42;
-            const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-            const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*total43;
-            const float lost43 = left24/some2;
-            const float given4 = half;
-            const float total44 = 1.0f - 0.5f*given4;
-            const float back26 = total44 - 1.0f;
-            const float lost44 = -back26 - 0.5f*given4;
-            const float curved4 = (given4*given4)*decay_series(given4);
-            const float total45 = curved4 + total44;
-            const float back27 = -total44 + total45;
-            const float lost45 = -back27 + curved4;
-            const float mean_low5 = lost44 + lost45;
-            const float total46 = given4*total45;
-            const float lost46 = given4*mean_low5 + fmaf(given4, total45, -(given4*total45));
-            const float total47 = 1.0f - total46;
-            const float back28 = total47 - 1.0f;
-            const float lost47 = -back28 - total46;
-            const float fall_low5 = -lost46 + lost47;
-            const float total48 = -total43 + total45;
-            const float back29 = -total45 + total48;
-            const float rest12 = -back29 + total48;
-            const float one11 = -rest12 + total45;
-            const float two11 = -back29 - total43;
-            const float lost48 = one11 + two11;
-            const float total49 = given4*total48;
-            const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                fmaf(given4, total48, -(given4*total48));
-            const float total50 = total40 - total49;
-            const float back30 = -total40 + total50;
-            const float rest13 = -back30 + total50;
-            const float one12 = -rest13 + total40;
-            const float two12 = -back30 - total49;
-            const float lost50 = one12 + two12;
-            const float low2 = lift_low - lost49 + lost50;
-            const float total51 = low2 + total50;
-            const float back31 = -total50 + total51;
-            const float rest14 = -back31 + total51;
-            const float one13 = -rest14 + total50;
-            const float two13 = -back31 + low2;
-            const float lost51 = one13 + two13;
-            const float total52 = total47*total51;
-            const float lost52 = lost51*total47 + fmaf(total47, total51, -(total47*total51));
-            const float low3 = fall_low5*total51 + lost52;
-            const float total53 = total52/stiff;
-            const float left25 = -stiff*total53 + total52;
-            const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-            const float left27 = left26 + low3;
-            const float lost53 = left27/stiff;
-            return lost53 + total53;
-        }
-        const float square2 = total2;
-        const float envelope = expf(-half);
-        const float stiff = gamma;
-        float even;
-        float even_low2;
-        float odd;
-        float odd_low2;
-        if (square2 > -1.5f) {
-            const float given3 = square2;
-            const float total20 = 0.5f*given3 + 1.0f;
-            const float back13 = total20 - 1.0f;
-            const float lost20 = -back13 + 0.5f*given3;
-            const float curved3 = (given3*given3)*cos_series(given3);
-            const float total21 = curved3 + total20;
-            const float back14 = -total20 + total21;
-            const float lost21 = -back14 + curved3;
-            const float even_low = 0.5f*lost2 + lost20 + lost21;
-            const float bent = given3*sin_series(given3);
-            const float total22 = bent + 1.0f;
-            const float back15 = total22 - 1.0f;
-            const float lost22 = -back15 + bent;
-            const float odd_low = 0.16666667f*lost2 + lost22;
-            even = total21;
-            even_low2 = even_low;
-            odd = total22;
-            odd_low2 = odd_low;
-        } else {
-            const float sign_low = -lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float sine = sinf(root);
-            const float cosine = cosf(root);
-            const float some = root;
-            const float total23 = sine/some;
-            const float left13 = sine - some*total23;
-            const float left14 = left13 - fmaf(total23, some, -(total23*some));
-            const float left15 = cosine*root_low + left14 - root_low*total23;
-            const float lost23 = left15/some;
-            even = cosine;
-            even_low2 = -root_low*sine;
-            odd = total23;
-            odd_low2 = lost23;
-        }
-        const float total24 = half*odd;
-        const float lost24 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-        const float total25 = -even + total24;
-        const float back16 = -total24 + total25;
-        const float rest4 = -back16 + total25;
-        const float one3 = -rest4 + total24;
-        const float two3 = -back16 - even;
-        const float lost25 = one3 + two3;
-        const float total26 = envelope + total25;
-        const float back17 = -total25 + total26;
-        const float rest5 = -back17 + total26;
-        const float one4 = -rest5 + total25;
-        const float two4 = -back17 + envelope;
-        const float lost26 = one4 + two4;
-        const float total27 = envelope*total26;
-        const float lost27 = envelope*(-even_low2 + lost24 + lost25 + lost26) +
-            fmaf(envelope, total26, -(envelope*total26));
-        const float total28 = total27/stiff;
-        const float left16 = -stiff*total28 + total27;
-        const float left17 = left16 - fmaf(total28, stiff, -(total28*stiff));
-        const float left18 = left17 + lost27;
-        const float lost28 = left18/stiff;
-        return lost28 + total28;
-    }
-    const float size = fabsf(total2);
-    const float root = sqrtf(size);
-    const float total3 = half + root;
-    const float reach = 0.44444445f*total3;
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
     if (reach < 0.5625f) {
-        const float given5 = 0.5f*half;
-        const float total54 = 1.0f - 0.5f*given5;
-        const float back32 = total54 - 1.0f;
-        const float lost54 = -back32 - 0.5f*given5;
-        const float curved5 = (given5*given5)*decay_series(given5);
-        const float total55 = curved5 + total54;
-        const float back33 = -total54 + total55;
-        const float lost55 = -back33 + curved5;
-        const float mean_low6 = lost54 + lost55;
-        const float total56 = given5*total55;
-        const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-        const float total57 = 1.0f - total56;
-        const float back34 = total57 - 1.0f;
-        const float lost57 = -back34 - total56;
-        const float fall_low6 = -lost56 + lost57;
-        const float total58 = (total57*total57);
-        const float lost58 = 2.0f*fall_low6*total57 + fmaf(total57, total57, -(total57*total57));
-        const float total59 = (total58*total58);
-        const float lost59 = 2.0f*lost58*total58 + fmaf(total58, total58, -(total58*total58));
-        const float rest15 = fall_series(gamma, delta);
-        const float total60 = rest15 + 0.5f;
-        const float back35 = -rest15 + total60;
-        const float rest16 = -back35 + total60;
-        const float one14 = rest15 - rest16;
-        const float two14 = 0.5f - back35;
-        const float lost60 = one14 + two14;
-        const float envelope2 = total59;
-        const float total61 = envelope2*total60;
-        const float lost61 = envelope2*lost60 + fmaf(envelope2, total60, -(envelope2*total60));
-        return lost59*total60 + lost61 + total61;
+        const float half = 0.5f*delta;
+        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        return fall_near(fade_, fade_low, gamma, delta);
     }
-    const float back2 = -total + total2;
-    const float lost2 = -back2 + rest2;
-    const float sign_low = lost2;
-    const float left = -(root*root) + size;
-    const float left2 = left - fmaf(root, root, -(root*root));
-    const float left3 = left2 + sign_low;
-    const float whole = (root == 0.0f ? 1.0f : root);
-    const float root_low = 0.5f*left3/whole;
-    const float back3 = -half + total3;
-    const float lost3 = -back3 + root;
-    const float p_low = lost3 + root_low;
-    const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-    const float q = gamma/whole2;
-    const float off = gamma - q*whole2;
-    const float off2 = off - fmaf(whole2, q, -(whole2*q));
-    const float off3 = off2 - p_low*q;
-    const float q_low = off3/whole2;
-    const float rate = q;
-    const float rate2 = 2.0f*root;
-    float fall_;
-    float fall_low2;
-    float mean;
-    float mean_low2;
-    if (rate < 0.75f) {
-        const float given = q;
-        const float total4 = 1.0f - 0.5f*given;
-        const float back4 = total4 - 1.0f;
-        const float lost4 = -back4 - 0.5f*given;
-        const float curved = (given*given)*decay_series(given);
-        const float total5 = curved + total4;
-        const float back5 = -total4 + total5;
-        const float lost5 = -back5 + curved;
-        const float mean_low = lost4 + lost5 - q_low*
-            (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-        const float total6 = given*total5;
-        const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-        const float total7 = 1.0f - total6;
-        const float back6 = total7 - 1.0f;
-        const float lost7 = -back6 - total6;
-        const float fall_low = -lost6 + lost7 - q_low*total5;
-        fall_ = total7;
-        fall_low2 = fall_low;
-        mean = total5;
-        mean_low2 = mean_low;
-    } else {
-        const float sunk = expf(-q);
-        const float sunk_low = -q_low*sunk;
-        const float total8 = 1.0f - sunk;
-        const float back7 = total8 - 1.0f;
-        const float lost8 = -back7 - sunk;
-        const float bottom = q;
-        const float total9 = total8/bottom;
-        const float left4 = -bottom*total9 + total8;
-        const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-        const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-        const float lost9 = left6/bottom;
-        fall_ = sunk;
-        fall_low2 = sunk_low;
-        mean = total9;
-        mean_low2 = lost9;
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const float half = 0.5f*delta;
+        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        const float envelope = expf(-half);
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        return fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
+            gamma, near, sunk);
     }
-    float fall2;
-    float fall_low4;
-    float mean2;
-    float mean_low4;
-    if (rate2 < 0.75f) {
-        const float given2 = 2.0f*root;
-        const float total10 = 1.0f - 0.5f*given2;
-        const float back8 = total10 - 1.0f;
-        const float lost10 = -back8 - 0.5f*given2;
-        const float curved2 = (given2*given2)*decay_series(given2);
-        const float total11 = curved2 + total10;
-        const float back9 = -total10 + total11;
-        const float lost11 = -back9 + curved2;
-        const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-            (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-        const float total12 = given2*total11;
-        const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-        const float total13 = 1.0f - total12;
-        const float back10 = total13 - 1.0f;
-        const float lost13 = -back10 - total12;
-        const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-        fall2 = total13;
-        fall_low4 = fall_low3;
-        mean2 = total11;
-        mean_low4 = mean_low3;
-    } else {
-        const float sunk2 = expf(-2.0f*root);
-        const float sunk_low2 = -2.0f*root_low*sunk2;
-        const float total14 = 1.0f - sunk2;
-        const float back11 = total14 - 1.0f;
-        const float lost14 = -back11 - sunk2;
-        const float bottom2 = 2.0f*root;
-        const float total15 = total14/bottom2;
-        const float left7 = -bottom2*total15 + total14;
-        const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-        const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-        const float lost15 = left9/bottom2;
-        fall2 = sunk2;
-        fall_low4 = sunk_low2;
-        mean2 = total15;
-        mean_low4 = lost15;
-    }
-    const float total16 = fall2*mean;
-    const float lost16 = fall2*mean_low2 + fmaf(fall2, mean, -(fall2*mean));
-    const float pulled_low = fall_low4*mean + lost16;
-    const float total17 = mean2 - total16;
-    const float back12 = -mean2 + total17;
-    const float rest3 = -back12 + total17;
-    const float one2 = mean2 - rest3;
-    const float two2 = -back12 - total16;
-    const float lost17 = one2 + two2;
-    const float total18 = total17/whole2;
-    const float left10 = total17 - total18*whole2;
-    const float left11 = left10 - fmaf(total18, whole2, -(total18*whole2));
-    const float left12 = left11 + lost17 + mean_low4 - p_low*total18 - pulled_low;
-    const float lost18 = left12/whole2;
-    const float total19 = fall_*total18;
-    const float lost19 = fall_*lost18 + fmaf(fall_, total18, -(fall_*total18));
-    const float creep_ = fall_low2*total18 + lost19 + total19;
-    return creep_;
+    const float half = 0.5f*delta;
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall_, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    return fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
 }
 
 // n1, how far a unit force moves the device in a period
 static float rise(float gamma, float delta) {
-    const float half = 0.5f*delta;
-    const float square = (half*half);
-    const float total = -gamma + square;
-    const float back = -square + total;
-    const float rest = -back + total;
-    const float one = -rest + square;
-    const float two = -back - gamma;
-    const float lost = one + two;
-    const float rest2 = lost + fmaf(half, half, -(half*half));
-    const float total2 = rest2 + total;
-    if (total2 < 0.0f) {
-        const float reach = 0.25f*gamma;
-        if (reach < 0.5625f) {
-            const float half2 = half;
-            const float given5 = 0.5f*half2;
-            const float total53 = 1.0f - 0.5f*given5;
-            const float back31 = total53 - 1.0f;
-            const float lost53 = -back31 - 0.5f*given5;
-            const float curved5 = (given5*given5)*decay_series(given5);
-            const float total54 = curved5 + total53;
-            const float back32 = -total53 + total54;
-            const float lost54 = -back32 + curved5;
-            const float mean_low6 = lost53 + lost54;
-            const float total55 = given5*total54;
-            const float lost55 = given5*mean_low6 + fmaf(given5, total54, -(given5*total54));
-            const float total56 = 1.0f - total55;
-            const float back33 = total56 - 1.0f;
-            const float lost56 = -back33 - total55;
-            const float fall_low6 = -lost55 + lost56;
-            const float total57 = (total56*total56);
-            const float lost57 = 2.0f*fall_low6*total56 +
-                fmaf(total56, total56, -(total56*total56));
-            const float rest13 = rise_series(half2, total2);
-            const float total58 = rest13 + 0.5f;
-            const float back34 = -rest13 + total58;
-            const float rest14 = -back34 + total58;
-            const float one12 = rest13 - rest14;
-            const float two12 = 0.5f - back34;
-            const float lost58 = one12 + two12;
-            const float envelope2 = total57;
-            const float total59 = envelope2*total58;
-            const float lost59 = envelope2*lost58 + fmaf(envelope2, total58, -(envelope2*total58));
-            return lost57*total58 + lost59 + total59;
-        }
-        const float back2 = -total + total2;
-        const float lost2 = -back2 + rest2;
-        const float size = fabsf(total2);
-        const float root = sqrtf(size);
-        float count;
-        if (root < 4096.0f) {
-            count = floorf(0.5f*root/3.1415927f + 0.5f);
-        } else {
-            count = 0.0f;
-        }
-        const float turns = (count*count);
-        const float total28 = 39.478416f*turns;
-        const float lost28 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-        const float total29 = 1.1614864e-06f*turns;
-        const float lost29 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-        const float total30 = -total2 - total28;
-        const float back18 = total2 + total30;
-        const float rest5 = -back18 + total30;
-        const float one4 = -rest5 - total2;
-        const float two4 = -back18 - total28;
-        const float lost30 = one4 + two4;
-        const float total31 = -lost28 + total30;
-        const float back19 = -total30 + total31;
-        const float rest6 = -back19 + total31;
-        const float one5 = -rest6 + total30;
-        const float two5 = -back19 - lost28;
-        const float lost31 = one5 + two5;
-        const float total32 = -total29 + total31;
-        const float back20 = -total31 + total32;
-        const float rest7 = -back20 + total32;
-        const float one6 = -rest7 + total31;
-        const float two6 = -back20 - total29;
-        const float lost32 = one6 + two6;
-        const float total33 = -lost2 + total32;
-        const float back21 = -total32 + total33;
-        const float rest8 = -back21 + total33;
-        const float one7 = -rest8 + total32;
-        const float two7 = -back21 - lost2;
-        const float lost33 = one7 + two7;
-        const float low = -lost29 + lost30 + lost31 + lost32 + lost33 + 1.1704737e-14f*turns;
-        const float total34 = low + total33;
-        const float total35 = 6.2831855f*count;
-        const float total36 = root + total35;
-        const float whole3 = (total36 == 0.0f ? 1.0f : total36);
-        const float total37 = total34/whole3;
-        const float far = (total37*total37);
-        if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-            const float sign_low = -lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float stiff = gamma;
-            const float back22 = -total33 + total34;
-            const float rest9 = -back22 + total34;
-            const float one8 = -rest9 + total33;
-            const float two8 = -back22 + low;
-            const float lost34 = one8 + two8;
-            const float lost35 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-            const float back23 = -root + total36;
-            const float rest10 = -back23 + total36;
-            const float one9 = -rest10 + root;
-            const float two9 = -back23 + total35;
-            const float lost36 = one9 + two9;
-            const float both_low = -1.7484555e-07f*count + lost35 + lost36 + root_low;
-            const float left19 = total34 - total37*whole3;
-            const float left20 = left19 - fmaf(total37, whole3, -(total37*whole3));
-            const float left21 = -both_low*total37 + left20 + lost34;
-            const float lost37 = left21/whole3;
-            const float eta = total37;
-            const float eta_low = lost37;
-            const float total38 = (eta*eta);
-            const float lost38 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-            const float bent2 = (total38*total38)*cos_series(-total38);
-            const float total39 = -bent2 + 0.5f*total38;
-            const float back24 = -0.5f*total38 + total39;
-            const float lost39 = -back24 - bent2;
-            const float total40 = -total38*sin_series(-total38) + 1.0f;
-            const float back25 = total40 - 1.0f;
-            const float lost40 = -back25 - total38*sin_series(-total38);
-            const float lift_low = 0.5f*lost38*total40 + lost39;
-            const float total41 = eta*total40;
-            const float lost41 = eta*lost40 + fmaf(eta, total40, -(eta*total40));
-            const float some2 = root;
-            const float total42 = total41/some2;
-            const float left22 = -some2*total42 + total41;
-            const float left23 = left22 - fmaf(total42, some2, -(total42*some2));
-            const float left24 = eta_low*(1.0f - total39) + left23 + lost41 - root_low*total42;
-            const float lost42 = left24/some2;
-            const float given4 = half;
-            const float total43 = 1.0f - 0.5f*given4;
-            const float back26 = total43 - 1.0f;
-            const float lost43 = -back26 - 0.5f*given4;
-            const float curved4 = (given4*given4)*decay_series(given4);
-            const float total44 = curved4 + total43;
-            const float back27 = -total43 + total44;
-            const float lost44 = -back27 + curved4;
-            const float mean_low5 = lost43 + lost44;
-            const float total45 = given4*total44;
-            const float lost45 = given4*mean_low5 + fmaf(given4, total44, -(given4*total44));
-            const float total46 = 1.0f - total45;
-            const float back28 = total46 - 1.0f;
-            const float lost46 = -back28 - total45;
-            const float fall_low5 = -lost45 + lost46;
-            const float total47 = total42*total46;
-            const float lost47 = lost42*total46 + fmaf(total46, total42, -(total46*total42));
-            const float total48 = total44 - total47;
-            const float back29 = -total44 + total48;
-            const float rest11 = -back29 + total48;
-            const float one10 = -rest11 + total44;
-            const float two10 = -back29 - total47;
-            const float lost48 = one10 + two10;
-            const float low2 = -fall_low5*total42 - lost47 + lost48 + mean_low5;
-            const float total49 = given4*total48;
-            const float lost49 = given4*low2 + fmaf(given4, total48, -(given4*total48));
-            const float total50 = total39*total46;
-            const float lost50 = lift_low*total46 + fmaf(total46, total39, -(total46*total39));
-            const float total51 = total49 + total50;
-            const float back30 = -total49 + total51;
-            const float rest12 = -back30 + total51;
-            const float one11 = -rest12 + total49;
-            const float two11 = -back30 + total50;
-            const float lost51 = one11 + two11;
-            const float low3 = fall_low5*total39 + lost49 + lost50 + lost51;
-            const float total52 = total51/stiff;
-            const float left25 = -stiff*total52 + total51;
-            const float left26 = left25 - fmaf(total52, stiff, -(total52*stiff));
-            const float left27 = left26 + low3;
-            const float lost52 = left27/stiff;
-            return lost52 + total52;
-        }
-        const float square2 = total2;
-        const float envelope = expf(-half);
-        const float stiff = gamma;
-        float even;
-        float even_low2;
-        float odd;
-        float odd_low2;
-        if (square2 > -1.5f) {
-            const float given3 = square2;
-            const float total19 = 0.5f*given3 + 1.0f;
-            const float back13 = total19 - 1.0f;
-            const float lost19 = -back13 + 0.5f*given3;
-            const float curved3 = (given3*given3)*cos_series(given3);
-            const float total20 = curved3 + total19;
-            const float back14 = -total19 + total20;
-            const float lost20 = -back14 + curved3;
-            const float even_low = lost19 + 0.5f*lost2 + lost20;
-            const float bent = given3*sin_series(given3);
-            const float total21 = bent + 1.0f;
-            const float back15 = total21 - 1.0f;
-            const float lost21 = -back15 + bent;
-            const float odd_low = 0.16666667f*lost2 + lost21;
-            even = total20;
-            even_low2 = even_low;
-            odd = total21;
-            odd_low2 = odd_low;
-        } else {
-            const float sign_low = -lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float sine = sinf(root);
-            const float cosine = cosf(root);
-            const float some = root;
-            const float total22 = sine/some;
-            const float left13 = sine - some*total22;
-            const float left14 = left13 - fmaf(total22, some, -(total22*some));
-            const float left15 = cosine*root_low + left14 - root_low*total22;
-            const float lost22 = left15/some;
-            even = cosine;
-            even_low2 = -root_low*sine;
-            odd = total22;
-            odd_low2 = lost22;
-        }
-        const float total23 = half*odd;
-        const float lost23 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-        const float total24 = even + total23;
-        const float back16 = -even + total24;
-        const float rest4 = -back16 + total24;
-        const float one3 = even - rest4;
-        const float two3 = -back16 + total23;
-        const float lost24 = one3 + two3;
-        const float total25 = envelope*total24;
-        const float lost25 = envelope*(even_low2 + lost23 + lost24) +
-            fmaf(envelope, total24, -(envelope*total24));
-        const float total26 = 1.0f - total25;
-        const float back17 = total26 - 1.0f;
-        const float lost26 = -back17 - total25;
-        const float total27 = total26/stiff;
-        const float left16 = -stiff*total27 + total26;
-        const float left17 = left16 - fmaf(total27, stiff, -(total27*stiff));
-        const float left18 = left17 - lost25 + lost26;
-        const float lost27 = left18/stiff;
-        return lost27 + total27;
-    }
-    const float size = fabsf(total2);
-    const float root = sqrtf(size);
-    const float total3 = half + root;
-    const float reach = 0.44444445f*total3;
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
     if (reach < 0.5625f) {
-        const float half2 = half;
-        const float given5 = 0.5f*half2;
-        const float total53 = 1.0f - 0.5f*given5;
-        const float back31 = total53 - 1.0f;
-        const float lost53 = -back31 - 0.5f*given5;
-        const float curved5 = (given5*given5)*decay_series(given5);
-        const float total54 = curved5 + total53;
-        const float back32 = -total53 + total54;
-        const float lost54 = -back32 + curved5;
-        const float mean_low6 = lost53 + lost54;
-        const float total55 = given5*total54;
-        const float lost55 = given5*mean_low6 + fmaf(given5, total54, -(given5*total54));
-        const float total56 = 1.0f - total55;
-        const float back33 = total56 - 1.0f;
-        const float lost56 = -back33 - total55;
-        const float fall_low6 = -lost55 + lost56;
-        const float total57 = (total56*total56);
-        const float lost57 = 2.0f*fall_low6*total56 + fmaf(total56, total56, -(total56*total56));
-        const float rest13 = rise_series(half2, total2);
-        const float total58 = rest13 + 0.5f;
-        const float back34 = -rest13 + total58;
-        const float rest14 = -back34 + total58;
-        const float one12 = rest13 - rest14;
-        const float two12 = 0.5f - back34;
-        const float lost58 = one12 + two12;
-        const float envelope2 = total57;
-        const float total59 = envelope2*total58;
-        const float lost59 = envelope2*lost58 + fmaf(envelope2, total58, -(envelope2*total58));
-        return lost57*total58 + lost59 + total59;
+        const float half = 0.5f*delta;
+        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        return rise_near(fade_, fade_low, half, w);
     }
-    const float back2 = -total + total2;
-    const float lost2 = -back2 + rest2;
-    const float sign_low = lost2;
-    const float left = -(root*root) + size;
-    const float left2 = left - fmaf(root, root, -(root*root));
-    const float left3 = left2 + sign_low;
-    const float whole = (root == 0.0f ? 1.0f : root);
-    const float root_low = 0.5f*left3/whole;
-    const float back3 = -half + total3;
-    const float lost3 = -back3 + root;
-    const float p_low = lost3 + root_low;
-    const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-    const float q = gamma/whole2;
-    const float off = gamma - q*whole2;
-    const float off2 = off - fmaf(whole2, q, -(whole2*q));
-    const float off3 = off2 - p_low*q;
-    const float q_low = off3/whole2;
-    const float rate = q;
-    const float rate2 = 2.0f*root;
-    float fall_;
-    float fall_low2;
-    float mean;
-    float mean_low2;
-    if (rate < 0.75f) {
-        const float given = q;
-        const float total4 = 1.0f - 0.5f*given;
-        const float back4 = total4 - 1.0f;
-        const float lost4 = -back4 - 0.5f*given;
-        const float curved = (given*given)*decay_series(given);
-        const float total5 = curved + total4;
-        const float back5 = -total4 + total5;
-        const float lost5 = -back5 + curved;
-        const float mean_low = lost4 + lost5 - q_low*
-            (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-        const float total6 = given*total5;
-        const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-        const float total7 = 1.0f - total6;
-        const float back6 = total7 - 1.0f;
-        const float lost7 = -back6 - total6;
-        const float fall_low = -lost6 + lost7 - q_low*total5;
-        fall_ = total7;
-        fall_low2 = fall_low;
-        mean = total5;
-        mean_low2 = mean_low;
-    } else {
-        const float sunk = expf(-q);
-        const float sunk_low = -q_low*sunk;
-        const float total8 = 1.0f - sunk;
-        const float back7 = total8 - 1.0f;
-        const float lost8 = -back7 - sunk;
-        const float bottom = q;
-        const float total9 = total8/bottom;
-        const float left4 = -bottom*total9 + total8;
-        const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-        const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-        const float lost9 = left6/bottom;
-        fall_ = sunk;
-        fall_low2 = sunk_low;
-        mean = total9;
-        mean_low2 = lost9;
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const float half = 0.5f*delta;
+        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        const float envelope = expf(-half);
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        return rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd, odd_low,
+            gamma, near, risen);
     }
-    float mean2;
-    float mean_low4;
-    if (rate2 < 0.75f) {
-        const float given2 = 2.0f*root;
-        const float total10 = 1.0f - 0.5f*given2;
-        const float back8 = total10 - 1.0f;
-        const float lost10 = -back8 - 0.5f*given2;
-        const float curved2 = (given2*given2)*decay_series(given2);
-        const float total11 = curved2 + total10;
-        const float back9 = -total10 + total11;
-        const float lost11 = -back9 + curved2;
-        const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-            (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-        mean2 = total11;
-        mean_low4 = mean_low3;
-    } else {
-        const float sunk2 = expf(-2.0f*root);
-        const float sunk_low2 = -2.0f*root_low*sunk2;
-        const float total14 = 1.0f - sunk2;
-        const float back11 = total14 - 1.0f;
-        const float lost14 = -back11 - sunk2;
-        const float bottom2 = 2.0f*root;
-        const float total15 = total14/bottom2;
-        const float left7 = -bottom2*total15 + total14;
-        const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-        const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-        const float lost15 = left9/bottom2;
-        mean2 = total15;
-        mean_low4 = lost15;
-    }
-    const float total16 = fall_*mean2;
-    const float lost16 = fall_*mean_low4 + fmaf(fall_, mean2, -(fall_*mean2));
-    const float pulled_low = fall_low2*mean2 + lost16;
-    const float total17 = mean - total16;
-    const float back12 = -mean + total17;
-    const float rest3 = -back12 + total17;
-    const float one2 = mean - rest3;
-    const float two2 = -back12 - total16;
-    const float lost17 = one2 + two2;
-    const float total18 = total17/whole2;
-    const float left10 = total17 - total18*whole2;
-    const float left11 = left10 - fmaf(total18, whole2, -(total18*whole2));
-    const float left12 = left11 + lost17 + mean_low2 - p_low*total18 - pulled_low;
-    const float lost18 = left12/whole2;
-    return lost18 + total18;
+    const float half = 0.5f*delta;
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall_, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    return rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean, mean_low,
+        mean2, mean_low2);
+}
+
+// exp(-p), of the faster pole, and what it misses
+static void fast_fall(float slow, float slow_low, float ratio, float ratio_low, float *fast_out,
+    float *low_out) {
+    float total, lost; wide_prod(slow, ratio, ratio_low, &total, &lost);
+    *fast_out = total;
+    *low_out = lost + ratio*slow_low;
+    return;
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
 static float together_series(float h, float w) {
+    const float y = (h*h);
+    float total2;
+    float inner2;
     if ((fabsf(w) < 0.00390625f) && (h < 0.0625f)) {
-        const float y = (h*h);
-        const float e3 = 2.4801588e-05f;
-        const float b3 = e3;
-        const float e2 = e3*w + 0.0013888889f;
-        const float b2 = b3*y + e2;
-        const float e1 = e2*w + 0.041666668f;
-        const float b1 = b2*y + e1;
-        const float e0 = e1*w;
-        const float b0 = b1*y + e0;
-        return b0;
+        total2 = 0.0f;
+        inner2 = 0.0f;
+    } else {
+        float total = 0.0f;
+        float inner = 0.0f;
+        static const float number_of[] = {4.1103176e-19f, 1.5619207e-16f, 4.7794773e-14f,
+            1.1470745e-11f, 2.0876756e-09f, 2.755732e-07f};
+        for (int at_number = 0; at_number < 6; ++at_number) {
+            const float number = number_of[at_number];
+            const float own = inner*w + number;
+            const float next_total = own + total*y;
+            inner = own;
+            total = next_total;
+        }
+        total2 = total;
+        inner2 = inner;
     }
-    const float y2 = (h*h);
-    const float e9 = 4.1103176e-19f;
-    const float b9 = e9;
-    const float e8 = e9*w + 1.5619207e-16f;
-    const float b8 = b9*y2 + e8;
-    const float e7 = e8*w + 4.7794773e-14f;
-    const float b7 = b8*y2 + e7;
-    const float e6 = e7*w + 1.1470745e-11f;
-    const float b6 = b7*y2 + e6;
-    const float e5 = e6*w + 2.0876756e-09f;
-    const float b5 = b6*y2 + e5;
-    const float e4 = e5*w + 2.755732e-07f;
-    const float b4 = b5*y2 + e4;
-    const float e32 = e4*w + 2.4801588e-05f;
-    const float b32 = b4*y2 + e32;
-    const float e22 = e32*w + 0.0013888889f;
-    const float b22 = b32*y2 + e22;
-    const float e12 = e22*w + 0.041666668f;
-    const float b12 = b22*y2 + e12;
-    const float e02 = e12*w;
-    const float b02 = b12*y2 + e02;
-    return b02;
+    const float own2 = inner2*w + 2.4801588e-05f;
+    const float total3 = own2 + total2*y;
+    const float own3 = own2*w + 0.0013888889f;
+    const float total4 = own3 + total3*y;
+    const float own4 = own3*w + 0.041666668f;
+    const float total5 = own4 + total4*y;
+    const float own5 = own4*w;
+    return own5 + total5*y;
+}
+
+// n1 + n0 of a device with slow poles
+static float together_near(float half, float w) {
+    const float rest = together_series(half, w);
+    float total, lost; two_diff(rest, -0.5f, &total, &lost);
+    const float envelope = expf(-half);
+    float total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
+    return 2.0f*lost2 + 2.0f*total2;
+}
+
+// n1 + n0 of a creeping device
+static float together_creep(float reach, float half, float w, float p, float p_low, float slow,
+    float slow_low, float mean, float mean_low, float ratio, float ratio_low) {
+    if (reach < 1.0f) {
+        return together_near(half, w);
+    }
+    float fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
+    float total, lost; fast_two_sum(1.0f, -fast, &total, &lost);
+    float total2, lost2; wide_prod(mean, total, -fast_low + lost, &total2, &lost2);
+    const float moved_low = lost2 + mean_low*total;
+    float total3, lost3; wide_quot(total2, p, moved_low, p_low, &total3, &lost3);
+    return lost3 + total3;
+}
+
+// (1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses
+static void half_squares(float half, float envelope, float wave, float back, float *total_out,
+    float *low_out) {
+    float total, lost; two_diff(wave, back, &total, &lost);
+    float total2, lost2; two_prod(total, total, &total2, &lost2);
+    const float grown = -0.5f*expm1f(-half);
+    const float low = 2.0f*lost*total + lost2;
+    float total3, lost3; wide_prod(envelope, total2, low, &total3, &lost3);
+    float total4, lost4; two_diff(total3, -(grown*grown), &total4, &lost4);
+    *total_out = total4;
+    *low_out = lost3 + lost4;
+    return;
+}
+
+// n1 + n0 of a swinging device
+static float together_swing(float reach, float half, float w, float w_low, float envelope,
+    float root, float gamma, float near, float known) {
+    if (reach < 1.0f) {
+        return together_near(half, w);
+    }
+    if (near > 0.0f) {
+        return known;
+    }
+    const float angle = 0.5f*root;
+    const float back = -0.5f*root_miss(w, w_low, root)*cosf(angle);
+    float total, low; half_squares(half, envelope, sinf(angle), back, &total, &low);
+    const float whole = (gamma == 0.0f ? 1.0f : gamma);
+    float total2, lost; wide_quot(total, whole, low, 0.0f, &total2, &lost);
+    return 4.0f*lost + 4.0f*total2;
 }
 
 // a, the sum of the sampled device's poles; n1 + n0
 static void swing_together(float gamma, float delta, float *swing_out, float *together_out) {
-    const float half = 0.5f*delta;
-    const float square = (half*half);
-    const float total = -gamma + square;
-    const float back = -square + total;
-    const float rest = -back + total;
-    const float one = -rest + square;
-    const float two = -back - gamma;
-    const float lost = one + two;
-    const float rest2 = lost + fmaf(half, half, -(half*half));
-    const float total2 = rest2 + total;
-    const float back2 = -total + total2;
-    const float lost2 = -back2 + rest2;
-    float swing_of;
-    float together_of;
-    if (total2 < 0.0f) {
-        const float reach = 0.25f*gamma;
-        if (reach < 1.0f) {
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float rest12 = together_series(half, total2);
-            const float total55 = rest12 + 0.5f;
-            const float back33 = -rest12 + total55;
-            const float rest13 = -back33 + total55;
-            const float one11 = rest12 - rest13;
-            const float two11 = 0.5f - back33;
-            const float lost55 = one11 + two11;
-            const float total56 = envelope*total55;
-            const float lost56 = envelope*lost55 + fmaf(envelope, total55, -(envelope*total55));
-            float even;
-            float even_low2;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float total16 = 0.5f*given3 + 1.0f;
-                const float back12 = total16 - 1.0f;
-                const float lost16 = -back12 + 0.5f*given3;
-                const float cos_series_of = cos_series(given3);
-                const float curved3 = cos_series_of*(given3*given3);
-                const float total17 = curved3 + total16;
-                const float back13 = -total16 + total17;
-                const float lost17 = -back13 + curved3;
-                const float even_low = lost16 + lost17 + 0.5f*lost2;
-                even = total17;
-                even_low2 = even_low;
-            } else {
-                const float size = fabsf(total2);
-                const float root = sqrtf(size);
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float sine = sinf(root);
-                const float cosine = cosf(root);
-                even = cosine;
-                even_low2 = -root_low*sine;
-            }
-            const float total21 = envelope*even;
-            const float lost21 = envelope*even_low2 + fmaf(envelope, even, -(envelope*even));
-            swing_of = 2.0f*lost21 + 2.0f*total21;
-            together_of = 2.0f*lost56 + 2.0f*total56;
-        } else {
-            const float size = fabsf(total2);
-            const float root = sqrtf(size);
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float stiff = gamma;
-            float even;
-            float even_low2;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float total16 = 0.5f*given3 + 1.0f;
-                const float back12 = total16 - 1.0f;
-                const float lost16 = -back12 + 0.5f*given3;
-                const float cos_series_of = cos_series(given3);
-                const float curved3 = cos_series_of*(given3*given3);
-                const float total17 = curved3 + total16;
-                const float back13 = -total16 + total17;
-                const float lost17 = -back13 + curved3;
-                const float even_low = lost16 + lost17 + 0.5f*lost2;
-                even = total17;
-                even_low2 = even_low;
-            } else {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float sine = sinf(root);
-                const float cosine = cosf(root);
-                even = cosine;
-                even_low2 = -root_low*sine;
-            }
-            const float total21 = envelope*even;
-            const float lost21 = envelope*even_low2 + fmaf(envelope, even, -(envelope*even));
-            float count;
-            if (root < 4096.0f) {
-                count = floorf(0.5f*root/3.1415927f + 0.5f);
-            } else {
-                count = 0.0f;
-            }
-            const float turns = (count*count);
-            const float total142 = 39.478416f*turns;
-            const float lost142 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-            const float total152 = 1.1614864e-06f*turns;
-            const float lost152 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-            const float total162 = -total142 - total2;
-            const float back102 = total162 + total2;
-            const float rest5 = -back102 + total162;
-            const float one4 = -rest5 - total2;
-            const float two4 = -back102 - total142;
-            const float lost162 = one4 + two4;
-            const float total172 = -lost142 + total162;
-            const float back112 = -total162 + total172;
-            const float rest6 = -back112 + total172;
-            const float one5 = -rest6 + total162;
-            const float two5 = -back112 - lost142;
-            const float lost172 = one5 + two5;
-            const float total182 = -total152 + total172;
-            const float back122 = -total172 + total182;
-            const float rest7 = -back122 + total182;
-            const float one6 = -rest7 + total172;
-            const float two6 = -back122 - total152;
-            const float lost182 = one6 + two6;
-            const float total192 = -lost2 + total182;
-            const float back132 = -total182 + total192;
-            const float rest8 = -back132 + total192;
-            const float one7 = -rest8 + total182;
-            const float two7 = -back132 - lost2;
-            const float lost192 = one7 + two7;
-            const float low3 = -lost152 + lost162 + lost172 + lost182 + lost192 + 1.1704737e-14f*
-                turns;
-            const float total202 = low3 + total192;
-            const float total212 = 6.2831855f*count;
-            const float total222 = root + total212;
-            const float whole3 = (total222 == 0.0f ? 1.0f : total222);
-            const float total232 = total202/whole3;
-            const float far = (total232*total232);
-            if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float back142 = -total192 + total202;
-                const float rest9 = -back142 + total202;
-                const float one8 = -rest9 + total192;
-                const float two8 = -back142 + low3;
-                const float lost202 = one8 + two8;
-                const float lost212 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                const float back152 = -root + total222;
-                const float rest10 = -back152 + total222;
-                const float one9 = -rest10 + root;
-                const float two9 = -back152 + total212;
-                const float lost222 = one9 + two9;
-                const float both_low = -1.7484555e-07f*count + lost212 + lost222 + root_low;
-                const float left102 = total202 - total232*whole3;
-                const float left112 = left102 - fmaf(total232, whole3, -(total232*whole3));
-                const float left122 = -both_low*total232 + left112 + lost202;
-                const float lost232 = left122/whole3;
-                const float eta = total232;
-                const float eta_low = lost232;
-                const float total24 = (eta*eta);
-                const float lost24 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                const float cos_series_of2 = cos_series(-total24);
-                const float bent2 = cos_series_of2*(total24*total24);
-                const float total25 = -bent2 + 0.5f*total24;
-                const float back16 = -0.5f*total24 + total25;
-                const float lost25 = -back16 - bent2;
-                const float sin_series_of2 = sin_series(-total24);
-                const float total26 = -sin_series_of2*total24 + 1.0f;
-                const float lift_low = 0.5f*lost24*total26 + lost25;
-                const float given22 = half;
-                const float total29 = 1.0f - 0.5f*given22;
-                const float back18 = total29 - 1.0f;
-                const float lost29 = -back18 - 0.5f*given22;
-                const float decay_series_of3 = decay_series(given22);
-                const float curved22 = decay_series_of3*(given22*given22);
-                const float total30 = curved22 + total29;
-                const float back19 = -total29 + total30;
-                const float lost30 = -back19 + curved22;
-                const float mean_low5 = lost29 + lost30;
-                const float total31 = given22*total30;
-                const float lost31 = given22*mean_low5 + fmaf(given22, total30, -(given22*total30));
-                const float total32 = 1.0f - total31;
-                const float back20 = total32 - 1.0f;
-                const float lost32 = -back20 - total31;
-                const float fall_low5 = -lost31 + lost32;
-                const float total33 = 1.0f - total32;
-                const float back21 = total33 - 1.0f;
-                const float lost33 = -back21 - total32;
-                const float low4 = -fall_low5 + lost33;
-                const float total34 = low4 + total33;
-                const float back22 = -total33 + total34;
-                const float lost34 = -back22 + low4;
-                const float total35 = (total34*total34);
-                const float lost35 = 2.0f*lost34*total34 +
-                    fmaf(total34, total34, -(total34*total34));
-                const float total36 = total25*total32;
-                const float lost36 = lift_low*total32 + fmaf(total32, total25, -(total32*total25));
-                const float total37 = total35 + 2.0f*total36;
-                const float back23 = -total35 + total37;
-                const float rest11 = -back23 + total37;
-                const float one10 = -rest11 + total35;
-                const float two10 = -back23 + 2.0f*total36;
-                const float lost37 = one10 + two10;
-                const float low5 = 2.0f*fall_low5*total25 + lost35 + 2.0f*lost36 + lost37;
-                const float total38 = total37/stiff;
-                const float left16 = -stiff*total38 + total37;
-                const float left17 = left16 - fmaf(total38, stiff, -(total38*stiff));
-                const float left18 = left17 + low5;
-                const float lost38 = left18/stiff;
-                swing_of = 2.0f*lost21 + 2.0f*total21;
-                together_of = lost38 + total38;
-            } else {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float expm1_of = expm1f(-half);
-                const float grown = -0.5f*expm1_of;
-                const float angle = 0.5f*root;
-                const float wave = sinf(angle);
-                const float cos_of = cosf(angle);
-                const float back72 = -0.5f*cos_of*root_low;
-                const float total92 = -back72 + wave;
-                const float back82 = total92 - wave;
-                const float rest3 = -back82 + total92;
-                const float one2 = -rest3 + wave;
-                const float two2 = -back72 - back82;
-                const float lost92 = one2 + two2;
-                const float total102 = (total92*total92);
-                const float lost102 = fmaf(total92, total92, -(total92*total92));
-                const float low = lost102 + 2.0f*lost92*total92;
-                const float total112 = envelope*total102;
-                const float lost112 = envelope*low + fmaf(envelope, total102, -(envelope*total102));
-                const float total122 = (grown*grown) + total112;
-                const float back92 = -total112 + total122;
-                const float rest4 = -back92 + total122;
-                const float one3 = -rest4 + total112;
-                const float two3 = -back92 + (grown*grown);
-                const float lost122 = one3 + two3;
-                const float low2 = lost112 + lost122;
-                const float total132 = total122/stiff;
-                const float left72 = -stiff*total132 + total122;
-                const float left82 = left72 - fmaf(total132, stiff, -(total132*stiff));
-                const float left92 = left82 + low2;
-                const float lost132 = left92/stiff;
-                swing_of = 2.0f*lost21 + 2.0f*total21;
-                together_of = 4.0f*lost132 + 4.0f*total132;
-            }
-        }
-    } else {
-        const float size = fabsf(total2);
-        const float root = sqrtf(size);
-        const float total3 = half + root;
-        const float reach = 0.44444445f*total3;
-        if (reach < 1.0f) {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            const float envelope = expf(-half);
-            const float rest12 = together_series(half, total2);
-            const float total55 = rest12 + 0.5f;
-            const float back33 = -rest12 + total55;
-            const float rest13 = -back33 + total55;
-            const float one11 = rest12 - rest13;
-            const float two11 = 0.5f - back33;
-            const float lost55 = one11 + two11;
-            const float total56 = envelope*total55;
-            const float lost56 = envelope*lost55 + fmaf(envelope, total55, -(envelope*total55));
-            float fall_;
-            float fall_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-            }
-            float fall2;
-            float fall_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-            }
-            const float total22 = fall2 + 1.0f;
-            const float back15 = total22 - 1.0f;
-            const float lost22 = -back15 + fall2;
-            const float total23 = fall_*total22;
-            const float lost23 = fall_*(fall_low4 + lost22) +
-                fmaf(fall_, total22, -(fall_*total22));
-            const float creep_ = fall_low2*total22 + lost23 + total23;
-            swing_of = creep_;
-            together_of = 2.0f*lost56 + 2.0f*total56;
-        } else {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            float fall_;
-            float fall_low2;
-            float mean;
-            float mean_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-                mean = total5;
-                mean_low2 = mean_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                const float total8 = 1.0f - sunk;
-                const float back7 = total8 - 1.0f;
-                const float lost8 = -back7 - sunk;
-                const float bottom = q;
-                const float total9 = total8/bottom;
-                const float left4 = -bottom*total9 + total8;
-                const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-                const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-                const float lost9 = left6/bottom;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-                mean = total9;
-                mean_low2 = lost9;
-            }
-            float fall2;
-            float fall_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-            }
-            const float total22 = fall2 + 1.0f;
-            const float back15 = total22 - 1.0f;
-            const float lost22 = -back15 + fall2;
-            const float total23 = fall_*total22;
-            const float lost23 = fall_*(fall_low4 + lost22) +
-                fmaf(fall_, total22, -(fall_*total22));
-            const float creep_ = fall_low2*total22 + lost23 + total23;
-            const float total51 = fall_*fall2;
-            const float lost51 = fall_*fall_low4 + fmaf(fall_, fall2, -(fall_*fall2));
-            const float low6 = fall2*fall_low2 + lost51;
-            const float total52 = 1.0f - total51;
-            const float back32 = total52 - 1.0f;
-            const float lost52 = -back32 - total51;
-            const float total53 = mean*total52;
-            const float lost53 = mean*(lost52 - low6) + fmaf(mean, total52, -(mean*total52));
-            const float moved_low = lost53 + mean_low2*total52;
-            const float total54 = total53/whole2;
-            const float left25 = total53 - total54*whole2;
-            const float left26 = left25 - fmaf(total54, whole2, -(total54*whole2));
-            const float left27 = left26 + moved_low - p_low*total54;
-            const float lost54 = left27/whole2;
-            swing_of = creep_;
-            together_of = lost54 + total54;
-        }
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const float half = 0.5f*delta;
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        const float envelope = expf(-half);
+        *swing_out = trace_swing(envelope, even, even_low);
+        *together_out = together_swing(reach, half, w, w_low, envelope, root, gamma, near, moved);
+        return;
     }
-    *swing_out = swing_of;
-    *together_out = together_of;
+    const float half = 0.5f*delta;
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall_, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    *swing_out = trace_creep(fall_, fall_low, fall2, fall_low2);
+    *together_out = together_creep(reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
+        fall2, fall_low2);
     return;
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
 static float apart_series(float h, float w) {
+    const float y = (h*h);
+    float total2;
+    float inner2;
     if ((fabsf(w) < 0.00390625f) && (h < 0.0625f)) {
-        const float y = (h*h);
-        const float e3 = 2.7557319e-06f;
-        const float b3 = e3;
-        const float e2 = e3*w + 0.0001984127f;
-        const float b2 = b3*y + e2;
-        const float e1 = e2*w + 0.008333334f;
-        const float b1 = b2*y + e1;
-        const float e0 = e1*w;
-        const float b0 = b1*y + e0;
-        return b0 - 4.967054e-09f;
+        total2 = 0.0f;
+        inner2 = 0.0f;
+    } else {
+        float total = 0.0f;
+        float inner = 0.0f;
+        static const float number_of[] = {8.220635e-18f, 2.8114574e-15f, 7.6471636e-13f,
+            1.6059044e-10f, 2.5052108e-08f};
+        for (int at_number = 0; at_number < 5; ++at_number) {
+            const float number = number_of[at_number];
+            const float own = inner*w + number;
+            const float next_total = own + total*y;
+            inner = own;
+            total = next_total;
+        }
+        total2 = total;
+        inner2 = inner;
     }
-    const float y2 = (h*h);
-    const float e8 = 8.220635e-18f;
-    const float b8 = e8;
-    const float e7 = e8*w + 2.8114574e-15f;
-    const float b7 = b8*y2 + e7;
-    const float e6 = e7*w + 7.6471636e-13f;
-    const float b6 = b7*y2 + e6;
-    const float e5 = e6*w + 1.6059044e-10f;
-    const float b5 = b6*y2 + e5;
-    const float e4 = e5*w + 2.5052108e-08f;
-    const float b4 = b5*y2 + e4;
-    const float e32 = e4*w + 2.7557319e-06f;
-    const float b32 = b4*y2 + e32;
-    const float e22 = e32*w + 0.0001984127f;
-    const float b22 = b32*y2 + e22;
-    const float e12 = e22*w + 0.008333334f;
-    const float b12 = b22*y2 + e12;
-    const float e02 = e12*w;
-    const float b02 = b12*y2 + e02;
-    return b02 - 4.967054e-09f;
+    const float own2 = inner2*w + 2.7557319e-06f;
+    const float total3 = own2 + total2*y;
+    const float own3 = own2*w + 0.0001984127f;
+    const float total4 = own3 + total3*y;
+    const float own4 = own3*w + 0.008333334f;
+    const float total5 = own4 + total4*y;
+    const float own5 = own4*w;
+    const float total6 = own5 + total5*y;
+    return total6 - 4.967054e-09f;
+}
+
+// (n1 - n0)/delta of a device with slow poles
+static float apart_near(float half, float w) {
+    const float rest = apart_series(half, w);
+    float total, lost; two_diff(rest, -0.16666667f, &total, &lost);
+    const float envelope = expf(-half);
+    float total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
+    return lost2 + total2;
+}
+
+// (n1 - n0)/delta of a creeping device
+static float apart_creep(float reach, float half, float w, float delta, float p, float slow,
+    float mean, float mean_low, float ratio, float even, float even_low) {
+    if (reach < 1.0f) {
+        return apart_near(half, w);
+    }
+    const float fast = ratio*slow;
+    float total3, lost3; wide_prod(fast, mean, mean_low, &total3, &lost3);
+    const float twice = 2.0f*slow;
+    float total, lost; wide_prod(twice, even, even_low, &total, &lost);
+    float total2, lost2; two_diff(mean, total, &total2, &lost2);
+    const float top = total2 + total3;
+    const float rest = -lost + lost3 + mean_low;
+    const float low = lost2 + rest;
+    const float whole = (delta*p == 0.0f ? 1.0f : delta*p);
+    return (low + top)/whole;
 }
 
 // (1 - exp(-x))/x
@@ -2313,8 +775,21 @@ static float decay(float x) {
     if (x == 0.0f) {
         return 1.0f;
     }
-    const float whole = x;
-    return -expm1f(-x)/whole;
+    return -expm1f(-x)/x;
+}
+
+// (n1 - n0)/delta of a swinging device
+static float apart_swing(float reach, float half, float w, float envelope, float wave,
+    float wave_low, float gamma, float delta) {
+    if (reach < 1.0f) {
+        return apart_near(half, w);
+    }
+    float total, lost; wide_prod(envelope, wave, wave_low, &total, &lost);
+    const float mean = decay(delta);
+    float total2, lost2; two_diff(mean, total, &total2, &lost2);
+    const float whole = (gamma == 0.0f ? 1.0f : gamma);
+    float total3, lost3; wide_quot(total2, whole, -lost + lost2, 0.0f, &total3, &lost3);
+    return lost3 + total3;
 }
 
 // (n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); displacement by a
@@ -2322,3264 +797,135 @@ static float decay(float x) {
 // the device in a period
 static void apart_fall_kick_kick_low_rise(float gamma, float delta, float *apart_out,
     float *fall_out, float *kick_out, float *kick_low_out, float *rise_out) {
-    const float half = 0.5f*delta;
-    const float square = (half*half);
-    const float total = -gamma + square;
-    const float back = -square + total;
-    const float rest = -back + total;
-    const float one = -rest + square;
-    const float two = -back - gamma;
-    const float lost = one + two;
-    const float rest2 = lost + fmaf(half, half, -(half*half));
-    const float total2 = rest2 + total;
-    const float back2 = -total + total2;
-    const float lost2 = -back2 + rest2;
-    float apart_of;
-    float fall_of;
-    float kick_of;
-    float kick_low_of;
-    float rise_of;
-    if (total2 < 0.0f) {
-        const float reach = 0.25f*gamma;
-        if (reach < 1.0f) {
-            if (reach < 0.5625f) {
-                const float square2 = total2;
-                const float envelope = expf(-half);
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                const float given5 = 0.5f*half;
-                const float total54 = 1.0f - 0.5f*given5;
-                const float back32 = total54 - 1.0f;
-                const float lost54 = -back32 - 0.5f*given5;
-                const float decay_series_of4 = decay_series(given5);
-                const float curved5 = decay_series_of4*(given5*given5);
-                const float total55 = curved5 + total54;
-                const float back33 = -total54 + total55;
-                const float lost55 = -back33 + curved5;
-                const float mean_low6 = lost54 + lost55;
-                const float total56 = given5*total55;
-                const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-                const float total57 = 1.0f - total56;
-                const float back34 = total57 - 1.0f;
-                const float lost57 = -back34 - total56;
-                const float fall_low6 = -lost56 + lost57;
-                const float total58 = (total57*total57);
-                const float lost58 = 2.0f*fall_low6*total57 +
-                    fmaf(total57, total57, -(total57*total57));
-                const float total59 = (total58*total58);
-                const float lost59 = 2.0f*lost58*total58 +
-                    fmaf(total58, total58, -(total58*total58));
-                const float rest15 = fall_series(gamma, delta);
-                const float total60 = rest15 + 0.5f;
-                const float back35 = -rest15 + total60;
-                const float rest16 = -back35 + total60;
-                const float one14 = rest15 - rest16;
-                const float two14 = 0.5f - back35;
-                const float lost60 = one14 + two14;
-                const float total61 = total59*total60;
-                const float lost61 = lost60*total59 + fmaf(total59, total60, -(total59*total60));
-                const float half2 = half;
-                const float given52 = 0.5f*half2;
-                const float total532 = 1.0f - 0.5f*given52;
-                const float back312 = total532 - 1.0f;
-                const float lost532 = -back312 - 0.5f*given52;
-                const float decay_series_of5 = decay_series(given52);
-                const float curved52 = decay_series_of5*(given52*given52);
-                const float total542 = curved52 + total532;
-                const float back322 = -total532 + total542;
-                const float lost542 = -back322 + curved52;
-                const float mean_low62 = lost532 + lost542;
-                const float total552 = given52*total542;
-                const float lost552 = given52*mean_low62 +
-                    fmaf(given52, total542, -(given52*total542));
-                const float total562 = 1.0f - total552;
-                const float back332 = total562 - 1.0f;
-                const float lost562 = -back332 - total552;
-                const float fall_low62 = -lost552 + lost562;
-                const float total572 = (total562*total562);
-                const float lost572 = 2.0f*fall_low62*total562 +
-                    fmaf(total562, total562, -(total562*total562));
-                const float rest132 = rise_series(half2, total2);
-                const float total582 = rest132 + 0.5f;
-                const float back342 = -rest132 + total582;
-                const float rest142 = -back342 + total582;
-                const float one122 = rest132 - rest142;
-                const float two122 = 0.5f - back342;
-                const float lost582 = one122 + two122;
-                const float total592 = total572*total582;
-                const float lost592 = lost582*total572 +
-                    fmaf(total572, total582, -(total572*total582));
-                float odd;
-                float odd_low2;
-                if (square2 > -1.5f) {
-                    const float given3 = square2;
-                    const float sin_series_of = sin_series(given3);
-                    const float bent = given3*sin_series_of;
-                    const float total21 = bent + 1.0f;
-                    const float back15 = total21 - 1.0f;
-                    const float lost21 = -back15 + bent;
-                    const float odd_low = 0.16666667f*lost2 + lost21;
-                    odd = total21;
-                    odd_low2 = odd_low;
-                } else {
-                    const float size = fabsf(total2);
-                    const float root = sqrtf(size);
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float sine = sinf(root);
-                    const float cosine = cosf(root);
-                    const float some = root;
-                    const float total22 = sine/some;
-                    const float left10 = sine - some*total22;
-                    const float left11 = left10 - fmaf(total22, some, -(total22*some));
-                    const float left12 = cosine*root_low + left11 - root_low*total22;
-                    const float lost22 = left12/some;
-                    odd = total22;
-                    odd_low2 = lost22;
-                }
-                const float total24 = envelope*odd;
-                const float lost24 = envelope*odd_low2 + fmaf(envelope, odd, -(envelope*odd));
-                const float total222 = lost24 + total24;
-                const float back152 = total222 - total24;
-                const float lost222 = -back152 + lost24;
-                apart_of = lost28 + total28;
-                fall_of = lost59*total60 + lost61 + total61;
-                kick_of = total222;
-                kick_low_of = lost222;
-                rise_of = lost572*total582 + lost592 + total592;
-            } else {
-                const float size = fabsf(total2);
-                const float root = sqrtf(size);
-                const float square2 = total2;
-                const float envelope = expf(-half);
-                const float stiff = gamma;
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                float odd;
-                float odd_low2;
-                if (square2 > -1.5f) {
-                    const float given3 = square2;
-                    const float sin_series_of = sin_series(given3);
-                    const float bent = given3*sin_series_of;
-                    const float total21 = bent + 1.0f;
-                    const float back15 = total21 - 1.0f;
-                    const float lost21 = -back15 + bent;
-                    const float odd_low = 0.16666667f*lost2 + lost21;
-                    odd = total21;
-                    odd_low2 = odd_low;
-                } else {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float sine = sinf(root);
-                    const float cosine = cosf(root);
-                    const float some = root;
-                    const float total22 = sine/some;
-                    const float left10 = sine - some*total22;
-                    const float left11 = left10 - fmaf(total22, some, -(total22*some));
-                    const float left12 = cosine*root_low + left11 - root_low*total22;
-                    const float lost22 = left12/some;
-                    odd = total22;
-                    odd_low2 = lost22;
-                }
-                const float total24 = envelope*odd;
-                const float lost24 = envelope*odd_low2 + fmaf(envelope, odd, -(envelope*odd));
-                const float total222 = lost24 + total24;
-                const float back152 = total222 - total24;
-                const float lost222 = -back152 + lost24;
-                float count;
-                if (root < 4096.0f) {
-                    count = floorf(0.5f*root/3.1415927f + 0.5f);
-                } else {
-                    count = 0.0f;
-                }
-                const float turns = (count*count);
-                const float total29 = 39.478416f*turns;
-                const float lost29 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-                const float total30 = 1.1614864e-06f*turns;
-                const float lost30 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-                const float total31 = -total2 - total29;
-                const float back18 = total2 + total31;
-                const float rest62 = -back18 + total31;
-                const float one5 = -rest62 - total2;
-                const float two5 = -back18 - total29;
-                const float lost31 = one5 + two5;
-                const float total32 = -lost29 + total31;
-                const float back19 = -total31 + total32;
-                const float rest7 = -back19 + total32;
-                const float one6 = -rest7 + total31;
-                const float two6 = -back19 - lost29;
-                const float lost32 = one6 + two6;
-                const float total33 = -total30 + total32;
-                const float back20 = -total32 + total33;
-                const float rest8 = -back20 + total33;
-                const float one7 = -rest8 + total32;
-                const float two7 = -back20 - total30;
-                const float lost33 = one7 + two7;
-                const float total34 = -lost2 + total33;
-                const float back21 = -total33 + total34;
-                const float rest9 = -back21 + total34;
-                const float one8 = -rest9 + total33;
-                const float two8 = -back21 - lost2;
-                const float lost34 = one8 + two8;
-                const float low2 = -lost30 + lost31 + lost32 + lost33 + lost34 + 1.1704737e-14f*
-                    turns;
-                const float total35 = low2 + total34;
-                const float total36 = 6.2831855f*count;
-                const float total37 = root + total36;
-                const float whole32 = (total37 == 0.0f ? 1.0f : total37);
-                const float total38 = total35/whole32;
-                const float far = (total38*total38);
-                if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float back22 = -total34 + total35;
-                    const float rest10 = -back22 + total35;
-                    const float one9 = -rest10 + total34;
-                    const float two9 = -back22 + low2;
-                    const float lost35 = one9 + two9;
-                    const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                    const float back23 = -root + total37;
-                    const float rest11 = -back23 + total37;
-                    const float one10 = -rest11 + root;
-                    const float two10 = -back23 + total36;
-                    const float lost37 = one10 + two10;
-                    const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-                    const float left19 = total35 - total38*whole32;
-                    const float left20 = left19 - fmaf(total38, whole32, -(total38*whole32));
-                    const float left21 = -both_low*total38 + left20 + lost35;
-                    const float lost38 = left21/whole32;
-                    const float eta = total38;
-                    const float eta_low = lost38;
-                    const float total39 = (eta*eta);
-                    const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                    const float cos_series_of2 = cos_series(-total39);
-                    const float bent2 = cos_series_of2*(total39*total39);
-                    const float total40 = -bent2 + 0.5f*total39;
-                    const float back24 = -0.5f*total39 + total40;
-                    const float lost40 = -back24 - bent2;
-                    const float sin_series_of2 = sin_series(-total39);
-                    const float total41 = -sin_series_of2*total39 + 1.0f;
-                    const float back25 = total41 - 1.0f;
-                    const float lost41 = -back25 - sin_series_of2*total39;
-                    const float lift_low = 0.5f*lost39*total41 + lost40;
-                    const float total42 = eta*total41;
-                    const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-                    const float some2 = root;
-                    const float total43 = total42/some2;
-                    const float left22 = -some2*total43 + total42;
-                    const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-                    const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*
-                        total43;
-                    const float lost43 = left24/some2;
-                    const float given4 = half;
-                    const float total44 = 1.0f - 0.5f*given4;
-                    const float back26 = total44 - 1.0f;
-                    const float lost44 = -back26 - 0.5f*given4;
-                    const float decay_series_of3 = decay_series(given4);
-                    const float curved4 = decay_series_of3*(given4*given4);
-                    const float total45 = curved4 + total44;
-                    const float back27 = -total44 + total45;
-                    const float lost45 = -back27 + curved4;
-                    const float mean_low5 = lost44 + lost45;
-                    const float total46 = given4*total45;
-                    const float lost46 = given4*mean_low5 +
-                        fmaf(given4, total45, -(given4*total45));
-                    const float total47 = 1.0f - total46;
-                    const float back28 = total47 - 1.0f;
-                    const float lost47 = -back28 - total46;
-                    const float fall_low5 = -lost46 + lost47;
-                    const float total48 = -total43 + total45;
-                    const float back29 = -total45 + total48;
-                    const float rest12 = -back29 + total48;
-                    const float one11 = -rest12 + total45;
-                    const float two11 = -back29 - total43;
-                    const float lost48 = one11 + two11;
-                    const float total49 = given4*total48;
-                    const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                        fmaf(given4, total48, -(given4*total48));
-                    const float total50 = total40 - total49;
-                    const float back30 = -total40 + total50;
-                    const float rest13 = -back30 + total50;
-                    const float one12 = -rest13 + total40;
-                    const float two12 = -back30 - total49;
-                    const float lost50 = one12 + two12;
-                    const float low22 = lift_low - lost49 + lost50;
-                    const float total51 = low22 + total50;
-                    const float back31 = -total50 + total51;
-                    const float rest14 = -back31 + total51;
-                    const float one13 = -rest14 + total50;
-                    const float two13 = -back31 + low22;
-                    const float lost51 = one13 + two13;
-                    const float total52 = total47*total51;
-                    const float lost52 = lost51*total47 +
-                        fmaf(total47, total51, -(total47*total51));
-                    const float low3 = fall_low5*total51 + lost52;
-                    const float total53 = total52/stiff;
-                    const float left25 = -stiff*total53 + total52;
-                    const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-                    const float left27 = left26 + low3;
-                    const float lost53 = left27/stiff;
-                    const float total472 = total43*total47;
-                    const float lost472 = lost43*total47 +
-                        fmaf(total47, total43, -(total47*total43));
-                    const float total482 = total45 - total472;
-                    const float back292 = -total45 + total482;
-                    const float rest112 = -back292 + total482;
-                    const float one102 = -rest112 + total45;
-                    const float two102 = -back292 - total472;
-                    const float lost482 = one102 + two102;
-                    const float low23 = -fall_low5*total43 - lost472 + lost482 + mean_low5;
-                    const float total492 = given4*total482;
-                    const float lost492 = given4*low23 + fmaf(given4, total482, -(given4*total482));
-                    const float total502 = total40*total47;
-                    const float lost502 = lift_low*total47 +
-                        fmaf(total47, total40, -(total47*total40));
-                    const float total512 = total492 + total502;
-                    const float back302 = -total492 + total512;
-                    const float rest122 = -back302 + total512;
-                    const float one112 = -rest122 + total492;
-                    const float two112 = -back302 + total502;
-                    const float lost512 = one112 + two112;
-                    const float low32 = fall_low5*total40 + lost492 + lost502 + lost512;
-                    const float total522 = total512/stiff;
-                    const float left252 = -stiff*total522 + total512;
-                    const float left262 = left252 - fmaf(total522, stiff, -(total522*stiff));
-                    const float left272 = left262 + low32;
-                    const float lost522 = left272/stiff;
-                    apart_of = lost28 + total28;
-                    fall_of = lost53 + total53;
-                    kick_of = total222;
-                    kick_low_of = lost222;
-                    rise_of = lost522 + total522;
-                } else {
-                    const float total23 = half*odd;
-                    const float lost23 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-                    float even;
-                    float even_low2;
-                    if (square2 > -1.5f) {
-                        const float given3 = square2;
-                        const float total19 = 0.5f*given3 + 1.0f;
-                        const float back13 = total19 - 1.0f;
-                        const float lost19 = -back13 + 0.5f*given3;
-                        const float cos_series_of = cos_series(given3);
-                        const float curved3 = cos_series_of*(given3*given3);
-                        const float total20 = curved3 + total19;
-                        const float back14 = -total19 + total20;
-                        const float lost20 = -back14 + curved3;
-                        const float even_low = lost19 + 0.5f*lost2 + lost20;
-                        even = total20;
-                        even_low2 = even_low;
-                    } else {
-                        const float sign_low = -lost2;
-                        const float left = -(root*root) + size;
-                        const float left2 = left - fmaf(root, root, -(root*root));
-                        const float left3 = left2 + sign_low;
-                        const float whole = (root == 0.0f ? 1.0f : root);
-                        const float root_low = 0.5f*left3/whole;
-                        const float sine = sinf(root);
-                        const float cosine = cosf(root);
-                        even = cosine;
-                        even_low2 = -root_low*sine;
-                    }
-                    const float total252 = -even + total23;
-                    const float back162 = -total23 + total252;
-                    const float rest42 = -back162 + total252;
-                    const float one32 = -rest42 + total23;
-                    const float two32 = -back162 - even;
-                    const float lost252 = one32 + two32;
-                    const float total262 = envelope + total252;
-                    const float back172 = -total252 + total262;
-                    const float rest52 = -back172 + total262;
-                    const float one42 = -rest52 + total252;
-                    const float two42 = -back172 + envelope;
-                    const float lost262 = one42 + two42;
-                    const float total272 = envelope*total262;
-                    const float lost272 = envelope*(-even_low2 + lost23 + lost252 + lost262) +
-                        fmaf(envelope, total262, -(envelope*total262));
-                    const float total282 = total272/stiff;
-                    const float left16 = -stiff*total282 + total272;
-                    const float left17 = left16 - fmaf(total282, stiff, -(total282*stiff));
-                    const float left18 = left17 + lost272;
-                    const float lost282 = left18/stiff;
-                    const float total242 = even + total23;
-                    const float back164 = -even + total242;
-                    const float rest43 = -back164 + total242;
-                    const float one33 = even - rest43;
-                    const float two33 = -back164 + total23;
-                    const float lost242 = one33 + two33;
-                    const float total253 = envelope*total242;
-                    const float lost253 = envelope*(even_low2 + lost23 + lost242) +
-                        fmaf(envelope, total242, -(envelope*total242));
-                    const float total263 = 1.0f - total253;
-                    const float back173 = total263 - 1.0f;
-                    const float lost263 = -back173 - total253;
-                    const float total273 = total263/stiff;
-                    const float left162 = -stiff*total273 + total263;
-                    const float left172 = left162 - fmaf(total273, stiff, -(total273*stiff));
-                    const float left182 = left172 - lost253 + lost263;
-                    const float lost273 = left182/stiff;
-                    apart_of = lost28 + total28;
-                    fall_of = lost282 + total282;
-                    kick_of = total222;
-                    kick_low_of = lost222;
-                    rise_of = lost273 + total273;
-                }
-            }
-        } else {
-            const float size = fabsf(total2);
-            const float root = sqrtf(size);
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float stiff = gamma;
-            const float mean3 = decay(delta);
-            float odd;
-            float odd_low2;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float sin_series_of = sin_series(given3);
-                const float bent = given3*sin_series_of;
-                const float total21 = bent + 1.0f;
-                const float back15 = total21 - 1.0f;
-                const float lost21 = -back15 + bent;
-                const float odd_low = 0.16666667f*lost2 + lost21;
-                odd = total21;
-                odd_low2 = odd_low;
-            } else {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float sine = sinf(root);
-                const float cosine = cosf(root);
-                const float some = root;
-                const float total22 = sine/some;
-                const float left10 = sine - some*total22;
-                const float left11 = left10 - fmaf(total22, some, -(total22*some));
-                const float left12 = cosine*root_low + left11 - root_low*total22;
-                const float lost22 = left12/some;
-                odd = total22;
-                odd_low2 = lost22;
-            }
-            const float total24 = envelope*odd;
-            const float lost24 = envelope*odd_low2 + fmaf(envelope, odd, -(envelope*odd));
-            const float total25 = mean3 - total24;
-            const float back16 = -mean3 + total25;
-            const float rest4 = -back16 + total25;
-            const float one3 = mean3 - rest4;
-            const float two3 = -back16 - total24;
-            const float lost25 = one3 + two3;
-            const float total26 = total25/stiff;
-            const float left13 = -stiff*total26 + total25;
-            const float left14 = left13 - fmaf(total26, stiff, -(total26*stiff));
-            const float left15 = left14 - lost24 + lost25;
-            const float lost26 = left15/stiff;
-            const float total222 = lost24 + total24;
-            const float back152 = total222 - total24;
-            const float lost222 = -back152 + lost24;
-            float count;
-            if (root < 4096.0f) {
-                count = floorf(0.5f*root/3.1415927f + 0.5f);
-            } else {
-                count = 0.0f;
-            }
-            const float turns = (count*count);
-            const float total29 = 39.478416f*turns;
-            const float lost29 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-            const float total30 = 1.1614864e-06f*turns;
-            const float lost30 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-            const float total31 = -total2 - total29;
-            const float back18 = total2 + total31;
-            const float rest62 = -back18 + total31;
-            const float one5 = -rest62 - total2;
-            const float two5 = -back18 - total29;
-            const float lost31 = one5 + two5;
-            const float total32 = -lost29 + total31;
-            const float back19 = -total31 + total32;
-            const float rest7 = -back19 + total32;
-            const float one6 = -rest7 + total31;
-            const float two6 = -back19 - lost29;
-            const float lost32 = one6 + two6;
-            const float total33 = -total30 + total32;
-            const float back20 = -total32 + total33;
-            const float rest8 = -back20 + total33;
-            const float one7 = -rest8 + total32;
-            const float two7 = -back20 - total30;
-            const float lost33 = one7 + two7;
-            const float total34 = -lost2 + total33;
-            const float back21 = -total33 + total34;
-            const float rest9 = -back21 + total34;
-            const float one8 = -rest9 + total33;
-            const float two8 = -back21 - lost2;
-            const float lost34 = one8 + two8;
-            const float low2 = -lost30 + lost31 + lost32 + lost33 + lost34 + 1.1704737e-14f*turns;
-            const float total35 = low2 + total34;
-            const float total36 = 6.2831855f*count;
-            const float total37 = root + total36;
-            const float whole32 = (total37 == 0.0f ? 1.0f : total37);
-            const float total38 = total35/whole32;
-            const float far = (total38*total38);
-            if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float back22 = -total34 + total35;
-                const float rest10 = -back22 + total35;
-                const float one9 = -rest10 + total34;
-                const float two9 = -back22 + low2;
-                const float lost35 = one9 + two9;
-                const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                const float back23 = -root + total37;
-                const float rest11 = -back23 + total37;
-                const float one10 = -rest11 + root;
-                const float two10 = -back23 + total36;
-                const float lost37 = one10 + two10;
-                const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-                const float left19 = total35 - total38*whole32;
-                const float left20 = left19 - fmaf(total38, whole32, -(total38*whole32));
-                const float left21 = -both_low*total38 + left20 + lost35;
-                const float lost38 = left21/whole32;
-                const float eta = total38;
-                const float eta_low = lost38;
-                const float total39 = (eta*eta);
-                const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                const float cos_series_of2 = cos_series(-total39);
-                const float bent2 = cos_series_of2*(total39*total39);
-                const float total40 = -bent2 + 0.5f*total39;
-                const float back24 = -0.5f*total39 + total40;
-                const float lost40 = -back24 - bent2;
-                const float sin_series_of2 = sin_series(-total39);
-                const float total41 = -sin_series_of2*total39 + 1.0f;
-                const float back25 = total41 - 1.0f;
-                const float lost41 = -back25 - sin_series_of2*total39;
-                const float lift_low = 0.5f*lost39*total41 + lost40;
-                const float total42 = eta*total41;
-                const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-                const float some2 = root;
-                const float total43 = total42/some2;
-                const float left22 = -some2*total43 + total42;
-                const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-                const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*total43;
-                const float lost43 = left24/some2;
-                const float given4 = half;
-                const float total44 = 1.0f - 0.5f*given4;
-                const float back26 = total44 - 1.0f;
-                const float lost44 = -back26 - 0.5f*given4;
-                const float decay_series_of3 = decay_series(given4);
-                const float curved4 = decay_series_of3*(given4*given4);
-                const float total45 = curved4 + total44;
-                const float back27 = -total44 + total45;
-                const float lost45 = -back27 + curved4;
-                const float mean_low5 = lost44 + lost45;
-                const float total46 = given4*total45;
-                const float lost46 = given4*mean_low5 + fmaf(given4, total45, -(given4*total45));
-                const float total47 = 1.0f - total46;
-                const float back28 = total47 - 1.0f;
-                const float lost47 = -back28 - total46;
-                const float fall_low5 = -lost46 + lost47;
-                const float total48 = -total43 + total45;
-                const float back29 = -total45 + total48;
-                const float rest12 = -back29 + total48;
-                const float one11 = -rest12 + total45;
-                const float two11 = -back29 - total43;
-                const float lost48 = one11 + two11;
-                const float total49 = given4*total48;
-                const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                    fmaf(given4, total48, -(given4*total48));
-                const float total50 = total40 - total49;
-                const float back30 = -total40 + total50;
-                const float rest13 = -back30 + total50;
-                const float one12 = -rest13 + total40;
-                const float two12 = -back30 - total49;
-                const float lost50 = one12 + two12;
-                const float low22 = lift_low - lost49 + lost50;
-                const float total51 = low22 + total50;
-                const float back31 = -total50 + total51;
-                const float rest14 = -back31 + total51;
-                const float one13 = -rest14 + total50;
-                const float two13 = -back31 + low22;
-                const float lost51 = one13 + two13;
-                const float total52 = total47*total51;
-                const float lost52 = lost51*total47 + fmaf(total47, total51, -(total47*total51));
-                const float low3 = fall_low5*total51 + lost52;
-                const float total53 = total52/stiff;
-                const float left25 = -stiff*total53 + total52;
-                const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-                const float left27 = left26 + low3;
-                const float lost53 = left27/stiff;
-                const float total472 = total43*total47;
-                const float lost472 = lost43*total47 + fmaf(total47, total43, -(total47*total43));
-                const float total482 = total45 - total472;
-                const float back292 = -total45 + total482;
-                const float rest112 = -back292 + total482;
-                const float one102 = -rest112 + total45;
-                const float two102 = -back292 - total472;
-                const float lost482 = one102 + two102;
-                const float low23 = -fall_low5*total43 - lost472 + lost482 + mean_low5;
-                const float total492 = given4*total482;
-                const float lost492 = given4*low23 + fmaf(given4, total482, -(given4*total482));
-                const float total502 = total40*total47;
-                const float lost502 = lift_low*total47 + fmaf(total47, total40, -(total47*total40));
-                const float total512 = total492 + total502;
-                const float back302 = -total492 + total512;
-                const float rest122 = -back302 + total512;
-                const float one112 = -rest122 + total492;
-                const float two112 = -back302 + total502;
-                const float lost512 = one112 + two112;
-                const float low32 = fall_low5*total40 + lost492 + lost502 + lost512;
-                const float total522 = total512/stiff;
-                const float left252 = -stiff*total522 + total512;
-                const float left262 = left252 - fmaf(total522, stiff, -(total522*stiff));
-                const float left272 = left262 + low32;
-                const float lost522 = left272/stiff;
-                apart_of = lost26 + total26;
-                fall_of = lost53 + total53;
-                kick_of = total222;
-                kick_low_of = lost222;
-                rise_of = lost522 + total522;
-            } else {
-                const float total23 = half*odd;
-                const float lost23 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-                float even;
-                float even_low2;
-                if (square2 > -1.5f) {
-                    const float given3 = square2;
-                    const float total19 = 0.5f*given3 + 1.0f;
-                    const float back13 = total19 - 1.0f;
-                    const float lost19 = -back13 + 0.5f*given3;
-                    const float cos_series_of = cos_series(given3);
-                    const float curved3 = cos_series_of*(given3*given3);
-                    const float total20 = curved3 + total19;
-                    const float back14 = -total19 + total20;
-                    const float lost20 = -back14 + curved3;
-                    const float even_low = lost19 + 0.5f*lost2 + lost20;
-                    even = total20;
-                    even_low2 = even_low;
-                } else {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float sine = sinf(root);
-                    const float cosine = cosf(root);
-                    even = cosine;
-                    even_low2 = -root_low*sine;
-                }
-                const float total252 = -even + total23;
-                const float back162 = -total23 + total252;
-                const float rest42 = -back162 + total252;
-                const float one32 = -rest42 + total23;
-                const float two32 = -back162 - even;
-                const float lost252 = one32 + two32;
-                const float total262 = envelope + total252;
-                const float back172 = -total252 + total262;
-                const float rest52 = -back172 + total262;
-                const float one42 = -rest52 + total252;
-                const float two42 = -back172 + envelope;
-                const float lost262 = one42 + two42;
-                const float total272 = envelope*total262;
-                const float lost272 = envelope*(-even_low2 + lost23 + lost252 + lost262) +
-                    fmaf(envelope, total262, -(envelope*total262));
-                const float total282 = total272/stiff;
-                const float left16 = -stiff*total282 + total272;
-                const float left17 = left16 - fmaf(total282, stiff, -(total282*stiff));
-                const float left18 = left17 + lost272;
-                const float lost282 = left18/stiff;
-                const float total242 = even + total23;
-                const float back164 = -even + total242;
-                const float rest43 = -back164 + total242;
-                const float one33 = even - rest43;
-                const float two33 = -back164 + total23;
-                const float lost242 = one33 + two33;
-                const float total253 = envelope*total242;
-                const float lost253 = envelope*(even_low2 + lost23 + lost242) +
-                    fmaf(envelope, total242, -(envelope*total242));
-                const float total263 = 1.0f - total253;
-                const float back173 = total263 - 1.0f;
-                const float lost263 = -back173 - total253;
-                const float total273 = total263/stiff;
-                const float left162 = -stiff*total273 + total263;
-                const float left172 = left162 - fmaf(total273, stiff, -(total273*stiff));
-                const float left182 = left172 - lost253 + lost263;
-                const float lost273 = left182/stiff;
-                apart_of = lost26 + total26;
-                fall_of = lost282 + total282;
-                kick_of = total222;
-                kick_low_of = lost222;
-                rise_of = lost273 + total273;
-            }
-        }
-    } else {
-        const float size = fabsf(total2);
-        const float root = sqrtf(size);
-        const float total3 = half + root;
-        const float reach = 0.44444445f*total3;
-        if (reach < 1.0f) {
-            if (reach < 0.5625f) {
-                const float sign_low = lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float back3 = -half + total3;
-                const float lost3 = -back3 + root;
-                const float p_low = lost3 + root_low;
-                const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-                const float q = gamma/whole2;
-                const float off = gamma - q*whole2;
-                const float off2 = off - fmaf(whole2, q, -(whole2*q));
-                const float off3 = off2 - p_low*q;
-                const float q_low = off3/whole2;
-                const float rate2 = 2.0f*root;
-                const float envelope = expf(-half);
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                const float given5 = 0.5f*half;
-                const float total54 = 1.0f - 0.5f*given5;
-                const float back32 = total54 - 1.0f;
-                const float lost54 = -back32 - 0.5f*given5;
-                const float decay_series_of4 = decay_series(given5);
-                const float curved5 = decay_series_of4*(given5*given5);
-                const float total55 = curved5 + total54;
-                const float back33 = -total54 + total55;
-                const float lost55 = -back33 + curved5;
-                const float mean_low6 = lost54 + lost55;
-                const float total56 = given5*total55;
-                const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-                const float total57 = 1.0f - total56;
-                const float back34 = total57 - 1.0f;
-                const float lost57 = -back34 - total56;
-                const float fall_low6 = -lost56 + lost57;
-                const float total58 = (total57*total57);
-                const float lost58 = 2.0f*fall_low6*total57 +
-                    fmaf(total57, total57, -(total57*total57));
-                const float total59 = (total58*total58);
-                const float lost59 = 2.0f*lost58*total58 +
-                    fmaf(total58, total58, -(total58*total58));
-                const float rest15 = fall_series(gamma, delta);
-                const float total60 = rest15 + 0.5f;
-                const float back35 = -rest15 + total60;
-                const float rest16 = -back35 + total60;
-                const float one14 = rest15 - rest16;
-                const float two14 = 0.5f - back35;
-                const float lost60 = one14 + two14;
-                const float total61 = total59*total60;
-                const float lost61 = lost60*total59 + fmaf(total59, total60, -(total59*total60));
-                const float half2 = half;
-                const float given52 = 0.5f*half2;
-                const float total532 = 1.0f - 0.5f*given52;
-                const float back312 = total532 - 1.0f;
-                const float lost532 = -back312 - 0.5f*given52;
-                const float decay_series_of5 = decay_series(given52);
-                const float curved52 = decay_series_of5*(given52*given52);
-                const float total542 = curved52 + total532;
-                const float back322 = -total532 + total542;
-                const float lost542 = -back322 + curved52;
-                const float mean_low62 = lost532 + lost542;
-                const float total552 = given52*total542;
-                const float lost552 = given52*mean_low62 +
-                    fmaf(given52, total542, -(given52*total542));
-                const float total562 = 1.0f - total552;
-                const float back332 = total562 - 1.0f;
-                const float lost562 = -back332 - total552;
-                const float fall_low62 = -lost552 + lost562;
-                const float total572 = (total562*total562);
-                const float lost572 = 2.0f*fall_low62*total562 +
-                    fmaf(total562, total562, -(total562*total562));
-                const float rest132 = rise_series(half2, total2);
-                const float total582 = rest132 + 0.5f;
-                const float back342 = -rest132 + total582;
-                const float rest142 = -back342 + total582;
-                const float one122 = rest132 - rest142;
-                const float two122 = 0.5f - back342;
-                const float lost582 = one122 + two122;
-                const float total592 = total572*total582;
-                const float lost592 = lost582*total572 +
-                    fmaf(total572, total582, -(total572*total582));
-                float fall_;
-                float fall_low2;
-                if (q < 0.75f) {
-                    const float given = q;
-                    const float total4 = 1.0f - 0.5f*given;
-                    const float back4 = total4 - 1.0f;
-                    const float lost4 = -back4 - 0.5f*given;
-                    const float decay_series_of = decay_series(given);
-                    const float curved = decay_series_of*(given*given);
-                    const float total5 = curved + total4;
-                    const float back5 = -total4 + total5;
-                    const float lost5 = -back5 + curved;
-                    const float mean_low = lost4 + lost5 - q_low*
-                        (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                    const float total6 = given*total5;
-                    const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                    const float total7 = 1.0f - total6;
-                    const float back6 = total7 - 1.0f;
-                    const float lost7 = -back6 - total6;
-                    const float fall_low = -lost6 + lost7 - q_low*total5;
-                    fall_ = total7;
-                    fall_low2 = fall_low;
-                } else {
-                    const float sunk = expf(-q);
-                    const float sunk_low = -q_low*sunk;
-                    fall_ = sunk;
-                    fall_low2 = sunk_low;
-                }
-                float mean2;
-                float mean_low4;
-                if (rate2 < 0.75f) {
-                    const float given2 = 2.0f*root;
-                    const float total10 = 1.0f - 0.5f*given2;
-                    const float back8 = total10 - 1.0f;
-                    const float lost10 = -back8 - 0.5f*given2;
-                    const float decay_series_of2 = decay_series(given2);
-                    const float curved2 = decay_series_of2*(given2*given2);
-                    const float total11 = curved2 + total10;
-                    const float back9 = -total10 + total11;
-                    const float lost11 = -back9 + curved2;
-                    const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                        (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                    mean2 = total11;
-                    mean_low4 = mean_low3;
-                } else {
-                    const float sunk2 = expf(-2.0f*root);
-                    const float sunk_low2 = -2.0f*root_low*sunk2;
-                    const float total14 = 1.0f - sunk2;
-                    const float back11 = total14 - 1.0f;
-                    const float lost14 = -back11 - sunk2;
-                    const float bottom2 = 2.0f*root;
-                    const float total15 = total14/bottom2;
-                    const float left7 = -bottom2*total15 + total14;
-                    const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-                    const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-                    const float lost15 = left9/bottom2;
-                    mean2 = total15;
-                    mean_low4 = lost15;
-                }
-                const float total163 = fall_*mean2;
-                const float lost163 = fall_*mean_low4 + fmaf(fall_, mean2, -(fall_*mean2));
-                const float creep_low = fall_low2*mean2 + lost163;
-                const float total232 = creep_low + total163;
-                const float back163 = -total163 + total232;
-                const float lost232 = -back163 + creep_low;
-                apart_of = lost28 + total28;
-                fall_of = lost59*total60 + lost61 + total61;
-                kick_of = total232;
-                kick_low_of = lost232;
-                rise_of = lost572*total582 + lost592 + total592;
-            } else {
-                const float sign_low = lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float back3 = -half + total3;
-                const float lost3 = -back3 + root;
-                const float p_low = lost3 + root_low;
-                const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-                const float q = gamma/whole2;
-                const float off = gamma - q*whole2;
-                const float off2 = off - fmaf(whole2, q, -(whole2*q));
-                const float off3 = off2 - p_low*q;
-                const float q_low = off3/whole2;
-                const float rate2 = 2.0f*root;
-                const float envelope = expf(-half);
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                float fall_;
-                float fall_low2;
-                float mean;
-                float mean_low2;
-                if (q < 0.75f) {
-                    const float given = q;
-                    const float total4 = 1.0f - 0.5f*given;
-                    const float back4 = total4 - 1.0f;
-                    const float lost4 = -back4 - 0.5f*given;
-                    const float decay_series_of = decay_series(given);
-                    const float curved = decay_series_of*(given*given);
-                    const float total5 = curved + total4;
-                    const float back5 = -total4 + total5;
-                    const float lost5 = -back5 + curved;
-                    const float mean_low = lost4 + lost5 - q_low*
-                        (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                    const float total6 = given*total5;
-                    const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                    const float total7 = 1.0f - total6;
-                    const float back6 = total7 - 1.0f;
-                    const float lost7 = -back6 - total6;
-                    const float fall_low = -lost6 + lost7 - q_low*total5;
-                    fall_ = total7;
-                    fall_low2 = fall_low;
-                    mean = total5;
-                    mean_low2 = mean_low;
-                } else {
-                    const float sunk = expf(-q);
-                    const float sunk_low = -q_low*sunk;
-                    const float total8 = 1.0f - sunk;
-                    const float back7 = total8 - 1.0f;
-                    const float lost8 = -back7 - sunk;
-                    const float bottom = q;
-                    const float total9 = total8/bottom;
-                    const float left4 = -bottom*total9 + total8;
-                    const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-                    const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-                    const float lost9 = left6/bottom;
-                    fall_ = sunk;
-                    fall_low2 = sunk_low;
-                    mean = total9;
-                    mean_low2 = lost9;
-                }
-                float fall2;
-                float fall_low4;
-                float mean2;
-                float mean_low4;
-                if (rate2 < 0.75f) {
-                    const float given2 = 2.0f*root;
-                    const float total10 = 1.0f - 0.5f*given2;
-                    const float back8 = total10 - 1.0f;
-                    const float lost10 = -back8 - 0.5f*given2;
-                    const float decay_series_of2 = decay_series(given2);
-                    const float curved2 = decay_series_of2*(given2*given2);
-                    const float total11 = curved2 + total10;
-                    const float back9 = -total10 + total11;
-                    const float lost11 = -back9 + curved2;
-                    const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                        (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                    const float total12 = given2*total11;
-                    const float lost12 = given2*mean_low3 +
-                        fmaf(given2, total11, -(given2*total11));
-                    const float total13 = 1.0f - total12;
-                    const float back10 = total13 - 1.0f;
-                    const float lost13 = -back10 - total12;
-                    const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                    fall2 = total13;
-                    fall_low4 = fall_low3;
-                    mean2 = total11;
-                    mean_low4 = mean_low3;
-                } else {
-                    const float sunk2 = expf(-2.0f*root);
-                    const float sunk_low2 = -2.0f*root_low*sunk2;
-                    const float total14 = 1.0f - sunk2;
-                    const float back11 = total14 - 1.0f;
-                    const float lost14 = -back11 - sunk2;
-                    const float bottom2 = 2.0f*root;
-                    const float total15 = total14/bottom2;
-                    const float left7 = -bottom2*total15 + total14;
-                    const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-                    const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-                    const float lost15 = left9/bottom2;
-                    fall2 = sunk2;
-                    fall_low4 = sunk_low2;
-                    mean2 = total15;
-                    mean_low4 = lost15;
-                }
-                const float total162 = fall2*mean;
-                const float lost162 = fall2*mean_low2 + fmaf(fall2, mean, -(fall2*mean));
-                const float pulled_low = fall_low4*mean + lost162;
-                const float total172 = mean2 - total162;
-                const float back122 = -mean2 + total172;
-                const float rest32 = -back122 + total172;
-                const float one22 = mean2 - rest32;
-                const float two22 = -back122 - total162;
-                const float lost172 = one22 + two22;
-                const float total182 = total172/whole2;
-                const float left102 = total172 - total182*whole2;
-                const float left112 = left102 - fmaf(total182, whole2, -(total182*whole2));
-                const float left122 = left112 + lost172 + mean_low4 - p_low*total182 - pulled_low;
-                const float lost182 = left122/whole2;
-                const float total192 = fall_*total182;
-                const float lost192 = fall_*lost182 + fmaf(fall_, total182, -(fall_*total182));
-                const float creep_ = fall_low2*total182 + lost192 + total192;
-                const float total163 = fall_*mean2;
-                const float lost163 = fall_*mean_low4 + fmaf(fall_, mean2, -(fall_*mean2));
-                const float creep_low = fall_low2*mean2 + lost163;
-                const float total232 = creep_low + total163;
-                const float back163 = -total163 + total232;
-                const float lost232 = -back163 + creep_low;
-                const float total173 = mean - total163;
-                const float back123 = -mean + total173;
-                const float rest33 = -back123 + total173;
-                const float one23 = mean - rest33;
-                const float two23 = -back123 - total163;
-                const float lost173 = one23 + two23;
-                const float total183 = total173/whole2;
-                const float left103 = total173 - total183*whole2;
-                const float left113 = left103 - fmaf(total183, whole2, -(total183*whole2));
-                const float left123 = -creep_low + left113 + lost173 + mean_low2 - p_low*total183;
-                const float lost183 = left123/whole2;
-                apart_of = lost28 + total28;
-                fall_of = creep_;
-                kick_of = total232;
-                kick_low_of = lost232;
-                rise_of = lost183 + total183;
-            }
-        } else {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            const float whole3 = (delta*total3 == 0.0f ? 1.0f : delta*total3);
-            float fall_;
-            float fall_low2;
-            float mean;
-            float mean_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-                mean = total5;
-                mean_low2 = mean_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                const float total8 = 1.0f - sunk;
-                const float back7 = total8 - 1.0f;
-                const float lost8 = -back7 - sunk;
-                const float bottom = q;
-                const float total9 = total8/bottom;
-                const float left4 = -bottom*total9 + total8;
-                const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-                const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-                const float lost9 = left6/bottom;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-                mean = total9;
-                mean_low2 = lost9;
-            }
-            const float twice = 2.0f*fall_;
-            float fall2;
-            float fall_low4;
-            float mean2;
-            float mean_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-                mean2 = total11;
-                mean_low4 = mean_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                const float total14 = 1.0f - sunk2;
-                const float back11 = total14 - 1.0f;
-                const float lost14 = -back11 - sunk2;
-                const float bottom2 = 2.0f*root;
-                const float total15 = total14/bottom2;
-                const float left7 = -bottom2*total15 + total14;
-                const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-                const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-                const float lost15 = left9/bottom2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-                mean2 = total15;
-                mean_low4 = lost15;
-            }
-            const float fast = fall_*fall2;
-            const float total16 = mean2*twice;
-            const float lost16 = mean_low4*twice + fmaf(twice, mean2, -(twice*mean2));
-            const float total17 = mean - total16;
-            const float back12 = -mean + total17;
-            const float rest3 = -back12 + total17;
-            const float one2 = mean - rest3;
-            const float two2 = -back12 - total16;
-            const float lost17 = one2 + two2;
-            const float total18 = fast*mean;
-            const float lost18 = fast*mean_low2 + fmaf(fast, mean, -(fast*mean));
-            const float top = total17 + total18;
-            const float low = -lost16 + lost17 + lost18 + mean_low2;
-            const float total162 = fall2*mean;
-            const float lost162 = fall2*mean_low2 + fmaf(fall2, mean, -(fall2*mean));
-            const float pulled_low = fall_low4*mean + lost162;
-            const float total172 = mean2 - total162;
-            const float back122 = -mean2 + total172;
-            const float rest32 = -back122 + total172;
-            const float one22 = mean2 - rest32;
-            const float two22 = -back122 - total162;
-            const float lost172 = one22 + two22;
-            const float total182 = total172/whole2;
-            const float left102 = total172 - total182*whole2;
-            const float left112 = left102 - fmaf(total182, whole2, -(total182*whole2));
-            const float left122 = left112 + lost172 + mean_low4 - p_low*total182 - pulled_low;
-            const float lost182 = left122/whole2;
-            const float total192 = fall_*total182;
-            const float lost192 = fall_*lost182 + fmaf(fall_, total182, -(fall_*total182));
-            const float creep_ = fall_low2*total182 + lost192 + total192;
-            const float total163 = fall_*mean2;
-            const float lost163 = fall_*mean_low4 + fmaf(fall_, mean2, -(fall_*mean2));
-            const float creep_low = fall_low2*mean2 + lost163;
-            const float total232 = creep_low + total163;
-            const float back163 = -total163 + total232;
-            const float lost232 = -back163 + creep_low;
-            const float total173 = mean - total163;
-            const float back123 = -mean + total173;
-            const float rest33 = -back123 + total173;
-            const float one23 = mean - rest33;
-            const float two23 = -back123 - total163;
-            const float lost173 = one23 + two23;
-            const float total183 = total173/whole2;
-            const float left103 = total173 - total183*whole2;
-            const float left113 = left103 - fmaf(total183, whole2, -(total183*whole2));
-            const float left123 = -creep_low + left113 + lost173 + mean_low2 - p_low*total183;
-            const float lost183 = left123/whole2;
-            apart_of = (low + top)/whole3;
-            fall_of = creep_;
-            kick_of = total232;
-            kick_low_of = lost232;
-            rise_of = lost183 + total183;
-        }
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const float half = 0.5f*delta;
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        const float envelope = expf(-half);
+        float total2, lost2; wide_prod(envelope, odd, odd_low, &total2, &lost2);
+        float total3, lost3; fast_two_sum(total2, lost2, &total3, &lost3);
+        *apart_out = apart_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        *fall_out = fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+            odd_low, gamma, near, sunk);
+        *kick_out = total3;
+        *kick_low_out = lost3;
+        *rise_out = rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
+        return;
     }
-    *apart_out = apart_of;
-    *fall_out = fall_of;
-    *kick_out = kick_of;
-    *kick_low_out = kick_low_of;
-    *rise_out = rise_of;
+    const float half = 0.5f*delta;
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall_, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    float total, lost; wide_prod(fall_, mean2, mean_low2, &total, &lost);
+    const float creep_low = fall_low*mean2 + lost;
+    float total4, lost4; fast_two_sum(total, creep_low, &total4, &lost4);
+    *apart_out = apart_creep(reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
+        mean_low2);
+    *fall_out = fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *kick_out = total4;
+    *kick_low_out = lost4;
+    *rise_out = rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+        mean_low, mean2, mean_low2);
     return;
+}
+
+// 1 + a + e of a creeping device
+static float nyquist_creep(float slow, float slow_low, float ratio, float ratio_low) {
+    float total, lost; fast_two_sum(1.0f, slow, &total, &lost);
+    float fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
+    float total2, lost2; fast_two_sum(1.0f, fast, &total2, &lost2);
+    float total3, lost3; wide_prod(total, total2, fast_low + lost2, &total3, &lost3);
+    const float low = lost3 + total2*(lost + slow_low);
+    return low + total3;
+}
+
+// 1 + a + e of a swinging device
+static float nyquist_swing(float half, float w, float w_low, float envelope, float even,
+    float even_low, float root) {
+    float total3, lost2; wide_prod(2.0f*envelope, even, even_low, &total3, &lost2);
+    if (total3 > 0.0f) {
+        const float e = expf(-2.0f*half);
+        float total2, lost; fast_two_sum(1.0f, e, &total2, &lost);
+        float total4, lost3; fast_two_sum(total2, total3, &total4, &lost3);
+        const float rest = lost + lost2 + lost3;
+        return rest + total4;
+    }
+    const float angle = 0.5f*root;
+    const float back = 0.5f*root_miss(w, w_low, root)*sinf(angle);
+    float total, low; half_squares(half, envelope, cosf(angle), back, &total, &low);
+    return 4.0f*low + 4.0f*total;
 }
 
 // (n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a + e; n1,
 // how far a unit force moves the device in a period; n1 + n0
 static void apart_fall_nyquist_rise_together(float gamma, float delta, float *apart_out,
     float *fall_out, float *nyquist_out, float *rise_out, float *together_out) {
-    const float half = 0.5f*delta;
-    const float square = (half*half);
-    const float total = -gamma + square;
-    const float back = -square + total;
-    const float rest = -back + total;
-    const float one = -rest + square;
-    const float two = -back - gamma;
-    const float lost = one + two;
-    const float rest2 = lost + fmaf(half, half, -(half*half));
-    const float total2 = rest2 + total;
-    const float back2 = -total + total2;
-    const float lost2 = -back2 + rest2;
-    float apart_of;
-    float fall_of;
-    float nyquist_of;
-    float rise_of;
-    float together_of;
-    if (total2 < 0.0f) {
-        const float reach = 0.25f*gamma;
-        if (reach < 1.0f) {
-            if (reach < 0.5625f) {
-                const float square2 = total2;
-                const float envelope = expf(-half);
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                const float given5 = 0.5f*half;
-                const float total54 = 1.0f - 0.5f*given5;
-                const float back32 = total54 - 1.0f;
-                const float lost54 = -back32 - 0.5f*given5;
-                const float decay_series_of4 = decay_series(given5);
-                const float curved5 = decay_series_of4*(given5*given5);
-                const float total55 = curved5 + total54;
-                const float back33 = -total54 + total55;
-                const float lost55 = -back33 + curved5;
-                const float mean_low6 = lost54 + lost55;
-                const float total56 = given5*total55;
-                const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-                const float total57 = 1.0f - total56;
-                const float back34 = total57 - 1.0f;
-                const float lost57 = -back34 - total56;
-                const float fall_low6 = -lost56 + lost57;
-                const float total58 = (total57*total57);
-                const float lost58 = 2.0f*fall_low6*total57 +
-                    fmaf(total57, total57, -(total57*total57));
-                const float total59 = (total58*total58);
-                const float lost59 = 2.0f*lost58*total58 +
-                    fmaf(total58, total58, -(total58*total58));
-                const float rest15 = fall_series(gamma, delta);
-                const float total60 = rest15 + 0.5f;
-                const float back35 = -rest15 + total60;
-                const float rest16 = -back35 + total60;
-                const float one14 = rest15 - rest16;
-                const float two14 = 0.5f - back35;
-                const float lost60 = one14 + two14;
-                const float total61 = total59*total60;
-                const float lost61 = lost60*total59 + fmaf(total59, total60, -(total59*total60));
-                const float twice2 = 2.0f*envelope;
-                const float half2 = half;
-                const float given52 = 0.5f*half2;
-                const float total532 = 1.0f - 0.5f*given52;
-                const float back312 = total532 - 1.0f;
-                const float lost532 = -back312 - 0.5f*given52;
-                const float decay_series_of5 = decay_series(given52);
-                const float curved52 = decay_series_of5*(given52*given52);
-                const float total542 = curved52 + total532;
-                const float back322 = -total532 + total542;
-                const float lost542 = -back322 + curved52;
-                const float mean_low62 = lost532 + lost542;
-                const float total552 = given52*total542;
-                const float lost552 = given52*mean_low62 +
-                    fmaf(given52, total542, -(given52*total542));
-                const float total562 = 1.0f - total552;
-                const float back332 = total562 - 1.0f;
-                const float lost562 = -back332 - total552;
-                const float fall_low62 = -lost552 + lost562;
-                const float total572 = (total562*total562);
-                const float lost572 = 2.0f*fall_low62*total562 +
-                    fmaf(total562, total562, -(total562*total562));
-                const float rest132 = rise_series(half2, total2);
-                const float total582 = rest132 + 0.5f;
-                const float back342 = -rest132 + total582;
-                const float rest142 = -back342 + total582;
-                const float one122 = rest132 - rest142;
-                const float two122 = 0.5f - back342;
-                const float lost582 = one122 + two122;
-                const float total592 = total572*total582;
-                const float lost592 = lost582*total572 +
-                    fmaf(total572, total582, -(total572*total582));
-                const float rest123 = together_series(half, total2);
-                const float total553 = rest123 + 0.5f;
-                const float back333 = -rest123 + total553;
-                const float rest133 = -back333 + total553;
-                const float one113 = rest123 - rest133;
-                const float two113 = 0.5f - back333;
-                const float lost553 = one113 + two113;
-                const float total563 = envelope*total553;
-                const float lost563 = envelope*lost553 +
-                    fmaf(envelope, total553, -(envelope*total553));
-                float even;
-                if (square2 > -1.5f) {
-                    const float given3 = square2;
-                    const float total19 = 0.5f*given3 + 1.0f;
-                    const float cos_series_of = cos_series(given3);
-                    const float curved3 = cos_series_of*(given3*given3);
-                    const float total20 = curved3 + total19;
-                    even = total20;
-                } else {
-                    const float size = fabsf(total2);
-                    const float root = sqrtf(size);
-                    const float cosine = cosf(root);
-                    even = cosine;
-                }
-                const float total263 = even*twice2;
-                if (total263 > 0.0f) {
-                    const float e = expf(-delta);
-                    const float total253 = e + 1.0f;
-                    const float back182 = total253 - 1.0f;
-                    const float lost253 = -back182 + e;
-                    const float total273 = total253 + total263;
-                    const float back192 = -total253 + total273;
-                    const float lost273 = -back192 + total263;
-                    float even_low2;
-                    if (square2 > -1.5f) {
-                        const float given3 = square2;
-                        const float total19 = 0.5f*given3 + 1.0f;
-                        const float back13 = total19 - 1.0f;
-                        const float lost19 = -back13 + 0.5f*given3;
-                        const float cos_series_of = cos_series(given3);
-                        const float curved3 = cos_series_of*(given3*given3);
-                        const float total20 = curved3 + total19;
-                        const float back14 = -total19 + total20;
-                        const float lost20 = -back14 + curved3;
-                        const float even_low = lost19 + 0.5f*lost2 + lost20;
-                        even_low2 = even_low;
-                    } else {
-                        const float size = fabsf(total2);
-                        const float root = sqrtf(size);
-                        const float sign_low = -lost2;
-                        const float left = -(root*root) + size;
-                        const float left2 = left - fmaf(root, root, -(root*root));
-                        const float left3 = left2 + sign_low;
-                        const float whole = (root == 0.0f ? 1.0f : root);
-                        const float root_low = 0.5f*left3/whole;
-                        const float sine = sinf(root);
-                        even_low2 = -root_low*sine;
-                    }
-                    const float lost263 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                    apart_of = lost28 + total28;
-                    fall_of = lost59*total60 + lost61 + total61;
-                    nyquist_of = lost253 + lost263 + lost273 + total273;
-                    rise_of = lost572*total582 + lost592 + total592;
-                    together_of = 2.0f*lost563 + 2.0f*total563;
-                } else {
-                    const float size = fabsf(total2);
-                    const float root = sqrtf(size);
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float expm1_of = expm1f(-half);
-                    const float grown = -0.5f*expm1_of;
-                    const float angle = 0.5f*root;
-                    const float wave = cosf(angle);
-                    const float sin_of = sinf(angle);
-                    const float back72 = 0.5f*root_low*sin_of;
-                    const float total92 = -back72 + wave;
-                    const float back82 = total92 - wave;
-                    const float rest33 = -back82 + total92;
-                    const float one23 = -rest33 + wave;
-                    const float two23 = -back72 - back82;
-                    const float lost92 = one23 + two23;
-                    const float total102 = (total92*total92);
-                    const float lost102 = fmaf(total92, total92, -(total92*total92));
-                    const float low4 = lost102 + 2.0f*lost92*total92;
-                    const float total112 = envelope*total102;
-                    const float lost112 = envelope*low4 +
-                        fmaf(envelope, total102, -(envelope*total102));
-                    const float total122 = (grown*grown) + total112;
-                    const float back92 = -total112 + total122;
-                    const float rest43 = -back92 + total122;
-                    const float one33 = -rest43 + total112;
-                    const float two33 = -back92 + (grown*grown);
-                    const float lost122 = one33 + two33;
-                    const float low23 = lost112 + lost122;
-                    apart_of = lost28 + total28;
-                    fall_of = lost59*total60 + lost61 + total61;
-                    nyquist_of = 4.0f*low23 + 4.0f*total122;
-                    rise_of = lost572*total582 + lost592 + total592;
-                    together_of = 2.0f*lost563 + 2.0f*total563;
-                }
-            } else {
-                const float size = fabsf(total2);
-                const float root = sqrtf(size);
-                const float square2 = total2;
-                const float envelope = expf(-half);
-                const float stiff = gamma;
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                const float twice2 = 2.0f*envelope;
-                const float rest123 = together_series(half, total2);
-                const float total553 = rest123 + 0.5f;
-                const float back333 = -rest123 + total553;
-                const float rest133 = -back333 + total553;
-                const float one113 = rest123 - rest133;
-                const float two113 = 0.5f - back333;
-                const float lost553 = one113 + two113;
-                const float total563 = envelope*total553;
-                const float lost563 = envelope*lost553 +
-                    fmaf(envelope, total553, -(envelope*total553));
-                float even;
-                if (square2 > -1.5f) {
-                    const float given3 = square2;
-                    const float total19 = 0.5f*given3 + 1.0f;
-                    const float cos_series_of = cos_series(given3);
-                    const float curved3 = cos_series_of*(given3*given3);
-                    const float total20 = curved3 + total19;
-                    even = total20;
-                } else {
-                    const float cosine = cosf(root);
-                    even = cosine;
-                }
-                const float total263 = even*twice2;
-                float count;
-                if (root < 4096.0f) {
-                    count = floorf(0.5f*root/3.1415927f + 0.5f);
-                } else {
-                    count = 0.0f;
-                }
-                const float turns = (count*count);
-                const float total29 = 39.478416f*turns;
-                const float lost29 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-                const float total30 = 1.1614864e-06f*turns;
-                const float lost30 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-                const float total31 = -total2 - total29;
-                const float back18 = total2 + total31;
-                const float rest62 = -back18 + total31;
-                const float one5 = -rest62 - total2;
-                const float two5 = -back18 - total29;
-                const float lost31 = one5 + two5;
-                const float total32 = -lost29 + total31;
-                const float back19 = -total31 + total32;
-                const float rest7 = -back19 + total32;
-                const float one6 = -rest7 + total31;
-                const float two6 = -back19 - lost29;
-                const float lost32 = one6 + two6;
-                const float total33 = -total30 + total32;
-                const float back20 = -total32 + total33;
-                const float rest8 = -back20 + total33;
-                const float one7 = -rest8 + total32;
-                const float two7 = -back20 - total30;
-                const float lost33 = one7 + two7;
-                const float total34 = -lost2 + total33;
-                const float back21 = -total33 + total34;
-                const float rest9 = -back21 + total34;
-                const float one8 = -rest9 + total33;
-                const float two8 = -back21 - lost2;
-                const float lost34 = one8 + two8;
-                const float low2 = -lost30 + lost31 + lost32 + lost33 + lost34 + 1.1704737e-14f*
-                    turns;
-                const float total35 = low2 + total34;
-                const float total36 = 6.2831855f*count;
-                const float total37 = root + total36;
-                const float whole32 = (total37 == 0.0f ? 1.0f : total37);
-                const float total38 = total35/whole32;
-                const float far = (total38*total38);
-                if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                    if (total263 > 0.0f) {
-                        const float sign_low = -lost2;
-                        const float left = -(root*root) + size;
-                        const float left2 = left - fmaf(root, root, -(root*root));
-                        const float left3 = left2 + sign_low;
-                        const float whole = (root == 0.0f ? 1.0f : root);
-                        const float root_low = 0.5f*left3/whole;
-                        const float back22 = -total34 + total35;
-                        const float rest10 = -back22 + total35;
-                        const float one9 = -rest10 + total34;
-                        const float two9 = -back22 + low2;
-                        const float lost35 = one9 + two9;
-                        const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                        const float back23 = -root + total37;
-                        const float rest11 = -back23 + total37;
-                        const float one10 = -rest11 + root;
-                        const float two10 = -back23 + total36;
-                        const float lost37 = one10 + two10;
-                        const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-                        const float left19 = total35 - total38*whole32;
-                        const float left20 = left19 - fmaf(total38, whole32, -(total38*whole32));
-                        const float left21 = -both_low*total38 + left20 + lost35;
-                        const float lost38 = left21/whole32;
-                        const float eta = total38;
-                        const float eta_low = lost38;
-                        const float total39 = (eta*eta);
-                        const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                        const float cos_series_of2 = cos_series(-total39);
-                        const float bent2 = cos_series_of2*(total39*total39);
-                        const float total40 = -bent2 + 0.5f*total39;
-                        const float back24 = -0.5f*total39 + total40;
-                        const float lost40 = -back24 - bent2;
-                        const float sin_series_of2 = sin_series(-total39);
-                        const float total41 = -sin_series_of2*total39 + 1.0f;
-                        const float back25 = total41 - 1.0f;
-                        const float lost41 = -back25 - sin_series_of2*total39;
-                        const float lift_low = 0.5f*lost39*total41 + lost40;
-                        const float total42 = eta*total41;
-                        const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-                        const float some2 = root;
-                        const float total43 = total42/some2;
-                        const float left22 = -some2*total43 + total42;
-                        const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-                        const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*
-                            total43;
-                        const float lost43 = left24/some2;
-                        const float given4 = half;
-                        const float total44 = 1.0f - 0.5f*given4;
-                        const float back26 = total44 - 1.0f;
-                        const float lost44 = -back26 - 0.5f*given4;
-                        const float decay_series_of3 = decay_series(given4);
-                        const float curved4 = decay_series_of3*(given4*given4);
-                        const float total45 = curved4 + total44;
-                        const float back27 = -total44 + total45;
-                        const float lost45 = -back27 + curved4;
-                        const float mean_low5 = lost44 + lost45;
-                        const float total46 = given4*total45;
-                        const float lost46 = given4*mean_low5 +
-                            fmaf(given4, total45, -(given4*total45));
-                        const float total47 = 1.0f - total46;
-                        const float back28 = total47 - 1.0f;
-                        const float lost47 = -back28 - total46;
-                        const float fall_low5 = -lost46 + lost47;
-                        const float total48 = -total43 + total45;
-                        const float back29 = -total45 + total48;
-                        const float rest12 = -back29 + total48;
-                        const float one11 = -rest12 + total45;
-                        const float two11 = -back29 - total43;
-                        const float lost48 = one11 + two11;
-                        const float total49 = given4*total48;
-                        const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                            fmaf(given4, total48, -(given4*total48));
-                        const float total50 = total40 - total49;
-                        const float back30 = -total40 + total50;
-                        const float rest13 = -back30 + total50;
-                        const float one12 = -rest13 + total40;
-                        const float two12 = -back30 - total49;
-                        const float lost50 = one12 + two12;
-                        const float low22 = lift_low - lost49 + lost50;
-                        const float total51 = low22 + total50;
-                        const float back31 = -total50 + total51;
-                        const float rest14 = -back31 + total51;
-                        const float one13 = -rest14 + total50;
-                        const float two13 = -back31 + low22;
-                        const float lost51 = one13 + two13;
-                        const float total52 = total47*total51;
-                        const float lost52 = lost51*total47 +
-                            fmaf(total47, total51, -(total47*total51));
-                        const float low3 = fall_low5*total51 + lost52;
-                        const float total53 = total52/stiff;
-                        const float left25 = -stiff*total53 + total52;
-                        const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-                        const float left27 = left26 + low3;
-                        const float lost53 = left27/stiff;
-                        const float e = expf(-delta);
-                        const float total253 = e + 1.0f;
-                        const float back182 = total253 - 1.0f;
-                        const float lost253 = -back182 + e;
-                        const float total273 = total253 + total263;
-                        const float back192 = -total253 + total273;
-                        const float lost273 = -back192 + total263;
-                        const float total472 = total43*total47;
-                        const float lost472 = lost43*total47 +
-                            fmaf(total47, total43, -(total47*total43));
-                        const float total482 = total45 - total472;
-                        const float back292 = -total45 + total482;
-                        const float rest112 = -back292 + total482;
-                        const float one102 = -rest112 + total45;
-                        const float two102 = -back292 - total472;
-                        const float lost482 = one102 + two102;
-                        const float low24 = -fall_low5*total43 - lost472 + lost482 + mean_low5;
-                        const float total492 = given4*total482;
-                        const float lost492 = given4*low24 +
-                            fmaf(given4, total482, -(given4*total482));
-                        const float total502 = total40*total47;
-                        const float lost502 = lift_low*total47 +
-                            fmaf(total47, total40, -(total47*total40));
-                        const float total512 = total492 + total502;
-                        const float back302 = -total492 + total512;
-                        const float rest122 = -back302 + total512;
-                        const float one112 = -rest122 + total492;
-                        const float two112 = -back302 + total502;
-                        const float lost512 = one112 + two112;
-                        const float low33 = fall_low5*total40 + lost492 + lost502 + lost512;
-                        const float total522 = total512/stiff;
-                        const float left252 = -stiff*total522 + total512;
-                        const float left262 = left252 - fmaf(total522, stiff, -(total522*stiff));
-                        const float left272 = left262 + low33;
-                        const float lost522 = left272/stiff;
-                        float even_low2;
-                        if (square2 > -1.5f) {
-                            const float given3 = square2;
-                            const float total19 = 0.5f*given3 + 1.0f;
-                            const float back13 = total19 - 1.0f;
-                            const float lost19 = -back13 + 0.5f*given3;
-                            const float cos_series_of = cos_series(given3);
-                            const float curved3 = cos_series_of*(given3*given3);
-                            const float total20 = curved3 + total19;
-                            const float back14 = -total19 + total20;
-                            const float lost20 = -back14 + curved3;
-                            const float even_low = lost19 + 0.5f*lost2 + lost20;
-                            even_low2 = even_low;
-                        } else {
-                            const float sine = sinf(root);
-                            even_low2 = -root_low*sine;
-                        }
-                        const float lost263 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                        apart_of = lost28 + total28;
-                        fall_of = lost53 + total53;
-                        nyquist_of = lost253 + lost263 + lost273 + total273;
-                        rise_of = lost522 + total522;
-                        together_of = 2.0f*lost563 + 2.0f*total563;
-                    } else {
-                        const float sign_low = -lost2;
-                        const float left = -(root*root) + size;
-                        const float left2 = left - fmaf(root, root, -(root*root));
-                        const float left3 = left2 + sign_low;
-                        const float whole = (root == 0.0f ? 1.0f : root);
-                        const float root_low = 0.5f*left3/whole;
-                        const float back22 = -total34 + total35;
-                        const float rest10 = -back22 + total35;
-                        const float one9 = -rest10 + total34;
-                        const float two9 = -back22 + low2;
-                        const float lost35 = one9 + two9;
-                        const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                        const float back23 = -root + total37;
-                        const float rest11 = -back23 + total37;
-                        const float one10 = -rest11 + root;
-                        const float two10 = -back23 + total36;
-                        const float lost37 = one10 + two10;
-                        const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-                        const float left19 = total35 - total38*whole32;
-                        const float left20 = left19 - fmaf(total38, whole32, -(total38*whole32));
-                        const float left21 = -both_low*total38 + left20 + lost35;
-                        const float lost38 = left21/whole32;
-                        const float eta = total38;
-                        const float eta_low = lost38;
-                        const float total39 = (eta*eta);
-                        const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                        const float cos_series_of2 = cos_series(-total39);
-                        const float bent2 = cos_series_of2*(total39*total39);
-                        const float total40 = -bent2 + 0.5f*total39;
-                        const float back24 = -0.5f*total39 + total40;
-                        const float lost40 = -back24 - bent2;
-                        const float sin_series_of2 = sin_series(-total39);
-                        const float total41 = -sin_series_of2*total39 + 1.0f;
-                        const float back25 = total41 - 1.0f;
-                        const float lost41 = -back25 - sin_series_of2*total39;
-                        const float lift_low = 0.5f*lost39*total41 + lost40;
-                        const float total42 = eta*total41;
-                        const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-                        const float some2 = root;
-                        const float total43 = total42/some2;
-                        const float left22 = -some2*total43 + total42;
-                        const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-                        const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*
-                            total43;
-                        const float lost43 = left24/some2;
-                        const float given4 = half;
-                        const float total44 = 1.0f - 0.5f*given4;
-                        const float back26 = total44 - 1.0f;
-                        const float lost44 = -back26 - 0.5f*given4;
-                        const float decay_series_of3 = decay_series(given4);
-                        const float curved4 = decay_series_of3*(given4*given4);
-                        const float total45 = curved4 + total44;
-                        const float back27 = -total44 + total45;
-                        const float lost45 = -back27 + curved4;
-                        const float mean_low5 = lost44 + lost45;
-                        const float total46 = given4*total45;
-                        const float lost46 = given4*mean_low5 +
-                            fmaf(given4, total45, -(given4*total45));
-                        const float total47 = 1.0f - total46;
-                        const float back28 = total47 - 1.0f;
-                        const float lost47 = -back28 - total46;
-                        const float fall_low5 = -lost46 + lost47;
-                        const float total48 = -total43 + total45;
-                        const float back29 = -total45 + total48;
-                        const float rest12 = -back29 + total48;
-                        const float one11 = -rest12 + total45;
-                        const float two11 = -back29 - total43;
-                        const float lost48 = one11 + two11;
-                        const float total49 = given4*total48;
-                        const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                            fmaf(given4, total48, -(given4*total48));
-                        const float total50 = total40 - total49;
-                        const float back30 = -total40 + total50;
-                        const float rest13 = -back30 + total50;
-                        const float one12 = -rest13 + total40;
-                        const float two12 = -back30 - total49;
-                        const float lost50 = one12 + two12;
-                        const float low22 = lift_low - lost49 + lost50;
-                        const float total51 = low22 + total50;
-                        const float back31 = -total50 + total51;
-                        const float rest14 = -back31 + total51;
-                        const float one13 = -rest14 + total50;
-                        const float two13 = -back31 + low22;
-                        const float lost51 = one13 + two13;
-                        const float total52 = total47*total51;
-                        const float lost52 = lost51*total47 +
-                            fmaf(total47, total51, -(total47*total51));
-                        const float low3 = fall_low5*total51 + lost52;
-                        const float total53 = total52/stiff;
-                        const float left25 = -stiff*total53 + total52;
-                        const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-                        const float left27 = left26 + low3;
-                        const float lost53 = left27/stiff;
-                        const float expm1_of = expm1f(-half);
-                        const float grown = -0.5f*expm1_of;
-                        const float angle = 0.5f*root;
-                        const float wave = cosf(angle);
-                        const float sin_of = sinf(angle);
-                        const float back72 = 0.5f*root_low*sin_of;
-                        const float total92 = -back72 + wave;
-                        const float back82 = total92 - wave;
-                        const float rest33 = -back82 + total92;
-                        const float one23 = -rest33 + wave;
-                        const float two23 = -back72 - back82;
-                        const float lost92 = one23 + two23;
-                        const float total102 = (total92*total92);
-                        const float lost102 = fmaf(total92, total92, -(total92*total92));
-                        const float low4 = lost102 + 2.0f*lost92*total92;
-                        const float total112 = envelope*total102;
-                        const float lost112 = envelope*low4 +
-                            fmaf(envelope, total102, -(envelope*total102));
-                        const float total122 = (grown*grown) + total112;
-                        const float back92 = -total112 + total122;
-                        const float rest43 = -back92 + total122;
-                        const float one33 = -rest43 + total112;
-                        const float two33 = -back92 + (grown*grown);
-                        const float lost122 = one33 + two33;
-                        const float low23 = lost112 + lost122;
-                        const float total472 = total43*total47;
-                        const float lost472 = lost43*total47 +
-                            fmaf(total47, total43, -(total47*total43));
-                        const float total482 = total45 - total472;
-                        const float back292 = -total45 + total482;
-                        const float rest112 = -back292 + total482;
-                        const float one102 = -rest112 + total45;
-                        const float two102 = -back292 - total472;
-                        const float lost482 = one102 + two102;
-                        const float low24 = -fall_low5*total43 - lost472 + lost482 + mean_low5;
-                        const float total492 = given4*total482;
-                        const float lost492 = given4*low24 +
-                            fmaf(given4, total482, -(given4*total482));
-                        const float total502 = total40*total47;
-                        const float lost502 = lift_low*total47 +
-                            fmaf(total47, total40, -(total47*total40));
-                        const float total512 = total492 + total502;
-                        const float back302 = -total492 + total512;
-                        const float rest122 = -back302 + total512;
-                        const float one112 = -rest122 + total492;
-                        const float two112 = -back302 + total502;
-                        const float lost512 = one112 + two112;
-                        const float low33 = fall_low5*total40 + lost492 + lost502 + lost512;
-                        const float total522 = total512/stiff;
-                        const float left252 = -stiff*total522 + total512;
-                        const float left262 = left252 - fmaf(total522, stiff, -(total522*stiff));
-                        const float left272 = left262 + low33;
-                        const float lost522 = left272/stiff;
-                        apart_of = lost28 + total28;
-                        fall_of = lost53 + total53;
-                        nyquist_of = 4.0f*low23 + 4.0f*total122;
-                        rise_of = lost522 + total522;
-                        together_of = 2.0f*lost563 + 2.0f*total563;
-                    }
-                } else {
-                    if (total263 > 0.0f) {
-                        const float e = expf(-delta);
-                        const float total253 = e + 1.0f;
-                        const float back182 = total253 - 1.0f;
-                        const float lost253 = -back182 + e;
-                        const float total273 = total253 + total263;
-                        const float back192 = -total253 + total273;
-                        const float lost273 = -back192 + total263;
-                        float even_low2;
-                        float odd;
-                        float odd_low2;
-                        if (square2 > -1.5f) {
-                            const float given3 = square2;
-                            const float total19 = 0.5f*given3 + 1.0f;
-                            const float back13 = total19 - 1.0f;
-                            const float lost19 = -back13 + 0.5f*given3;
-                            const float cos_series_of = cos_series(given3);
-                            const float curved3 = cos_series_of*(given3*given3);
-                            const float total20 = curved3 + total19;
-                            const float back14 = -total19 + total20;
-                            const float lost20 = -back14 + curved3;
-                            const float even_low = lost19 + 0.5f*lost2 + lost20;
-                            const float sin_series_of = sin_series(given3);
-                            const float bent = given3*sin_series_of;
-                            const float total21 = bent + 1.0f;
-                            const float back15 = total21 - 1.0f;
-                            const float lost21 = -back15 + bent;
-                            const float odd_low = 0.16666667f*lost2 + lost21;
-                            even_low2 = even_low;
-                            odd = total21;
-                            odd_low2 = odd_low;
-                        } else {
-                            const float sign_low = -lost2;
-                            const float left = -(root*root) + size;
-                            const float left2 = left - fmaf(root, root, -(root*root));
-                            const float left3 = left2 + sign_low;
-                            const float whole = (root == 0.0f ? 1.0f : root);
-                            const float root_low = 0.5f*left3/whole;
-                            const float sine = sinf(root);
-                            const float cosine = cosf(root);
-                            const float some = root;
-                            const float total22 = sine/some;
-                            const float left10 = sine - some*total22;
-                            const float left11 = left10 - fmaf(total22, some, -(total22*some));
-                            const float left12 = cosine*root_low + left11 - root_low*total22;
-                            const float lost22 = left12/some;
-                            even_low2 = -root_low*sine;
-                            odd = total22;
-                            odd_low2 = lost22;
-                        }
-                        const float total23 = half*odd;
-                        const float lost23 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-                        const float total252 = -even + total23;
-                        const float back162 = -total23 + total252;
-                        const float rest42 = -back162 + total252;
-                        const float one32 = -rest42 + total23;
-                        const float two32 = -back162 - even;
-                        const float lost252 = one32 + two32;
-                        const float total262 = envelope + total252;
-                        const float back172 = -total252 + total262;
-                        const float rest52 = -back172 + total262;
-                        const float one42 = -rest52 + total252;
-                        const float two42 = -back172 + envelope;
-                        const float lost262 = one42 + two42;
-                        const float total272 = envelope*total262;
-                        const float lost272 = envelope*(-even_low2 + lost23 + lost252 + lost262) +
-                            fmaf(envelope, total262, -(envelope*total262));
-                        const float total282 = total272/stiff;
-                        const float left16 = -stiff*total282 + total272;
-                        const float left17 = left16 - fmaf(total282, stiff, -(total282*stiff));
-                        const float left18 = left17 + lost272;
-                        const float lost282 = left18/stiff;
-                        const float lost263 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                        const float total242 = even + total23;
-                        const float back163 = -even + total242;
-                        const float rest44 = -back163 + total242;
-                        const float one34 = even - rest44;
-                        const float two34 = -back163 + total23;
-                        const float lost242 = one34 + two34;
-                        const float total254 = envelope*total242;
-                        const float lost254 = envelope*(even_low2 + lost23 + lost242) +
-                            fmaf(envelope, total242, -(envelope*total242));
-                        const float total264 = 1.0f - total254;
-                        const float back173 = total264 - 1.0f;
-                        const float lost264 = -back173 - total254;
-                        const float total274 = total264/stiff;
-                        const float left162 = -stiff*total274 + total264;
-                        const float left172 = left162 - fmaf(total274, stiff, -(total274*stiff));
-                        const float left182 = left172 - lost254 + lost264;
-                        const float lost274 = left182/stiff;
-                        apart_of = lost28 + total28;
-                        fall_of = lost282 + total282;
-                        nyquist_of = lost253 + lost263 + lost273 + total273;
-                        rise_of = lost274 + total274;
-                        together_of = 2.0f*lost563 + 2.0f*total563;
-                    } else {
-                        const float sign_low = -lost2;
-                        const float left = -(root*root) + size;
-                        const float left2 = left - fmaf(root, root, -(root*root));
-                        const float left3 = left2 + sign_low;
-                        const float whole = (root == 0.0f ? 1.0f : root);
-                        const float root_low = 0.5f*left3/whole;
-                        const float expm1_of = expm1f(-half);
-                        const float grown = -0.5f*expm1_of;
-                        const float angle = 0.5f*root;
-                        const float wave = cosf(angle);
-                        const float sin_of = sinf(angle);
-                        const float back72 = 0.5f*root_low*sin_of;
-                        const float total92 = -back72 + wave;
-                        const float back82 = total92 - wave;
-                        const float rest33 = -back82 + total92;
-                        const float one23 = -rest33 + wave;
-                        const float two23 = -back72 - back82;
-                        const float lost92 = one23 + two23;
-                        const float total102 = (total92*total92);
-                        const float lost102 = fmaf(total92, total92, -(total92*total92));
-                        const float low4 = lost102 + 2.0f*lost92*total92;
-                        const float total112 = envelope*total102;
-                        const float lost112 = envelope*low4 +
-                            fmaf(envelope, total102, -(envelope*total102));
-                        const float total122 = (grown*grown) + total112;
-                        const float back92 = -total112 + total122;
-                        const float rest43 = -back92 + total122;
-                        const float one33 = -rest43 + total112;
-                        const float two33 = -back92 + (grown*grown);
-                        const float lost122 = one33 + two33;
-                        const float low23 = lost112 + lost122;
-                        float even_low2;
-                        float odd;
-                        float odd_low2;
-                        if (square2 > -1.5f) {
-                            const float given3 = square2;
-                            const float total19 = 0.5f*given3 + 1.0f;
-                            const float back13 = total19 - 1.0f;
-                            const float lost19 = -back13 + 0.5f*given3;
-                            const float cos_series_of = cos_series(given3);
-                            const float curved3 = cos_series_of*(given3*given3);
-                            const float total20 = curved3 + total19;
-                            const float back14 = -total19 + total20;
-                            const float lost20 = -back14 + curved3;
-                            const float even_low = lost19 + 0.5f*lost2 + lost20;
-                            const float sin_series_of = sin_series(given3);
-                            const float bent = given3*sin_series_of;
-                            const float total21 = bent + 1.0f;
-                            const float back15 = total21 - 1.0f;
-                            const float lost21 = -back15 + bent;
-                            const float odd_low = 0.16666667f*lost2 + lost21;
-                            even_low2 = even_low;
-                            odd = total21;
-                            odd_low2 = odd_low;
-                        } else {
-                            const float sine = sinf(root);
-                            const float cosine = cosf(root);
-                            const float some = root;
-                            const float total22 = sine/some;
-                            const float left10 = sine - some*total22;
-                            const float left11 = left10 - fmaf(total22, some, -(total22*some));
-                            const float left12 = cosine*root_low + left11 - root_low*total22;
-                            const float lost22 = left12/some;
-                            even_low2 = -root_low*sine;
-                            odd = total22;
-                            odd_low2 = lost22;
-                        }
-                        const float total23 = half*odd;
-                        const float lost23 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-                        const float total252 = -even + total23;
-                        const float back162 = -total23 + total252;
-                        const float rest42 = -back162 + total252;
-                        const float one32 = -rest42 + total23;
-                        const float two32 = -back162 - even;
-                        const float lost252 = one32 + two32;
-                        const float total262 = envelope + total252;
-                        const float back172 = -total252 + total262;
-                        const float rest52 = -back172 + total262;
-                        const float one42 = -rest52 + total252;
-                        const float two42 = -back172 + envelope;
-                        const float lost262 = one42 + two42;
-                        const float total272 = envelope*total262;
-                        const float lost272 = envelope*(-even_low2 + lost23 + lost252 + lost262) +
-                            fmaf(envelope, total262, -(envelope*total262));
-                        const float total282 = total272/stiff;
-                        const float left16 = -stiff*total282 + total272;
-                        const float left17 = left16 - fmaf(total282, stiff, -(total282*stiff));
-                        const float left18 = left17 + lost272;
-                        const float lost282 = left18/stiff;
-                        const float total242 = even + total23;
-                        const float back163 = -even + total242;
-                        const float rest44 = -back163 + total242;
-                        const float one34 = even - rest44;
-                        const float two34 = -back163 + total23;
-                        const float lost242 = one34 + two34;
-                        const float total254 = envelope*total242;
-                        const float lost254 = envelope*(even_low2 + lost23 + lost242) +
-                            fmaf(envelope, total242, -(envelope*total242));
-                        const float total264 = 1.0f - total254;
-                        const float back173 = total264 - 1.0f;
-                        const float lost264 = -back173 - total254;
-                        const float total274 = total264/stiff;
-                        const float left162 = -stiff*total274 + total264;
-                        const float left172 = left162 - fmaf(total274, stiff, -(total274*stiff));
-                        const float left182 = left172 - lost254 + lost264;
-                        const float lost274 = left182/stiff;
-                        apart_of = lost28 + total28;
-                        fall_of = lost282 + total282;
-                        nyquist_of = 4.0f*low23 + 4.0f*total122;
-                        rise_of = lost274 + total274;
-                        together_of = 2.0f*lost563 + 2.0f*total563;
-                    }
-                }
-            }
-        } else {
-            const float size = fabsf(total2);
-            const float root = sqrtf(size);
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float stiff = gamma;
-            const float mean3 = decay(delta);
-            const float twice2 = 2.0f*envelope;
-            float even;
-            float odd;
-            float odd_low2;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float total19 = 0.5f*given3 + 1.0f;
-                const float cos_series_of = cos_series(given3);
-                const float curved3 = cos_series_of*(given3*given3);
-                const float total20 = curved3 + total19;
-                const float sin_series_of = sin_series(given3);
-                const float bent = given3*sin_series_of;
-                const float total21 = bent + 1.0f;
-                const float back15 = total21 - 1.0f;
-                const float lost21 = -back15 + bent;
-                const float odd_low = 0.16666667f*lost2 + lost21;
-                even = total20;
-                odd = total21;
-                odd_low2 = odd_low;
-            } else {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float sine = sinf(root);
-                const float cosine = cosf(root);
-                const float some = root;
-                const float total22 = sine/some;
-                const float left10 = sine - some*total22;
-                const float left11 = left10 - fmaf(total22, some, -(total22*some));
-                const float left12 = cosine*root_low + left11 - root_low*total22;
-                const float lost22 = left12/some;
-                even = cosine;
-                odd = total22;
-                odd_low2 = lost22;
-            }
-            const float total24 = envelope*odd;
-            const float lost24 = envelope*odd_low2 + fmaf(envelope, odd, -(envelope*odd));
-            const float total25 = mean3 - total24;
-            const float back16 = -mean3 + total25;
-            const float rest4 = -back16 + total25;
-            const float one3 = mean3 - rest4;
-            const float two3 = -back16 - total24;
-            const float lost25 = one3 + two3;
-            const float total26 = total25/stiff;
-            const float left13 = -stiff*total26 + total25;
-            const float left14 = left13 - fmaf(total26, stiff, -(total26*stiff));
-            const float left15 = left14 - lost24 + lost25;
-            const float lost26 = left15/stiff;
-            const float total263 = even*twice2;
-            float count;
-            if (root < 4096.0f) {
-                count = floorf(0.5f*root/3.1415927f + 0.5f);
-            } else {
-                count = 0.0f;
-            }
-            const float turns = (count*count);
-            const float total29 = 39.478416f*turns;
-            const float lost29 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-            const float total30 = 1.1614864e-06f*turns;
-            const float lost30 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-            const float total31 = -total2 - total29;
-            const float back18 = total2 + total31;
-            const float rest62 = -back18 + total31;
-            const float one5 = -rest62 - total2;
-            const float two5 = -back18 - total29;
-            const float lost31 = one5 + two5;
-            const float total32 = -lost29 + total31;
-            const float back19 = -total31 + total32;
-            const float rest7 = -back19 + total32;
-            const float one6 = -rest7 + total31;
-            const float two6 = -back19 - lost29;
-            const float lost32 = one6 + two6;
-            const float total33 = -total30 + total32;
-            const float back20 = -total32 + total33;
-            const float rest8 = -back20 + total33;
-            const float one7 = -rest8 + total32;
-            const float two7 = -back20 - total30;
-            const float lost33 = one7 + two7;
-            const float total34 = -lost2 + total33;
-            const float back21 = -total33 + total34;
-            const float rest9 = -back21 + total34;
-            const float one8 = -rest9 + total33;
-            const float two8 = -back21 - lost2;
-            const float lost34 = one8 + two8;
-            const float low2 = -lost30 + lost31 + lost32 + lost33 + lost34 + 1.1704737e-14f*turns;
-            const float total35 = low2 + total34;
-            const float total36 = 6.2831855f*count;
-            const float total37 = root + total36;
-            const float whole32 = (total37 == 0.0f ? 1.0f : total37);
-            const float total38 = total35/whole32;
-            const float far = (total38*total38);
-            if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                if (total263 > 0.0f) {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float back22 = -total34 + total35;
-                    const float rest10 = -back22 + total35;
-                    const float one9 = -rest10 + total34;
-                    const float two9 = -back22 + low2;
-                    const float lost35 = one9 + two9;
-                    const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                    const float back23 = -root + total37;
-                    const float rest11 = -back23 + total37;
-                    const float one10 = -rest11 + root;
-                    const float two10 = -back23 + total36;
-                    const float lost37 = one10 + two10;
-                    const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-                    const float left19 = total35 - total38*whole32;
-                    const float left20 = left19 - fmaf(total38, whole32, -(total38*whole32));
-                    const float left21 = -both_low*total38 + left20 + lost35;
-                    const float lost38 = left21/whole32;
-                    const float eta = total38;
-                    const float eta_low = lost38;
-                    const float total39 = (eta*eta);
-                    const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                    const float cos_series_of2 = cos_series(-total39);
-                    const float bent2 = cos_series_of2*(total39*total39);
-                    const float total40 = -bent2 + 0.5f*total39;
-                    const float back24 = -0.5f*total39 + total40;
-                    const float lost40 = -back24 - bent2;
-                    const float sin_series_of2 = sin_series(-total39);
-                    const float total41 = -sin_series_of2*total39 + 1.0f;
-                    const float back25 = total41 - 1.0f;
-                    const float lost41 = -back25 - sin_series_of2*total39;
-                    const float lift_low = 0.5f*lost39*total41 + lost40;
-                    const float total42 = eta*total41;
-                    const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-                    const float some2 = root;
-                    const float total43 = total42/some2;
-                    const float left22 = -some2*total43 + total42;
-                    const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-                    const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*
-                        total43;
-                    const float lost43 = left24/some2;
-                    const float given4 = half;
-                    const float total44 = 1.0f - 0.5f*given4;
-                    const float back26 = total44 - 1.0f;
-                    const float lost44 = -back26 - 0.5f*given4;
-                    const float decay_series_of3 = decay_series(given4);
-                    const float curved4 = decay_series_of3*(given4*given4);
-                    const float total45 = curved4 + total44;
-                    const float back27 = -total44 + total45;
-                    const float lost45 = -back27 + curved4;
-                    const float mean_low5 = lost44 + lost45;
-                    const float total46 = given4*total45;
-                    const float lost46 = given4*mean_low5 +
-                        fmaf(given4, total45, -(given4*total45));
-                    const float total47 = 1.0f - total46;
-                    const float back28 = total47 - 1.0f;
-                    const float lost47 = -back28 - total46;
-                    const float fall_low5 = -lost46 + lost47;
-                    const float total48 = -total43 + total45;
-                    const float back29 = -total45 + total48;
-                    const float rest12 = -back29 + total48;
-                    const float one11 = -rest12 + total45;
-                    const float two11 = -back29 - total43;
-                    const float lost48 = one11 + two11;
-                    const float total49 = given4*total48;
-                    const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                        fmaf(given4, total48, -(given4*total48));
-                    const float total50 = total40 - total49;
-                    const float back30 = -total40 + total50;
-                    const float rest13 = -back30 + total50;
-                    const float one12 = -rest13 + total40;
-                    const float two12 = -back30 - total49;
-                    const float lost50 = one12 + two12;
-                    const float low22 = lift_low - lost49 + lost50;
-                    const float total51 = low22 + total50;
-                    const float back31 = -total50 + total51;
-                    const float rest14 = -back31 + total51;
-                    const float one13 = -rest14 + total50;
-                    const float two13 = -back31 + low22;
-                    const float lost51 = one13 + two13;
-                    const float total52 = total47*total51;
-                    const float lost52 = lost51*total47 +
-                        fmaf(total47, total51, -(total47*total51));
-                    const float low3 = fall_low5*total51 + lost52;
-                    const float total53 = total52/stiff;
-                    const float left25 = -stiff*total53 + total52;
-                    const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-                    const float left27 = left26 + low3;
-                    const float lost53 = left27/stiff;
-                    const float e = expf(-delta);
-                    const float total253 = e + 1.0f;
-                    const float back182 = total253 - 1.0f;
-                    const float lost253 = -back182 + e;
-                    const float total273 = total253 + total263;
-                    const float back192 = -total253 + total273;
-                    const float lost273 = -back192 + total263;
-                    const float total472 = total43*total47;
-                    const float lost472 = lost43*total47 +
-                        fmaf(total47, total43, -(total47*total43));
-                    const float total482 = total45 - total472;
-                    const float back292 = -total45 + total482;
-                    const float rest112 = -back292 + total482;
-                    const float one102 = -rest112 + total45;
-                    const float two102 = -back292 - total472;
-                    const float lost482 = one102 + two102;
-                    const float low24 = -fall_low5*total43 - lost472 + lost482 + mean_low5;
-                    const float total492 = given4*total482;
-                    const float lost492 = given4*low24 + fmaf(given4, total482, -(given4*total482));
-                    const float total502 = total40*total47;
-                    const float lost502 = lift_low*total47 +
-                        fmaf(total47, total40, -(total47*total40));
-                    const float total512 = total492 + total502;
-                    const float back302 = -total492 + total512;
-                    const float rest122 = -back302 + total512;
-                    const float one112 = -rest122 + total492;
-                    const float two112 = -back302 + total502;
-                    const float lost512 = one112 + two112;
-                    const float low33 = fall_low5*total40 + lost492 + lost502 + lost512;
-                    const float total522 = total512/stiff;
-                    const float left252 = -stiff*total522 + total512;
-                    const float left262 = left252 - fmaf(total522, stiff, -(total522*stiff));
-                    const float left272 = left262 + low33;
-                    const float lost522 = left272/stiff;
-                    const float total332 = 1.0f - total47;
-                    const float back213 = total332 - 1.0f;
-                    const float lost332 = -back213 - total47;
-                    const float low42 = -fall_low5 + lost332;
-                    const float total342 = low42 + total332;
-                    const float back222 = -total332 + total342;
-                    const float lost342 = -back222 + low42;
-                    const float total352 = (total342*total342);
-                    const float lost352 = 2.0f*lost342*total342 +
-                        fmaf(total342, total342, -(total342*total342));
-                    const float total372 = total352 + 2.0f*total502;
-                    const float back232 = -total352 + total372;
-                    const float rest113 = -back232 + total372;
-                    const float one103 = -rest113 + total352;
-                    const float two103 = -back232 + 2.0f*total502;
-                    const float lost372 = one103 + two103;
-                    const float low52 = 2.0f*fall_low5*total40 + lost352 + lost372 + 2.0f*lost502;
-                    const float total382 = total372/stiff;
-                    const float left163 = -stiff*total382 + total372;
-                    const float left173 = left163 - fmaf(total382, stiff, -(total382*stiff));
-                    const float left183 = left173 + low52;
-                    const float lost382 = left183/stiff;
-                    float even_low2;
-                    if (square2 > -1.5f) {
-                        const float given3 = square2;
-                        const float total19 = 0.5f*given3 + 1.0f;
-                        const float back13 = total19 - 1.0f;
-                        const float lost19 = -back13 + 0.5f*given3;
-                        const float cos_series_of = cos_series(given3);
-                        const float curved3 = cos_series_of*(given3*given3);
-                        const float total20 = curved3 + total19;
-                        const float back14 = -total19 + total20;
-                        const float lost20 = -back14 + curved3;
-                        const float even_low = lost19 + 0.5f*lost2 + lost20;
-                        even_low2 = even_low;
-                    } else {
-                        const float sine = sinf(root);
-                        even_low2 = -root_low*sine;
-                    }
-                    const float lost263 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                    apart_of = lost26 + total26;
-                    fall_of = lost53 + total53;
-                    nyquist_of = lost253 + lost263 + lost273 + total273;
-                    rise_of = lost522 + total522;
-                    together_of = lost382 + total382;
-                } else {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float back22 = -total34 + total35;
-                    const float rest10 = -back22 + total35;
-                    const float one9 = -rest10 + total34;
-                    const float two9 = -back22 + low2;
-                    const float lost35 = one9 + two9;
-                    const float lost36 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                    const float back23 = -root + total37;
-                    const float rest11 = -back23 + total37;
-                    const float one10 = -rest11 + root;
-                    const float two10 = -back23 + total36;
-                    const float lost37 = one10 + two10;
-                    const float both_low = -1.7484555e-07f*count + lost36 + lost37 + root_low;
-                    const float left19 = total35 - total38*whole32;
-                    const float left20 = left19 - fmaf(total38, whole32, -(total38*whole32));
-                    const float left21 = -both_low*total38 + left20 + lost35;
-                    const float lost38 = left21/whole32;
-                    const float eta = total38;
-                    const float eta_low = lost38;
-                    const float total39 = (eta*eta);
-                    const float lost39 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                    const float cos_series_of2 = cos_series(-total39);
-                    const float bent2 = cos_series_of2*(total39*total39);
-                    const float total40 = -bent2 + 0.5f*total39;
-                    const float back24 = -0.5f*total39 + total40;
-                    const float lost40 = -back24 - bent2;
-                    const float sin_series_of2 = sin_series(-total39);
-                    const float total41 = -sin_series_of2*total39 + 1.0f;
-                    const float back25 = total41 - 1.0f;
-                    const float lost41 = -back25 - sin_series_of2*total39;
-                    const float lift_low = 0.5f*lost39*total41 + lost40;
-                    const float total42 = eta*total41;
-                    const float lost42 = eta*lost41 + fmaf(eta, total41, -(eta*total41));
-                    const float some2 = root;
-                    const float total43 = total42/some2;
-                    const float left22 = -some2*total43 + total42;
-                    const float left23 = left22 - fmaf(total43, some2, -(total43*some2));
-                    const float left24 = eta_low*(1.0f - total40) + left23 + lost42 - root_low*
-                        total43;
-                    const float lost43 = left24/some2;
-                    const float given4 = half;
-                    const float total44 = 1.0f - 0.5f*given4;
-                    const float back26 = total44 - 1.0f;
-                    const float lost44 = -back26 - 0.5f*given4;
-                    const float decay_series_of3 = decay_series(given4);
-                    const float curved4 = decay_series_of3*(given4*given4);
-                    const float total45 = curved4 + total44;
-                    const float back27 = -total44 + total45;
-                    const float lost45 = -back27 + curved4;
-                    const float mean_low5 = lost44 + lost45;
-                    const float total46 = given4*total45;
-                    const float lost46 = given4*mean_low5 +
-                        fmaf(given4, total45, -(given4*total45));
-                    const float total47 = 1.0f - total46;
-                    const float back28 = total47 - 1.0f;
-                    const float lost47 = -back28 - total46;
-                    const float fall_low5 = -lost46 + lost47;
-                    const float total48 = -total43 + total45;
-                    const float back29 = -total45 + total48;
-                    const float rest12 = -back29 + total48;
-                    const float one11 = -rest12 + total45;
-                    const float two11 = -back29 - total43;
-                    const float lost48 = one11 + two11;
-                    const float total49 = given4*total48;
-                    const float lost49 = given4*(-lost43 + lost48 + mean_low5) +
-                        fmaf(given4, total48, -(given4*total48));
-                    const float total50 = total40 - total49;
-                    const float back30 = -total40 + total50;
-                    const float rest13 = -back30 + total50;
-                    const float one12 = -rest13 + total40;
-                    const float two12 = -back30 - total49;
-                    const float lost50 = one12 + two12;
-                    const float low22 = lift_low - lost49 + lost50;
-                    const float total51 = low22 + total50;
-                    const float back31 = -total50 + total51;
-                    const float rest14 = -back31 + total51;
-                    const float one13 = -rest14 + total50;
-                    const float two13 = -back31 + low22;
-                    const float lost51 = one13 + two13;
-                    const float total52 = total47*total51;
-                    const float lost52 = lost51*total47 +
-                        fmaf(total47, total51, -(total47*total51));
-                    const float low3 = fall_low5*total51 + lost52;
-                    const float total53 = total52/stiff;
-                    const float left25 = -stiff*total53 + total52;
-                    const float left26 = left25 - fmaf(total53, stiff, -(total53*stiff));
-                    const float left27 = left26 + low3;
-                    const float lost53 = left27/stiff;
-                    const float expm1_of = expm1f(-half);
-                    const float grown = -0.5f*expm1_of;
-                    const float angle = 0.5f*root;
-                    const float wave = cosf(angle);
-                    const float sin_of = sinf(angle);
-                    const float back72 = 0.5f*root_low*sin_of;
-                    const float total92 = -back72 + wave;
-                    const float back82 = total92 - wave;
-                    const float rest33 = -back82 + total92;
-                    const float one23 = -rest33 + wave;
-                    const float two23 = -back72 - back82;
-                    const float lost92 = one23 + two23;
-                    const float total102 = (total92*total92);
-                    const float lost102 = fmaf(total92, total92, -(total92*total92));
-                    const float low4 = lost102 + 2.0f*lost92*total92;
-                    const float total112 = envelope*total102;
-                    const float lost112 = envelope*low4 +
-                        fmaf(envelope, total102, -(envelope*total102));
-                    const float total122 = (grown*grown) + total112;
-                    const float back92 = -total112 + total122;
-                    const float rest43 = -back92 + total122;
-                    const float one33 = -rest43 + total112;
-                    const float two33 = -back92 + (grown*grown);
-                    const float lost122 = one33 + two33;
-                    const float low23 = lost112 + lost122;
-                    const float total472 = total43*total47;
-                    const float lost472 = lost43*total47 +
-                        fmaf(total47, total43, -(total47*total43));
-                    const float total482 = total45 - total472;
-                    const float back292 = -total45 + total482;
-                    const float rest112 = -back292 + total482;
-                    const float one102 = -rest112 + total45;
-                    const float two102 = -back292 - total472;
-                    const float lost482 = one102 + two102;
-                    const float low24 = -fall_low5*total43 - lost472 + lost482 + mean_low5;
-                    const float total492 = given4*total482;
-                    const float lost492 = given4*low24 + fmaf(given4, total482, -(given4*total482));
-                    const float total502 = total40*total47;
-                    const float lost502 = lift_low*total47 +
-                        fmaf(total47, total40, -(total47*total40));
-                    const float total512 = total492 + total502;
-                    const float back302 = -total492 + total512;
-                    const float rest122 = -back302 + total512;
-                    const float one112 = -rest122 + total492;
-                    const float two112 = -back302 + total502;
-                    const float lost512 = one112 + two112;
-                    const float low33 = fall_low5*total40 + lost492 + lost502 + lost512;
-                    const float total522 = total512/stiff;
-                    const float left252 = -stiff*total522 + total512;
-                    const float left262 = left252 - fmaf(total522, stiff, -(total522*stiff));
-                    const float left272 = left262 + low33;
-                    const float lost522 = left272/stiff;
-                    const float total332 = 1.0f - total47;
-                    const float back213 = total332 - 1.0f;
-                    const float lost332 = -back213 - total47;
-                    const float low42 = -fall_low5 + lost332;
-                    const float total342 = low42 + total332;
-                    const float back222 = -total332 + total342;
-                    const float lost342 = -back222 + low42;
-                    const float total352 = (total342*total342);
-                    const float lost352 = 2.0f*lost342*total342 +
-                        fmaf(total342, total342, -(total342*total342));
-                    const float total372 = total352 + 2.0f*total502;
-                    const float back232 = -total352 + total372;
-                    const float rest113 = -back232 + total372;
-                    const float one103 = -rest113 + total352;
-                    const float two103 = -back232 + 2.0f*total502;
-                    const float lost372 = one103 + two103;
-                    const float low52 = 2.0f*fall_low5*total40 + lost352 + lost372 + 2.0f*lost502;
-                    const float total382 = total372/stiff;
-                    const float left163 = -stiff*total382 + total372;
-                    const float left173 = left163 - fmaf(total382, stiff, -(total382*stiff));
-                    const float left183 = left173 + low52;
-                    const float lost382 = left183/stiff;
-                    apart_of = lost26 + total26;
-                    fall_of = lost53 + total53;
-                    nyquist_of = 4.0f*low23 + 4.0f*total122;
-                    rise_of = lost522 + total522;
-                    together_of = lost382 + total382;
-                }
-            } else {
-                if (total263 > 0.0f) {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float total23 = half*odd;
-                    const float lost23 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-                    const float total252 = -even + total23;
-                    const float back162 = -total23 + total252;
-                    const float rest42 = -back162 + total252;
-                    const float one32 = -rest42 + total23;
-                    const float two32 = -back162 - even;
-                    const float lost252 = one32 + two32;
-                    const float total262 = envelope + total252;
-                    const float back172 = -total252 + total262;
-                    const float rest52 = -back172 + total262;
-                    const float one42 = -rest52 + total252;
-                    const float two42 = -back172 + envelope;
-                    const float lost262 = one42 + two42;
-                    const float total272 = envelope*total262;
-                    const float total282 = total272/stiff;
-                    const float left16 = -stiff*total282 + total272;
-                    const float left17 = left16 - fmaf(total282, stiff, -(total282*stiff));
-                    const float expm1_of = expm1f(-half);
-                    const float grown = -0.5f*expm1_of;
-                    const float angle = 0.5f*root;
-                    const float wave = cosf(angle);
-                    const float sin_of = sinf(angle);
-                    const float e = expf(-delta);
-                    const float total253 = e + 1.0f;
-                    const float back182 = total253 - 1.0f;
-                    const float lost253 = -back182 + e;
-                    const float total273 = total253 + total263;
-                    const float back192 = -total253 + total273;
-                    const float lost273 = -back192 + total263;
-                    const float total242 = even + total23;
-                    const float back163 = -even + total242;
-                    const float rest44 = -back163 + total242;
-                    const float one34 = even - rest44;
-                    const float two34 = -back163 + total23;
-                    const float lost242 = one34 + two34;
-                    const float total254 = envelope*total242;
-                    const float total264 = 1.0f - total254;
-                    const float back173 = total264 - 1.0f;
-                    const float lost264 = -back173 - total254;
-                    const float total274 = total264/stiff;
-                    const float left162 = -stiff*total274 + total264;
-                    const float left172 = left162 - fmaf(total274, stiff, -(total274*stiff));
-                    const float back73 = -0.5f*root_low*wave;
-                    const float total93 = -back73 + sin_of;
-                    const float back83 = -sin_of + total93;
-                    const float rest35 = -back83 + total93;
-                    const float one25 = -rest35 + sin_of;
-                    const float two25 = -back73 - back83;
-                    const float lost93 = one25 + two25;
-                    const float total103 = (total93*total93);
-                    const float lost103 = fmaf(total93, total93, -(total93*total93));
-                    const float low5 = lost103 + 2.0f*lost93*total93;
-                    const float total113 = envelope*total103;
-                    const float lost113 = envelope*low5 +
-                        fmaf(envelope, total103, -(envelope*total103));
-                    const float total123 = (grown*grown) + total113;
-                    const float back93 = -total113 + total123;
-                    const float rest45 = -back93 + total123;
-                    const float one35 = -rest45 + total113;
-                    const float two35 = -back93 + (grown*grown);
-                    const float lost123 = one35 + two35;
-                    const float low25 = lost113 + lost123;
-                    const float total132 = total123/stiff;
-                    const float left72 = -stiff*total132 + total123;
-                    const float left82 = left72 - fmaf(total132, stiff, -(total132*stiff));
-                    const float left92 = left82 + low25;
-                    const float lost132 = left92/stiff;
-                    float even_low2;
-                    if (square2 > -1.5f) {
-                        const float given3 = square2;
-                        const float total19 = 0.5f*given3 + 1.0f;
-                        const float back13 = total19 - 1.0f;
-                        const float lost19 = -back13 + 0.5f*given3;
-                        const float cos_series_of = cos_series(given3);
-                        const float curved3 = cos_series_of*(given3*given3);
-                        const float total20 = curved3 + total19;
-                        const float back14 = -total19 + total20;
-                        const float lost20 = -back14 + curved3;
-                        const float even_low = lost19 + 0.5f*lost2 + lost20;
-                        even_low2 = even_low;
-                    } else {
-                        const float sine = sinf(root);
-                        even_low2 = -root_low*sine;
-                    }
-                    const float lost272 = envelope*(-even_low2 + lost23 + lost252 + lost262) +
-                        fmaf(envelope, total262, -(envelope*total262));
-                    const float left18 = left17 + lost272;
-                    const float lost282 = left18/stiff;
-                    const float lost263 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                    const float lost254 = envelope*(even_low2 + lost23 + lost242) +
-                        fmaf(envelope, total242, -(envelope*total242));
-                    const float left182 = left172 - lost254 + lost264;
-                    const float lost274 = left182/stiff;
-                    apart_of = lost26 + total26;
-                    fall_of = lost282 + total282;
-                    nyquist_of = lost253 + lost263 + lost273 + total273;
-                    rise_of = lost274 + total274;
-                    together_of = 4.0f*lost132 + 4.0f*total132;
-                } else {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float total23 = half*odd;
-                    const float lost23 = half*odd_low2 + fmaf(half, odd, -(half*odd));
-                    const float total252 = -even + total23;
-                    const float back162 = -total23 + total252;
-                    const float rest42 = -back162 + total252;
-                    const float one32 = -rest42 + total23;
-                    const float two32 = -back162 - even;
-                    const float lost252 = one32 + two32;
-                    const float total262 = envelope + total252;
-                    const float back172 = -total252 + total262;
-                    const float rest52 = -back172 + total262;
-                    const float one42 = -rest52 + total252;
-                    const float two42 = -back172 + envelope;
-                    const float lost262 = one42 + two42;
-                    const float total272 = envelope*total262;
-                    const float total282 = total272/stiff;
-                    const float left16 = -stiff*total282 + total272;
-                    const float left17 = left16 - fmaf(total282, stiff, -(total282*stiff));
-                    const float expm1_of = expm1f(-half);
-                    const float grown = -0.5f*expm1_of;
-                    const float angle = 0.5f*root;
-                    const float wave = cosf(angle);
-                    const float sin_of = sinf(angle);
-                    const float back72 = 0.5f*root_low*sin_of;
-                    const float total92 = -back72 + wave;
-                    const float back82 = total92 - wave;
-                    const float rest33 = -back82 + total92;
-                    const float one23 = -rest33 + wave;
-                    const float two23 = -back72 - back82;
-                    const float lost92 = one23 + two23;
-                    const float total102 = (total92*total92);
-                    const float lost102 = fmaf(total92, total92, -(total92*total92));
-                    const float low4 = lost102 + 2.0f*lost92*total92;
-                    const float total112 = envelope*total102;
-                    const float lost112 = envelope*low4 +
-                        fmaf(envelope, total102, -(envelope*total102));
-                    const float total122 = (grown*grown) + total112;
-                    const float back92 = -total112 + total122;
-                    const float rest43 = -back92 + total122;
-                    const float one33 = -rest43 + total112;
-                    const float two33 = -back92 + (grown*grown);
-                    const float lost122 = one33 + two33;
-                    const float low23 = lost112 + lost122;
-                    const float total242 = even + total23;
-                    const float back163 = -even + total242;
-                    const float rest44 = -back163 + total242;
-                    const float one34 = even - rest44;
-                    const float two34 = -back163 + total23;
-                    const float lost242 = one34 + two34;
-                    const float total254 = envelope*total242;
-                    const float total264 = 1.0f - total254;
-                    const float back173 = total264 - 1.0f;
-                    const float lost264 = -back173 - total254;
-                    const float total274 = total264/stiff;
-                    const float left162 = -stiff*total274 + total264;
-                    const float left172 = left162 - fmaf(total274, stiff, -(total274*stiff));
-                    const float back73 = -0.5f*root_low*wave;
-                    const float total93 = -back73 + sin_of;
-                    const float back83 = -sin_of + total93;
-                    const float rest35 = -back83 + total93;
-                    const float one25 = -rest35 + sin_of;
-                    const float two25 = -back73 - back83;
-                    const float lost93 = one25 + two25;
-                    const float total103 = (total93*total93);
-                    const float lost103 = fmaf(total93, total93, -(total93*total93));
-                    const float low5 = lost103 + 2.0f*lost93*total93;
-                    const float total113 = envelope*total103;
-                    const float lost113 = envelope*low5 +
-                        fmaf(envelope, total103, -(envelope*total103));
-                    const float total123 = (grown*grown) + total113;
-                    const float back93 = -total113 + total123;
-                    const float rest45 = -back93 + total123;
-                    const float one35 = -rest45 + total113;
-                    const float two35 = -back93 + (grown*grown);
-                    const float lost123 = one35 + two35;
-                    const float low25 = lost113 + lost123;
-                    const float total132 = total123/stiff;
-                    const float left72 = -stiff*total132 + total123;
-                    const float left82 = left72 - fmaf(total132, stiff, -(total132*stiff));
-                    const float left92 = left82 + low25;
-                    const float lost132 = left92/stiff;
-                    float even_low2;
-                    if (square2 > -1.5f) {
-                        const float given3 = square2;
-                        const float total19 = 0.5f*given3 + 1.0f;
-                        const float back13 = total19 - 1.0f;
-                        const float lost19 = -back13 + 0.5f*given3;
-                        const float cos_series_of = cos_series(given3);
-                        const float curved3 = cos_series_of*(given3*given3);
-                        const float total20 = curved3 + total19;
-                        const float back14 = -total19 + total20;
-                        const float lost20 = -back14 + curved3;
-                        const float even_low = lost19 + 0.5f*lost2 + lost20;
-                        even_low2 = even_low;
-                    } else {
-                        const float sine = sinf(root);
-                        even_low2 = -root_low*sine;
-                    }
-                    const float lost272 = envelope*(-even_low2 + lost23 + lost252 + lost262) +
-                        fmaf(envelope, total262, -(envelope*total262));
-                    const float left18 = left17 + lost272;
-                    const float lost282 = left18/stiff;
-                    const float lost254 = envelope*(even_low2 + lost23 + lost242) +
-                        fmaf(envelope, total242, -(envelope*total242));
-                    const float left182 = left172 - lost254 + lost264;
-                    const float lost274 = left182/stiff;
-                    apart_of = lost26 + total26;
-                    fall_of = lost282 + total282;
-                    nyquist_of = 4.0f*low23 + 4.0f*total122;
-                    rise_of = lost274 + total274;
-                    together_of = 4.0f*lost132 + 4.0f*total132;
-                }
-            }
-        }
-    } else {
-        const float size = fabsf(total2);
-        const float root = sqrtf(size);
-        const float total3 = half + root;
-        const float reach = 0.44444445f*total3;
-        if (reach < 1.0f) {
-            if (reach < 0.5625f) {
-                const float sign_low = lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float back3 = -half + total3;
-                const float lost3 = -back3 + root;
-                const float p_low = lost3 + root_low;
-                const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-                const float q = gamma/whole2;
-                const float off = gamma - q*whole2;
-                const float off2 = off - fmaf(whole2, q, -(whole2*q));
-                const float off3 = off2 - p_low*q;
-                const float q_low = off3/whole2;
-                const float rate2 = 2.0f*root;
-                const float envelope = expf(-half);
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                const float given5 = 0.5f*half;
-                const float total54 = 1.0f - 0.5f*given5;
-                const float back32 = total54 - 1.0f;
-                const float lost54 = -back32 - 0.5f*given5;
-                const float decay_series_of4 = decay_series(given5);
-                const float curved5 = decay_series_of4*(given5*given5);
-                const float total55 = curved5 + total54;
-                const float back33 = -total54 + total55;
-                const float lost55 = -back33 + curved5;
-                const float mean_low6 = lost54 + lost55;
-                const float total56 = given5*total55;
-                const float lost56 = given5*mean_low6 + fmaf(given5, total55, -(given5*total55));
-                const float total57 = 1.0f - total56;
-                const float back34 = total57 - 1.0f;
-                const float lost57 = -back34 - total56;
-                const float fall_low6 = -lost56 + lost57;
-                const float total58 = (total57*total57);
-                const float lost58 = 2.0f*fall_low6*total57 +
-                    fmaf(total57, total57, -(total57*total57));
-                const float total59 = (total58*total58);
-                const float lost59 = 2.0f*lost58*total58 +
-                    fmaf(total58, total58, -(total58*total58));
-                const float rest15 = fall_series(gamma, delta);
-                const float total60 = rest15 + 0.5f;
-                const float back35 = -rest15 + total60;
-                const float rest16 = -back35 + total60;
-                const float one14 = rest15 - rest16;
-                const float two14 = 0.5f - back35;
-                const float lost60 = one14 + two14;
-                const float total61 = total59*total60;
-                const float lost61 = lost60*total59 + fmaf(total59, total60, -(total59*total60));
-                const float half2 = half;
-                const float given52 = 0.5f*half2;
-                const float total532 = 1.0f - 0.5f*given52;
-                const float back312 = total532 - 1.0f;
-                const float lost532 = -back312 - 0.5f*given52;
-                const float decay_series_of5 = decay_series(given52);
-                const float curved52 = decay_series_of5*(given52*given52);
-                const float total542 = curved52 + total532;
-                const float back322 = -total532 + total542;
-                const float lost542 = -back322 + curved52;
-                const float mean_low62 = lost532 + lost542;
-                const float total552 = given52*total542;
-                const float lost552 = given52*mean_low62 +
-                    fmaf(given52, total542, -(given52*total542));
-                const float total562 = 1.0f - total552;
-                const float back332 = total562 - 1.0f;
-                const float lost562 = -back332 - total552;
-                const float fall_low62 = -lost552 + lost562;
-                const float total572 = (total562*total562);
-                const float lost572 = 2.0f*fall_low62*total562 +
-                    fmaf(total562, total562, -(total562*total562));
-                const float rest132 = rise_series(half2, total2);
-                const float total582 = rest132 + 0.5f;
-                const float back342 = -rest132 + total582;
-                const float rest142 = -back342 + total582;
-                const float one122 = rest132 - rest142;
-                const float two122 = 0.5f - back342;
-                const float lost582 = one122 + two122;
-                const float total592 = total572*total582;
-                const float lost592 = lost582*total572 +
-                    fmaf(total572, total582, -(total572*total582));
-                const float rest123 = together_series(half, total2);
-                const float total553 = rest123 + 0.5f;
-                const float back333 = -rest123 + total553;
-                const float rest133 = -back333 + total553;
-                const float one113 = rest123 - rest133;
-                const float two113 = 0.5f - back333;
-                const float lost553 = one113 + two113;
-                const float total563 = envelope*total553;
-                const float lost563 = envelope*lost553 +
-                    fmaf(envelope, total553, -(envelope*total553));
-                float fall_;
-                float fall_low2;
-                if (q < 0.75f) {
-                    const float given = q;
-                    const float total4 = 1.0f - 0.5f*given;
-                    const float back4 = total4 - 1.0f;
-                    const float lost4 = -back4 - 0.5f*given;
-                    const float decay_series_of = decay_series(given);
-                    const float curved = decay_series_of*(given*given);
-                    const float total5 = curved + total4;
-                    const float back5 = -total4 + total5;
-                    const float lost5 = -back5 + curved;
-                    const float mean_low = lost4 + lost5 - q_low*
-                        (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                    const float total6 = given*total5;
-                    const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                    const float total7 = 1.0f - total6;
-                    const float back6 = total7 - 1.0f;
-                    const float lost7 = -back6 - total6;
-                    const float fall_low = -lost6 + lost7 - q_low*total5;
-                    fall_ = total7;
-                    fall_low2 = fall_low;
-                } else {
-                    const float sunk = expf(-q);
-                    const float sunk_low = -q_low*sunk;
-                    fall_ = sunk;
-                    fall_low2 = sunk_low;
-                }
-                const float total283 = fall_ + 1.0f;
-                const float back202 = total283 - 1.0f;
-                const float lost283 = -back202 + fall_;
-                float fall2;
-                float fall_low4;
-                if (rate2 < 0.75f) {
-                    const float given2 = 2.0f*root;
-                    const float total10 = 1.0f - 0.5f*given2;
-                    const float back8 = total10 - 1.0f;
-                    const float lost10 = -back8 - 0.5f*given2;
-                    const float decay_series_of2 = decay_series(given2);
-                    const float curved2 = decay_series_of2*(given2*given2);
-                    const float total11 = curved2 + total10;
-                    const float back9 = -total10 + total11;
-                    const float lost11 = -back9 + curved2;
-                    const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                        (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                    const float total12 = given2*total11;
-                    const float lost12 = given2*mean_low3 +
-                        fmaf(given2, total11, -(given2*total11));
-                    const float total13 = 1.0f - total12;
-                    const float back10 = total13 - 1.0f;
-                    const float lost13 = -back10 - total12;
-                    const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                    fall2 = total13;
-                    fall_low4 = fall_low3;
-                } else {
-                    const float sunk2 = expf(-2.0f*root);
-                    const float sunk_low2 = -2.0f*root_low*sunk2;
-                    fall2 = sunk2;
-                    fall_low4 = sunk_low2;
-                }
-                const float fast = fall_*fall2;
-                const float lost292 = fall_*fall_low4 + fmaf(fall_, fall2, -(fall_*fall2));
-                const float low32 = fall2*fall_low2 + lost292;
-                const float total302 = fast + 1.0f;
-                const float back212 = total302 - 1.0f;
-                const float lost302 = -back212 + fast;
-                const float total312 = total283*total302;
-                const float lost312 = total283*(lost302 + low32) +
-                    fmaf(total283, total302, -(total283*total302));
-                apart_of = lost28 + total28;
-                fall_of = lost59*total60 + lost61 + total61;
-                nyquist_of = lost312 + total302*(fall_low2 + lost283) + total312;
-                rise_of = lost572*total582 + lost592 + total592;
-                together_of = 2.0f*lost563 + 2.0f*total563;
-            } else {
-                const float sign_low = lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float back3 = -half + total3;
-                const float lost3 = -back3 + root;
-                const float p_low = lost3 + root_low;
-                const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-                const float q = gamma/whole2;
-                const float off = gamma - q*whole2;
-                const float off2 = off - fmaf(whole2, q, -(whole2*q));
-                const float off3 = off2 - p_low*q;
-                const float q_low = off3/whole2;
-                const float rate2 = 2.0f*root;
-                const float envelope = expf(-half);
-                const float rest5 = apart_series(half, total2);
-                const float total27 = rest5 + 0.16666667f;
-                const float back17 = -rest5 + total27;
-                const float rest6 = -back17 + total27;
-                const float one4 = rest5 - rest6;
-                const float two4 = 0.16666667f - back17;
-                const float lost27 = one4 + two4;
-                const float total28 = envelope*total27;
-                const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-                const float rest123 = together_series(half, total2);
-                const float total553 = rest123 + 0.5f;
-                const float back333 = -rest123 + total553;
-                const float rest133 = -back333 + total553;
-                const float one113 = rest123 - rest133;
-                const float two113 = 0.5f - back333;
-                const float lost553 = one113 + two113;
-                const float total563 = envelope*total553;
-                const float lost563 = envelope*lost553 +
-                    fmaf(envelope, total553, -(envelope*total553));
-                float fall_;
-                float fall_low2;
-                float mean;
-                float mean_low2;
-                if (q < 0.75f) {
-                    const float given = q;
-                    const float total4 = 1.0f - 0.5f*given;
-                    const float back4 = total4 - 1.0f;
-                    const float lost4 = -back4 - 0.5f*given;
-                    const float decay_series_of = decay_series(given);
-                    const float curved = decay_series_of*(given*given);
-                    const float total5 = curved + total4;
-                    const float back5 = -total4 + total5;
-                    const float lost5 = -back5 + curved;
-                    const float mean_low = lost4 + lost5 - q_low*
-                        (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                    const float total6 = given*total5;
-                    const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                    const float total7 = 1.0f - total6;
-                    const float back6 = total7 - 1.0f;
-                    const float lost7 = -back6 - total6;
-                    const float fall_low = -lost6 + lost7 - q_low*total5;
-                    fall_ = total7;
-                    fall_low2 = fall_low;
-                    mean = total5;
-                    mean_low2 = mean_low;
-                } else {
-                    const float sunk = expf(-q);
-                    const float sunk_low = -q_low*sunk;
-                    const float total8 = 1.0f - sunk;
-                    const float back7 = total8 - 1.0f;
-                    const float lost8 = -back7 - sunk;
-                    const float bottom = q;
-                    const float total9 = total8/bottom;
-                    const float left4 = -bottom*total9 + total8;
-                    const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-                    const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-                    const float lost9 = left6/bottom;
-                    fall_ = sunk;
-                    fall_low2 = sunk_low;
-                    mean = total9;
-                    mean_low2 = lost9;
-                }
-                const float total283 = fall_ + 1.0f;
-                const float back202 = total283 - 1.0f;
-                const float lost283 = -back202 + fall_;
-                float fall2;
-                float fall_low4;
-                float mean2;
-                float mean_low4;
-                if (rate2 < 0.75f) {
-                    const float given2 = 2.0f*root;
-                    const float total10 = 1.0f - 0.5f*given2;
-                    const float back8 = total10 - 1.0f;
-                    const float lost10 = -back8 - 0.5f*given2;
-                    const float decay_series_of2 = decay_series(given2);
-                    const float curved2 = decay_series_of2*(given2*given2);
-                    const float total11 = curved2 + total10;
-                    const float back9 = -total10 + total11;
-                    const float lost11 = -back9 + curved2;
-                    const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                        (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                    const float total12 = given2*total11;
-                    const float lost12 = given2*mean_low3 +
-                        fmaf(given2, total11, -(given2*total11));
-                    const float total13 = 1.0f - total12;
-                    const float back10 = total13 - 1.0f;
-                    const float lost13 = -back10 - total12;
-                    const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                    fall2 = total13;
-                    fall_low4 = fall_low3;
-                    mean2 = total11;
-                    mean_low4 = mean_low3;
-                } else {
-                    const float sunk2 = expf(-2.0f*root);
-                    const float sunk_low2 = -2.0f*root_low*sunk2;
-                    const float total14 = 1.0f - sunk2;
-                    const float back11 = total14 - 1.0f;
-                    const float lost14 = -back11 - sunk2;
-                    const float bottom2 = 2.0f*root;
-                    const float total15 = total14/bottom2;
-                    const float left7 = -bottom2*total15 + total14;
-                    const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-                    const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-                    const float lost15 = left9/bottom2;
-                    fall2 = sunk2;
-                    fall_low4 = sunk_low2;
-                    mean2 = total15;
-                    mean_low4 = lost15;
-                }
-                const float fast = fall_*fall2;
-                const float total162 = fall2*mean;
-                const float lost162 = fall2*mean_low2 + fmaf(fall2, mean, -(fall2*mean));
-                const float pulled_low = fall_low4*mean + lost162;
-                const float total172 = mean2 - total162;
-                const float back122 = -mean2 + total172;
-                const float rest32 = -back122 + total172;
-                const float one22 = mean2 - rest32;
-                const float two22 = -back122 - total162;
-                const float lost172 = one22 + two22;
-                const float total182 = total172/whole2;
-                const float left102 = total172 - total182*whole2;
-                const float left112 = left102 - fmaf(total182, whole2, -(total182*whole2));
-                const float left122 = left112 + lost172 + mean_low4 - p_low*total182 - pulled_low;
-                const float lost182 = left122/whole2;
-                const float total192 = fall_*total182;
-                const float lost192 = fall_*lost182 + fmaf(fall_, total182, -(fall_*total182));
-                const float creep_ = fall_low2*total182 + lost192 + total192;
-                const float lost292 = fall_*fall_low4 + fmaf(fall_, fall2, -(fall_*fall2));
-                const float low32 = fall2*fall_low2 + lost292;
-                const float total302 = fast + 1.0f;
-                const float back212 = total302 - 1.0f;
-                const float lost302 = -back212 + fast;
-                const float total312 = total283*total302;
-                const float lost312 = total283*(lost302 + low32) +
-                    fmaf(total283, total302, -(total283*total302));
-                const float total163 = fall_*mean2;
-                const float lost163 = fall_*mean_low4 + fmaf(fall_, mean2, -(fall_*mean2));
-                const float pulled_low2 = fall_low2*mean2 + lost163;
-                const float total173 = mean - total163;
-                const float back123 = -mean + total173;
-                const float rest34 = -back123 + total173;
-                const float one24 = mean - rest34;
-                const float two24 = -back123 - total163;
-                const float lost173 = one24 + two24;
-                const float total183 = total173/whole2;
-                const float left103 = total173 - total183*whole2;
-                const float left113 = left103 - fmaf(total183, whole2, -(total183*whole2));
-                const float left123 = left113 + lost173 + mean_low2 - p_low*total183 - pulled_low2;
-                const float lost183 = left123/whole2;
-                apart_of = lost28 + total28;
-                fall_of = creep_;
-                nyquist_of = lost312 + total302*(fall_low2 + lost283) + total312;
-                rise_of = lost183 + total183;
-                together_of = 2.0f*lost563 + 2.0f*total563;
-            }
-        } else {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            const float whole3 = (delta*total3 == 0.0f ? 1.0f : delta*total3);
-            float fall_;
-            float fall_low2;
-            float mean;
-            float mean_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-                mean = total5;
-                mean_low2 = mean_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                const float total8 = 1.0f - sunk;
-                const float back7 = total8 - 1.0f;
-                const float lost8 = -back7 - sunk;
-                const float bottom = q;
-                const float total9 = total8/bottom;
-                const float left4 = -bottom*total9 + total8;
-                const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-                const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-                const float lost9 = left6/bottom;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-                mean = total9;
-                mean_low2 = lost9;
-            }
-            const float twice = 2.0f*fall_;
-            const float total283 = fall_ + 1.0f;
-            const float back202 = total283 - 1.0f;
-            const float lost283 = -back202 + fall_;
-            float fall2;
-            float fall_low4;
-            float mean2;
-            float mean_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-                mean2 = total11;
-                mean_low4 = mean_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                const float total14 = 1.0f - sunk2;
-                const float back11 = total14 - 1.0f;
-                const float lost14 = -back11 - sunk2;
-                const float bottom2 = 2.0f*root;
-                const float total15 = total14/bottom2;
-                const float left7 = -bottom2*total15 + total14;
-                const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-                const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-                const float lost15 = left9/bottom2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-                mean2 = total15;
-                mean_low4 = lost15;
-            }
-            const float fast = fall_*fall2;
-            const float total16 = mean2*twice;
-            const float lost16 = mean_low4*twice + fmaf(twice, mean2, -(twice*mean2));
-            const float total17 = mean - total16;
-            const float back12 = -mean + total17;
-            const float rest3 = -back12 + total17;
-            const float one2 = mean - rest3;
-            const float two2 = -back12 - total16;
-            const float lost17 = one2 + two2;
-            const float total18 = fast*mean;
-            const float lost18 = fast*mean_low2 + fmaf(fast, mean, -(fast*mean));
-            const float top = total17 + total18;
-            const float low = -lost16 + lost17 + lost18 + mean_low2;
-            const float total162 = fall2*mean;
-            const float lost162 = fall2*mean_low2 + fmaf(fall2, mean, -(fall2*mean));
-            const float pulled_low = fall_low4*mean + lost162;
-            const float total172 = mean2 - total162;
-            const float back122 = -mean2 + total172;
-            const float rest32 = -back122 + total172;
-            const float one22 = mean2 - rest32;
-            const float two22 = -back122 - total162;
-            const float lost172 = one22 + two22;
-            const float total182 = total172/whole2;
-            const float left102 = total172 - total182*whole2;
-            const float left112 = left102 - fmaf(total182, whole2, -(total182*whole2));
-            const float left122 = left112 + lost172 + mean_low4 - p_low*total182 - pulled_low;
-            const float lost182 = left122/whole2;
-            const float total192 = fall_*total182;
-            const float lost192 = fall_*lost182 + fmaf(fall_, total182, -(fall_*total182));
-            const float creep_ = fall_low2*total182 + lost192 + total192;
-            const float lost292 = fall_*fall_low4 + fmaf(fall_, fall2, -(fall_*fall2));
-            const float low32 = fall2*fall_low2 + lost292;
-            const float total302 = fast + 1.0f;
-            const float back212 = total302 - 1.0f;
-            const float lost302 = -back212 + fast;
-            const float total312 = total283*total302;
-            const float lost312 = total283*(lost302 + low32) +
-                fmaf(total283, total302, -(total283*total302));
-            const float total163 = fall_*mean2;
-            const float lost163 = fall_*mean_low4 + fmaf(fall_, mean2, -(fall_*mean2));
-            const float pulled_low2 = fall_low2*mean2 + lost163;
-            const float total173 = mean - total163;
-            const float back123 = -mean + total173;
-            const float rest34 = -back123 + total173;
-            const float one24 = mean - rest34;
-            const float two24 = -back123 - total163;
-            const float lost173 = one24 + two24;
-            const float total183 = total173/whole2;
-            const float left103 = total173 - total183*whole2;
-            const float left113 = left103 - fmaf(total183, whole2, -(total183*whole2));
-            const float left123 = left113 + lost173 + mean_low2 - p_low*total183 - pulled_low2;
-            const float lost183 = left123/whole2;
-            const float total523 = 1.0f - fast;
-            const float back323 = total523 - 1.0f;
-            const float lost523 = -back323 - fast;
-            const float total533 = mean*total523;
-            const float lost533 = mean*(lost523 - low32) + fmaf(mean, total523, -(mean*total523));
-            const float moved_low = lost533 + mean_low2*total523;
-            const float total543 = total533/whole2;
-            const float left253 = total533 - total543*whole2;
-            const float left263 = left253 - fmaf(total543, whole2, -(total543*whole2));
-            const float left273 = left263 + moved_low - p_low*total543;
-            const float lost543 = left273/whole2;
-            apart_of = (low + top)/whole3;
-            fall_of = creep_;
-            nyquist_of = lost312 + total302*(fall_low2 + lost283) + total312;
-            rise_of = lost183 + total183;
-            together_of = lost543 + total543;
-        }
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const float half = 0.5f*delta;
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        const float envelope = expf(-half);
+        *apart_out = apart_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        *fall_out = fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+            odd_low, gamma, near, sunk);
+        *nyquist_out = nyquist_swing(half, w, w_low, envelope, even, even_low, root);
+        *rise_out = rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
+        *together_out = together_swing(reach, half, w, w_low, envelope, root, gamma, near, moved);
+        return;
     }
-    *apart_out = apart_of;
-    *fall_out = fall_of;
-    *nyquist_out = nyquist_of;
-    *rise_out = rise_of;
-    *together_out = together_of;
+    const float half = 0.5f*delta;
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall_, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    *apart_out = apart_creep(reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
+        mean_low2);
+    *fall_out = fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *nyquist_out = nyquist_creep(fall_, fall_low, fall2, fall_low2);
+    *rise_out = rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+        mean_low, mean2, mean_low2);
+    *together_out = together_creep(reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
+        fall2, fall_low2);
     return;
 }
 
 // m2 - m1 + m0, M at z = -1 behind a fraction of a period
 static float late_apart(float epsilon, float x, float x_low, float y, float y_low, float first,
     float last, float turned) {
-    const float total = 1.0f - epsilon;
-    const float back = total - 1.0f;
-    const float lost = -back - epsilon;
-    const float total2 = epsilon*total;
-    const float lost2 = epsilon*lost + fmaf(epsilon, total, -(epsilon*total));
-    const float total3 = x*y;
-    const float lost3 = x*y_low + fmaf(x, y, -(x*y));
+    float total, lost; fast_two_sum(1.0f, -epsilon, &total, &lost);
+    float total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
+    float total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
     const float both_low = lost3 + x_low*y;
-    const float total4 = total2*total3;
-    const float lost4 = both_low*total2 + fmaf(total2, total3, -(total2*total3));
+    float total4, lost4; wide_prod(total2, total3, both_low, &total4, &lost4);
+    float total5, lost5; two_diff(first, 2.0f*total4, &total5, &lost5);
+    float total6, lost6; two_diff(total5, last, &total6, &lost6);
+    float total7, lost7; two_diff(total6, -turned, &total7, &lost7);
     const float low = lost2*total3 + lost4;
-    const float total5 = first - 2.0f*total4;
-    const float back2 = -first + total5;
-    const float rest = -back2 + total5;
-    const float one = first - rest;
-    const float two = -back2 - 2.0f*total4;
-    const float lost5 = one + two;
-    const float total6 = -last + total5;
-    const float back3 = -total5 + total6;
-    const float rest2 = -back3 + total6;
-    const float one2 = -rest2 + total5;
-    const float two2 = -back3 - last;
-    const float lost6 = one2 + two2;
-    const float total7 = total6 + turned;
-    const float back4 = -total6 + total7;
-    const float rest3 = -back4 + total7;
-    const float one3 = -rest3 + total6;
-    const float two3 = -back4 + turned;
-    const float lost7 = one3 + two3;
-    const float rest4 = lost5 + lost6;
-    const float rest5 = lost7 + rest4;
-    const float rest6 = -2.0f*low + rest5;
-    return rest6 + total7;
+    const float rest = lost5 + lost6;
+    const float rest2 = lost7 + rest;
+    const float rest3 = -2.0f*low + rest2;
+    return rest3 + total7;
 }
 
 // the fraction of a period in a delay
@@ -5601,12 +947,40 @@ static float cubic_root(float k0, float k1, float k2, float k3, float low, float
         const float move = (steep == 0.0f ? 0.0f : (k0 + y*(k1 + y*(k2 + k3*y)))/some);
         const float new_ = fminf(high, -move + y);
         const float new2 = fmaxf(low, new_);
-        const float next_y = new2;
         const float next_moves = (down*(-new2 + y) > 0.0f ? 1.0f : 0.0f);
-        y = next_y;
         moves = next_moves;
+        y = new2;
     }
     return y;
+}
+
+// the angle of x + j y in half turns, and the rest
+static void turn_angle(float x, float y, float *halves_out, float *rest_out) {
+    *halves_out = (x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f);
+    *rest_out = atan2f((x < 0.0f ? -y : y), fabsf(x));
+    return;
+}
+
+// the nearest whole number of turns in the phase at a crossing
+static float phase_turns(float y, float rest, float off, float alpha, float slope, float far,
+    float d, float n1, float loss, float together_, float apart_) {
+    const float at = fmaxf(0.0f, y);
+    const float still = fmaxf(0.0f, rest);
+    const float sine = 2.0f*sqrtf(at*still);
+    float halves, turned; turn_angle(off*(2.0f*loss - 4.0f), loss*sine, &halves, &turned);
+    float halves2, turned2;
+    turn_angle(-apart_*at + still*together_, n1*sine, &halves2, &turned2);
+    float halves3, turned3;
+    turn_angle(alpha*still - at*far, sine*slope, &halves3, &turned3);
+    const float half = atan2f((at > 2.0f ? sqrtf(still) : sqrtf(at)),
+        (at > 2.0f ? sqrtf(at) : sqrtf(still)));
+    const float late = d + 2.0f;
+    const float halves4 = -halves + halves2 + halves3 - (at > 2.0f ? late : 0.0f);
+    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - turned + turned2 +
+        turned3)/3.1415927f;
+    const float even = floorf(0.5f*halves4);
+    const float left = -even + 0.5f*halves4;
+    return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
 }
 
 // what the crossing on a piece, if there is one, adds
@@ -5618,40 +992,17 @@ static float piece_turns(float k0, float k1, float k2, float k3, float low, floa
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const float y = (zone == 0.0f ? x : (zone == 1.0f ? center + x : 4.0f - x));
         const float rest = (zone == 0.0f ? 4.0f - x : (zone == 1.0f ? beyond - x : x));
-        float turned4;
+        float turned;
         if ((rest > 0.0f) && (y > 0.0f)) {
             const float off = (zone == 0.0f ? -center + x : (zone == 1.0f ? x : beyond - x));
-            const float at = fmaxf(0.0f, y);
-            const float still = fmaxf(0.0f, rest);
-            const float sine = 2.0f*sqrtf(at*still);
-            const float x2 = off*(2.0f*loss - 4.0f);
-            const float y2 = loss*sine;
-            const float halves = (x2 < 0.0f ? (y2 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned = atan2f((x2 < 0.0f ? -y2 : y2), fabsf(x2));
-            const float x3 = -apart_*at + still*together_;
-            const float y3 = n1*sine;
-            const float halves2 = (x3 < 0.0f ? (y3 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned2 = atan2f((x3 < 0.0f ? -y3 : y3), fabsf(x3));
-            const float x4 = alpha*still - at*far;
-            const float y4 = sine*slope;
-            const float halves3 = (x4 < 0.0f ? (y4 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned3 = atan2f((x4 < 0.0f ? -y4 : y4), fabsf(x4));
-            const float half = atan2f((at > 2.0f ? sqrtf(still) : sqrtf(at)),
-                (at > 2.0f ? sqrtf(at) : sqrtf(still)));
-            const float late = d + 2.0f;
-            const float halves4 = -halves + halves2 + halves3 - (at > 2.0f ? late : 0.0f);
-            const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - turned +
-                turned2 + turned3)/3.1415927f;
-            const float even = floorf(0.5f*halves4);
-            const float left = -even + 0.5f*halves4;
-            const float turns = even + (left == 0.5f ? floorf(share) + 1.0f :
-                floorf(left + share + 0.5f));
+            const float found = phase_turns(y, rest, off, alpha, slope, far, d, n1, loss,
+                together_, apart_);
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
-            turned4 = -2.0f*rises*turns;
+            turned = -2.0f*found*rises;
         } else {
-            turned4 = 0.0f;
+            turned = 0.0f;
         }
-        return turned4;
+        return turned;
     }
     return 0.0f;
 }
@@ -5674,13 +1025,10 @@ static float zone_turns(float k0, float k1, float k2, float k3, float low, float
         const float q = -k2 - (k2 < 0.0f ? -root : root);
         const float some2 = (fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f);
         const float at2 = q/some2;
-        const float cut2 = ((at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 :
-            low);
         const float some3 = (fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f);
         const float at3 = k1/some3;
-        const float cut3 = ((at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low);
-        one = cut2;
-        two = cut3;
+        one = ((at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low);
+        two = ((at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low);
     }
     const float less = fminf(one, two);
     const float more = fmaxf(one, two);
@@ -5697,9 +1045,8 @@ static float zone_turns(float k0, float k1, float k2, float k3, float low, float
         alpha, slope, far, n1, loss, together_, apart_, center, beyond, d);
     const float found3 = found2 + piece_turns(k0, k1, k2, k3, middle2, last, height2, height3,
         zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d);
-    const float found4 = found3 + piece_turns(k0, k1, k2, k3, last, high, height3, at_high, zone,
-        alpha, slope, far, n1, loss, together_, apart_, center, beyond, d);
-    return found4;
+    return found3 + piece_turns(k0, k1, k2, k3, last, high, height3, at_high, zone, alpha, slope,
+        far, n1, loss, together_, apart_, center, beyond, d);
 }
 
 // roots outside the unit circle, behind a fractional delay
@@ -5793,6 +1140,41 @@ static float whole_part(float d) {
     return floorf(d);
 }
 
+// the turns at a crossing, if there is one
+static float crossing_turns(float y, float rest, float off, float center, float beyond,
+    float alpha, float slope, float far, float d, float n1, float loss, float together_,
+    float apart_) {
+    const float edge = (rest > y ? y : rest);
+    if ((edge < 4.0f) && (rest > 0.0f) && (y > 0.0f)) {
+        const float inside = ((beyond - off > 0.0f) && (center + off > 0.0f) &&
+            (edge > fabsf(off)) ? 1.0f : 0.0f);
+        const float at = (inside > 0.0f ? center + off : (rest > y ? y : 4.0f - rest));
+        const float still = (inside > 0.0f ? beyond - off : (rest > y ? 4.0f - y : rest));
+        const float away = (inside > 0.0f ? off : (rest > y ? -center + y : beyond - rest));
+        return phase_turns(at, still, away, alpha, slope, far, d, n1, loss, together_, apart_);
+    }
+    return 0.0f;
+}
+
+// (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
+static void quadratic_roots(float c, float b, float a, float root, float *low_out,
+    float *high_out) {
+    if (b >= 0.0f) {
+        const float q = -0.5f*b - 0.5f*root;
+        const float lead_ = (a == 0.0f ? 1.0f : a);
+        const float own = (q == 0.0f ? 1.0f : q);
+        *low_out = (a == 0.0f ? -1.0f : q/lead_);
+        *high_out = (q == 0.0f ? -1.0f : c/own);
+        return;
+    }
+    const float q = -0.5f*b + 0.5f*root;
+    const float lead_ = (a == 0.0f ? 1.0f : a);
+    const float own = (q == 0.0f ? 1.0f : q);
+    *low_out = (q == 0.0f ? -1.0f : c/own);
+    *high_out = (a == 0.0f ? -1.0f : q/lead_);
+    return;
+}
+
 // roots outside the unit circle
 static float whole_roots(float alpha, float beta, float d, float n1, float n0, float at_one,
     float at_minus_one, float loss, float together_, float apart_) {
@@ -5837,246 +1219,30 @@ static float whole_roots(float alpha, float beta, float d, float n1, float n0, f
         (apart_ > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     float disc4;
     if ((size >= size2) && (size2 <= size3)) {
-        const float disc2 = -product2 + square3;
-        disc4 = disc2;
+        disc4 = -product2 + square3;
     } else {
         if ((size > size3) && (size2 > size3)) {
-            const float disc3 = -product3 + square4;
-            disc4 = disc3;
+            disc4 = -product3 + square4;
         } else {
-            const float disc = -product + square2;
-            disc4 = disc;
+            disc4 = -product + square2;
         }
     }
-    float total3;
+    float total;
     if (disc4 >= 0.0f) {
-        float low;
-        float high;
-        if (near1 >= 0.0f) {
-            const float positive = disc4;
-            const float root = sqrtf(positive);
-            const float q = -0.5f*near1 - 0.5f*root;
-            float one;
-            if (square == 0.0f) {
-                one = -1.0f;
-            } else {
-                const float lead_ = square;
-                one = q/lead_;
-            }
-            float two;
-            if (q == 0.0f) {
-                two = -1.0f;
-            } else {
-                const float own = q;
-                two = near0/own;
-            }
-            low = one;
-            high = two;
-        } else {
-            const float positive = disc4;
-            const float root = sqrtf(positive);
-            const float q = -0.5f*near1 + 0.5f*root;
-            float one;
-            if (square == 0.0f) {
-                one = -1.0f;
-            } else {
-                const float lead_ = square;
-                one = q/lead_;
-            }
-            float two;
-            if (q == 0.0f) {
-                two = -1.0f;
-            } else {
-                const float own = q;
-                two = near0/own;
-            }
-            low = two;
-            high = one;
-        }
-        float low3;
-        float high3;
-        if (far1 >= 0.0f) {
-            const float positive = disc4;
-            const float root = sqrtf(positive);
-            const float q3 = -0.5f*far1 - 0.5f*root;
-            float one3;
-            if (square == 0.0f) {
-                one3 = -1.0f;
-            } else {
-                const float lead3 = square;
-                one3 = q3/lead3;
-            }
-            float two3;
-            if (q3 == 0.0f) {
-                two3 = -1.0f;
-            } else {
-                const float own4 = q3;
-                two3 = far0/own4;
-            }
-            low3 = one3;
-            high3 = two3;
-        } else {
-            const float positive = disc4;
-            const float root = sqrtf(positive);
-            const float q3 = -0.5f*far1 + 0.5f*root;
-            float one3;
-            if (square == 0.0f) {
-                one3 = -1.0f;
-            } else {
-                const float lead3 = square;
-                one3 = q3/lead3;
-            }
-            float two3;
-            if (q3 == 0.0f) {
-                two3 = -1.0f;
-            } else {
-                const float own4 = q3;
-                two3 = far0/own4;
-            }
-            low3 = two3;
-            high3 = one3;
-        }
-        const float edge = (high3 > low ? low : high3);
-        const float edge2 = (high < low3 ? high : low3);
-        float found;
-        if ((edge < 4.0f) && (high3 > 0.0f) && (low > 0.0f)) {
-            const float late = d + 2.0f;
-            float low2;
-            if (own1 >= 0.0f) {
-                float one2;
-                if (own2 == 0.0f) {
-                    one2 = -1.0f;
-                } else {
-                    const float positive = disc4;
-                    const float root = sqrtf(positive);
-                    const float q2 = -0.5f*own1 - 0.5f*root;
-                    const float lead2 = own2;
-                    one2 = q2/lead2;
-                }
-                low2 = one2;
-            } else {
-                const float positive = disc4;
-                const float root = sqrtf(positive);
-                const float q2 = -0.5f*own1 + 0.5f*root;
-                float two2;
-                if (q2 == 0.0f) {
-                    two2 = -1.0f;
-                } else {
-                    const float own3 = q2;
-                    two2 = own0/own3;
-                }
-                low2 = two2;
-            }
-            const float at = ((beyond - low2 > 0.0f) && (center + low2 > 0.0f) &&
-                (edge > fabsf(low2)) ? center + low2 : (high3 > low ? low : 4.0f - high3));
-            const float still = ((beyond - low2 > 0.0f) && (center + low2 > 0.0f) &&
-                (edge > fabsf(low2)) ? beyond - low2 : (high3 > low ? 4.0f - low : high3));
-            const float away = ((beyond - low2 > 0.0f) && (center + low2 > 0.0f) &&
-                (edge > fabsf(low2)) ? low2 : (high3 > low ? -center + low : beyond - high3));
-            const float at2 = at;
-            const float still2 = still;
-            const float at3 = fmaxf(0.0f, at2);
-            const float still3 = fmaxf(0.0f, still2);
-            const float sine2 = 2.0f*sqrtf(at3*still3);
-            const float x = away*(-2.0f*e - 2.0f);
-            const float y = loss*sine2;
-            const float halves = (x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned = atan2f((x < 0.0f ? -y : y), fabsf(x));
-            const float x2 = -apart_*at3 + still3*together_;
-            const float y2 = n1*sine2;
-            const float halves2 = (x2 < 0.0f ? (y2 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned2 = atan2f((x2 < 0.0f ? -y2 : y2), fabsf(x2));
-            const float x3 = alpha*still3 - at3*wall_far;
-            const float y3 = sine2*slope;
-            const float halves3 = (x3 < 0.0f ? (y3 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned3 = atan2f((x3 < 0.0f ? -y3 : y3), fabsf(x3));
-            const float half = atan2f((at3 > 2.0f ? sqrtf(still3) : sqrtf(at3)),
-                (at3 > 2.0f ? sqrtf(at3) : sqrtf(still3)));
-            const float halves4 = -halves + halves2 + halves3 - (at3 > 2.0f ? late : 0.0f);
-            const float share = 0.5f*(-late*(at3 > 2.0f ? -2.0f*half : 2.0f*half) - turned +
-                turned2 + turned3)/3.1415927f;
-            const float even = floorf(0.5f*halves4);
-            const float left = -even + 0.5f*halves4;
-            const float turns = even + (left == 0.5f ? floorf(share) + 1.0f :
-                floorf(left + share + 0.5f));
-            found = 2.0f*turns;
-        } else {
-            found = 0.0f;
-        }
-        const float total = found;
-        float found2;
-        if ((edge2 < 4.0f) && (high > 0.0f) && (low3 > 0.0f)) {
-            const float late2 = d + 2.0f;
-            float high2;
-            if (own1 >= 0.0f) {
-                const float positive = disc4;
-                const float root = sqrtf(positive);
-                const float q2 = -0.5f*own1 - 0.5f*root;
-                float two2;
-                if (q2 == 0.0f) {
-                    two2 = -1.0f;
-                } else {
-                    const float own3 = q2;
-                    two2 = own0/own3;
-                }
-                high2 = two2;
-            } else {
-                float one2;
-                if (own2 == 0.0f) {
-                    one2 = -1.0f;
-                } else {
-                    const float positive = disc4;
-                    const float root = sqrtf(positive);
-                    const float q2 = -0.5f*own1 + 0.5f*root;
-                    const float lead2 = own2;
-                    one2 = q2/lead2;
-                }
-                high2 = one2;
-            }
-            const float at4 = ((beyond - high2 > 0.0f) && (center + high2 > 0.0f) &&
-                (edge2 > fabsf(high2)) ? center + high2 : (high < low3 ? high : 4.0f - low3));
-            const float still4 = ((beyond - high2 > 0.0f) && (center + high2 > 0.0f) &&
-                (edge2 > fabsf(high2)) ? beyond - high2 : (high < low3 ? 4.0f - high : low3));
-            const float away2 = ((beyond - high2 > 0.0f) && (center + high2 > 0.0f) &&
-                (edge2 > fabsf(high2)) ? high2 : (high < low3 ? -center + high : beyond - low3));
-            const float at5 = at4;
-            const float still5 = still4;
-            const float at6 = fmaxf(0.0f, at5);
-            const float still6 = fmaxf(0.0f, still5);
-            const float sine3 = 2.0f*sqrtf(at6*still6);
-            const float x4 = away2*(-2.0f*e - 2.0f);
-            const float y4 = loss*sine3;
-            const float halves5 = (x4 < 0.0f ? (y4 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned4 = atan2f((x4 < 0.0f ? -y4 : y4), fabsf(x4));
-            const float x5 = -apart_*at6 + still6*together_;
-            const float y5 = n1*sine3;
-            const float halves6 = (x5 < 0.0f ? (y5 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned5 = atan2f((x5 < 0.0f ? -y5 : y5), fabsf(x5));
-            const float x6 = alpha*still6 - at6*wall_far;
-            const float y6 = sine3*slope;
-            const float halves7 = (x6 < 0.0f ? (y6 < 0.0f ? -1.0f : 1.0f) : 0.0f);
-            const float turned6 = atan2f((x6 < 0.0f ? -y6 : y6), fabsf(x6));
-            const float half2 = atan2f((at6 > 2.0f ? sqrtf(still6) : sqrtf(at6)),
-                (at6 > 2.0f ? sqrtf(at6) : sqrtf(still6)));
-            const float halves8 = -halves5 + halves6 + halves7 - (at6 > 2.0f ? late2 : 0.0f);
-            const float share2 = 0.5f*(-late2*(at6 > 2.0f ? -2.0f*half2 : 2.0f*half2) - turned4 +
-                turned5 + turned6)/3.1415927f;
-            const float even2 = floorf(0.5f*halves8);
-            const float left2 = -even2 + 0.5f*halves8;
-            const float turns2 = even2 + (left2 == 0.5f ? floorf(share2) + 1.0f :
-                floorf(left2 + share2 + 0.5f));
-            found2 = -2.0f*turns2;
-        } else {
-            found2 = 0.0f;
-        }
-        const float total2 = found2 + total;
-        total3 = total2;
+        const float root = sqrtf(disc4);
+        float low, high; quadratic_roots(near0, near1, square, root, &low, &high);
+        float low2, high2; quadratic_roots(own0, own1, own2, root, &low2, &high2);
+        float low3, high3; quadratic_roots(far0, far1, square, root, &low3, &high3);
+        total = -2.0f*crossing_turns(high, low3, high2, center, beyond, alpha, slope, wall_far, d,
+            n1, loss, together_, apart_) + 2.0f*
+            crossing_turns(low, high3, low2, center, beyond, alpha, slope, wall_far, d, n1, loss,
+            together_, apart_);
     } else {
-        total3 = 0.0f;
+        total = 0.0f;
     }
-    const float total4 = total3 + (((((near1 == 0.0f) && (square < 0.0f)) || (near1 < 0.0f)) &&
+    const float total2 = total + (((((near1 == 0.0f) && (square < 0.0f)) || (near1 < 0.0f)) &&
         (near0 == 0.0f)) || (near0 < 0.0f) ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
-    return total4 - (((((far1 == 0.0f) && (square < 0.0f)) || (far1 < 0.0f)) && (far0 == 0.0f)) ||
+    return total2 - (((((far1 == 0.0f) && (square < 0.0f)) || (far1 < 0.0f)) && (far0 == 0.0f)) ||
         (far0 < 0.0f) ? end : 0.0f);
 }
 
@@ -6087,881 +1253,59 @@ static void ahead_in_phase(float psi, float at_one, float at_minus_one, float lo
     const float square = (t*t);
     const float low = fmaf(t, t, -(t*t));
     const float taken = at_minus_one*square;
-    const float total = at_one - taken;
-    const float back = -at_one + total;
-    const float rest = -back + total;
-    const float one = at_one - rest;
-    const float two = -back - taken;
-    const float lost = one + two;
+    float total, lost; two_diff(at_one, taken, &total, &lost);
     const float missed = at_minus_one*low + fmaf(at_minus_one, square, -(at_minus_one*square));
     const float lost2 = lost - missed;
-    const float total2 = lost2 + total;
-    const float back2 = -total + total2;
-    const float lost3 = -back2 + lost2;
+    float total2, lost3; fast_two_sum(total, lost2, &total2, &lost3);
     const float taken2 = apart_*square;
-    const float total3 = -taken2 + together_;
-    const float back3 = -together_ + total3;
-    const float rest2 = -back3 + total3;
-    const float one2 = -rest2 + together_;
-    const float two2 = -back3 - taken2;
-    const float lost4 = one2 + two2;
+    float total3, lost4; two_diff(together_, taken2, &total3, &lost4);
     const float missed2 = apart_*low + fmaf(apart_, square, -(apart_*square));
     const float lost5 = lost4 - missed2;
-    const float total4 = lost5 + total3;
-    const float back4 = -total3 + total4;
-    const float lost6 = -back4 + lost5;
+    float total4, lost6; fast_two_sum(total3, lost5, &total4, &lost6);
     const float above_j = 2.0f*loss*t;
     const float below_j = across*t;
-    const float rest3 = (below_j*below_j) + 2.0f*lost6*total4;
-    const float size = rest3 + (total4*total4);
+    const float rest = (below_j*below_j) + 2.0f*lost6*total4;
+    const float size = rest + (total4*total4);
     const float low2 = above_j*lost6 - below_j*lost3;
     const float found = above_j*total4 - below_j*total2;
     const float found2 = found + low2;
-    const float ahead_of = found2/size;
     const float low22 = lost3*total4 + lost6*total2;
-    const float rest4 = above_j*below_j + low22;
-    const float found3 = rest4 + total2*total4;
-    const float in_phase_of = found3/size;
-    *ahead_out = ahead_of;
-    *in_phase_out = in_phase_of;
+    const float rest2 = above_j*below_j + low22;
+    const float found3 = rest2 + total2*total4;
+    *ahead_out = found2/size;
+    *in_phase_out = found3/size;
     return;
 }
 
 // (n1 - n0)/delta; 1 + a + e; n1 + n0
 static void apart_nyquist_together(float gamma, float delta, float *apart_out, float *nyquist_out,
     float *together_out) {
-    const float half = 0.5f*delta;
-    const float square = (half*half);
-    const float total = -gamma + square;
-    const float back = -square + total;
-    const float rest = -back + total;
-    const float one = -rest + square;
-    const float two = -back - gamma;
-    const float lost = one + two;
-    const float rest2 = lost + fmaf(half, half, -(half*half));
-    const float total2 = rest2 + total;
-    const float back2 = -total + total2;
-    const float lost2 = -back2 + rest2;
-    float apart_of;
-    float nyquist_of;
-    float together_of;
-    if (total2 < 0.0f) {
-        const float reach = 0.25f*gamma;
-        if (reach < 1.0f) {
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float rest5 = apart_series(half, total2);
-            const float total27 = rest5 + 0.16666667f;
-            const float back17 = -rest5 + total27;
-            const float rest6 = -back17 + total27;
-            const float one4 = rest5 - rest6;
-            const float two4 = 0.16666667f - back17;
-            const float lost27 = one4 + two4;
-            const float total28 = envelope*total27;
-            const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-            const float twice2 = 2.0f*envelope;
-            const float rest12 = together_series(half, total2);
-            const float total55 = rest12 + 0.5f;
-            const float back33 = -rest12 + total55;
-            const float rest13 = -back33 + total55;
-            const float one11 = rest12 - rest13;
-            const float two11 = 0.5f - back33;
-            const float lost55 = one11 + two11;
-            const float total56 = envelope*total55;
-            const float lost56 = envelope*lost55 + fmaf(envelope, total55, -(envelope*total55));
-            float even;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float total19 = 0.5f*given3 + 1.0f;
-                const float cos_series_of = cos_series(given3);
-                const float curved3 = cos_series_of*(given3*given3);
-                const float total20 = curved3 + total19;
-                even = total20;
-            } else {
-                const float size = fabsf(total2);
-                const float root = sqrtf(size);
-                const float cosine = cosf(root);
-                even = cosine;
-            }
-            const float total262 = even*twice2;
-            if (total262 > 0.0f) {
-                const float e = expf(-delta);
-                const float total252 = e + 1.0f;
-                const float back18 = total252 - 1.0f;
-                const float lost252 = -back18 + e;
-                const float total272 = total252 + total262;
-                const float back19 = -total252 + total272;
-                const float lost272 = -back19 + total262;
-                float even_low2;
-                if (square2 > -1.5f) {
-                    const float given3 = square2;
-                    const float total19 = 0.5f*given3 + 1.0f;
-                    const float back13 = total19 - 1.0f;
-                    const float lost19 = -back13 + 0.5f*given3;
-                    const float cos_series_of = cos_series(given3);
-                    const float curved3 = cos_series_of*(given3*given3);
-                    const float total20 = curved3 + total19;
-                    const float back14 = -total19 + total20;
-                    const float lost20 = -back14 + curved3;
-                    const float even_low = lost19 + 0.5f*lost2 + lost20;
-                    even_low2 = even_low;
-                } else {
-                    const float size = fabsf(total2);
-                    const float root = sqrtf(size);
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float sine = sinf(root);
-                    even_low2 = -root_low*sine;
-                }
-                const float lost262 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                apart_of = lost28 + total28;
-                nyquist_of = lost252 + lost262 + lost272 + total272;
-                together_of = 2.0f*lost56 + 2.0f*total56;
-            } else {
-                const float size = fabsf(total2);
-                const float root = sqrtf(size);
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float expm1_of = expm1f(-half);
-                const float grown = -0.5f*expm1_of;
-                const float angle = 0.5f*root;
-                const float wave = cosf(angle);
-                const float sin_of = sinf(angle);
-                const float back72 = 0.5f*root_low*sin_of;
-                const float total92 = -back72 + wave;
-                const float back82 = total92 - wave;
-                const float rest32 = -back82 + total92;
-                const float one22 = -rest32 + wave;
-                const float two22 = -back72 - back82;
-                const float lost92 = one22 + two22;
-                const float total102 = (total92*total92);
-                const float lost102 = fmaf(total92, total92, -(total92*total92));
-                const float low2 = lost102 + 2.0f*lost92*total92;
-                const float total112 = envelope*total102;
-                const float lost112 = envelope*low2 +
-                    fmaf(envelope, total102, -(envelope*total102));
-                const float total122 = (grown*grown) + total112;
-                const float back92 = -total112 + total122;
-                const float rest42 = -back92 + total122;
-                const float one32 = -rest42 + total112;
-                const float two32 = -back92 + (grown*grown);
-                const float lost122 = one32 + two32;
-                const float low22 = lost112 + lost122;
-                apart_of = lost28 + total28;
-                nyquist_of = 4.0f*low22 + 4.0f*total122;
-                together_of = 2.0f*lost56 + 2.0f*total56;
-            }
-        } else {
-            const float size = fabsf(total2);
-            const float root = sqrtf(size);
-            const float square2 = total2;
-            const float envelope = expf(-half);
-            const float stiff = gamma;
-            const float mean3 = decay(delta);
-            const float twice2 = 2.0f*envelope;
-            float even;
-            float odd;
-            float odd_low2;
-            if (square2 > -1.5f) {
-                const float given3 = square2;
-                const float total19 = 0.5f*given3 + 1.0f;
-                const float cos_series_of = cos_series(given3);
-                const float curved3 = cos_series_of*(given3*given3);
-                const float total20 = curved3 + total19;
-                const float sin_series_of = sin_series(given3);
-                const float bent = given3*sin_series_of;
-                const float total21 = bent + 1.0f;
-                const float back15 = total21 - 1.0f;
-                const float lost21 = -back15 + bent;
-                const float odd_low = 0.16666667f*lost2 + lost21;
-                even = total20;
-                odd = total21;
-                odd_low2 = odd_low;
-            } else {
-                const float sign_low = -lost2;
-                const float left = -(root*root) + size;
-                const float left2 = left - fmaf(root, root, -(root*root));
-                const float left3 = left2 + sign_low;
-                const float whole = (root == 0.0f ? 1.0f : root);
-                const float root_low = 0.5f*left3/whole;
-                const float sine = sinf(root);
-                const float cosine = cosf(root);
-                const float some = root;
-                const float total22 = sine/some;
-                const float left10 = sine - some*total22;
-                const float left11 = left10 - fmaf(total22, some, -(total22*some));
-                const float left12 = cosine*root_low + left11 - root_low*total22;
-                const float lost22 = left12/some;
-                even = cosine;
-                odd = total22;
-                odd_low2 = lost22;
-            }
-            const float total24 = envelope*odd;
-            const float lost24 = envelope*odd_low2 + fmaf(envelope, odd, -(envelope*odd));
-            const float total25 = mean3 - total24;
-            const float back16 = -mean3 + total25;
-            const float rest4 = -back16 + total25;
-            const float one3 = mean3 - rest4;
-            const float two3 = -back16 - total24;
-            const float lost25 = one3 + two3;
-            const float total26 = total25/stiff;
-            const float left13 = -stiff*total26 + total25;
-            const float left14 = left13 - fmaf(total26, stiff, -(total26*stiff));
-            const float left15 = left14 - lost24 + lost25;
-            const float lost26 = left15/stiff;
-            const float total262 = even*twice2;
-            float count;
-            if (root < 4096.0f) {
-                count = floorf(0.5f*root/3.1415927f + 0.5f);
-            } else {
-                count = 0.0f;
-            }
-            const float turns = (count*count);
-            const float total142 = 39.478416f*turns;
-            const float lost142 = fmaf(turns, 39.478416f, -(turns*39.478416f));
-            const float total152 = 1.1614864e-06f*turns;
-            const float lost152 = fmaf(turns, 1.1614864e-06f, -(turns*1.1614864e-06f));
-            const float total162 = -total142 - total2;
-            const float back102 = total162 + total2;
-            const float rest52 = -back102 + total162;
-            const float one42 = -rest52 - total2;
-            const float two42 = -back102 - total142;
-            const float lost162 = one42 + two42;
-            const float total172 = -lost142 + total162;
-            const float back112 = -total162 + total172;
-            const float rest62 = -back112 + total172;
-            const float one5 = -rest62 + total162;
-            const float two5 = -back112 - lost142;
-            const float lost172 = one5 + two5;
-            const float total182 = -total152 + total172;
-            const float back122 = -total172 + total182;
-            const float rest7 = -back122 + total182;
-            const float one6 = -rest7 + total172;
-            const float two6 = -back122 - total152;
-            const float lost182 = one6 + two6;
-            const float total192 = -lost2 + total182;
-            const float back132 = -total182 + total192;
-            const float rest8 = -back132 + total192;
-            const float one7 = -rest8 + total182;
-            const float two7 = -back132 - lost2;
-            const float lost192 = one7 + two7;
-            const float low32 = -lost152 + lost162 + lost172 + lost182 + lost192 + 1.1704737e-14f*
-                turns;
-            const float total202 = low32 + total192;
-            const float total212 = 6.2831855f*count;
-            const float total222 = root + total212;
-            const float whole32 = (total222 == 0.0f ? 1.0f : total222);
-            const float total232 = total202/whole32;
-            const float far = (total232*total232);
-            if (total262 > 0.0f) {
-                if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float e = expf(-delta);
-                    const float total252 = e + 1.0f;
-                    const float back18 = total252 - 1.0f;
-                    const float lost252 = -back18 + e;
-                    const float total272 = total252 + total262;
-                    const float back19 = -total252 + total272;
-                    const float lost272 = -back19 + total262;
-                    const float back142 = -total192 + total202;
-                    const float rest9 = -back142 + total202;
-                    const float one8 = -rest9 + total192;
-                    const float two8 = -back142 + low32;
-                    const float lost202 = one8 + two8;
-                    const float lost212 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                    const float back152 = -root + total222;
-                    const float rest10 = -back152 + total222;
-                    const float one9 = -rest10 + root;
-                    const float two9 = -back152 + total212;
-                    const float lost222 = one9 + two9;
-                    const float both_low = -1.7484555e-07f*count + lost212 + lost222 + root_low;
-                    const float left102 = total202 - total232*whole32;
-                    const float left112 = left102 - fmaf(total232, whole32, -(total232*whole32));
-                    const float left122 = -both_low*total232 + left112 + lost202;
-                    const float lost232 = left122/whole32;
-                    const float eta = total232;
-                    const float eta_low = lost232;
-                    const float total242 = (eta*eta);
-                    const float lost242 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                    const float cos_series_of2 = cos_series(-total242);
-                    const float bent2 = cos_series_of2*(total242*total242);
-                    const float total253 = -bent2 + 0.5f*total242;
-                    const float back162 = -0.5f*total242 + total253;
-                    const float lost253 = -back162 - bent2;
-                    const float sin_series_of2 = sin_series(-total242);
-                    const float total263 = -sin_series_of2*total242 + 1.0f;
-                    const float lift_low = 0.5f*lost242*total263 + lost253;
-                    const float given22 = half;
-                    const float total29 = 1.0f - 0.5f*given22;
-                    const float back182 = total29 - 1.0f;
-                    const float lost292 = -back182 - 0.5f*given22;
-                    const float decay_series_of3 = decay_series(given22);
-                    const float curved22 = decay_series_of3*(given22*given22);
-                    const float total302 = curved22 + total29;
-                    const float back192 = -total29 + total302;
-                    const float lost302 = -back192 + curved22;
-                    const float mean_low5 = lost292 + lost302;
-                    const float total312 = given22*total302;
-                    const float lost312 = given22*mean_low5 +
-                        fmaf(given22, total302, -(given22*total302));
-                    const float total32 = 1.0f - total312;
-                    const float back202 = total32 - 1.0f;
-                    const float lost32 = -back202 - total312;
-                    const float fall_low5 = -lost312 + lost32;
-                    const float total33 = 1.0f - total32;
-                    const float back212 = total33 - 1.0f;
-                    const float lost33 = -back212 - total32;
-                    const float low42 = -fall_low5 + lost33;
-                    const float total34 = low42 + total33;
-                    const float back22 = -total33 + total34;
-                    const float lost34 = -back22 + low42;
-                    const float total35 = (total34*total34);
-                    const float lost35 = 2.0f*lost34*total34 +
-                        fmaf(total34, total34, -(total34*total34));
-                    const float total36 = total253*total32;
-                    const float lost36 = lift_low*total32 +
-                        fmaf(total32, total253, -(total32*total253));
-                    const float total37 = total35 + 2.0f*total36;
-                    const float back23 = -total35 + total37;
-                    const float rest11 = -back23 + total37;
-                    const float one10 = -rest11 + total35;
-                    const float two10 = -back23 + 2.0f*total36;
-                    const float lost37 = one10 + two10;
-                    const float low5 = 2.0f*fall_low5*total253 + lost35 + 2.0f*lost36 + lost37;
-                    const float total38 = total37/stiff;
-                    const float left16 = -stiff*total38 + total37;
-                    const float left17 = left16 - fmaf(total38, stiff, -(total38*stiff));
-                    const float left18 = left17 + low5;
-                    const float lost38 = left18/stiff;
-                    float even_low2;
-                    if (square2 > -1.5f) {
-                        const float given3 = square2;
-                        const float total19 = 0.5f*given3 + 1.0f;
-                        const float back13 = total19 - 1.0f;
-                        const float lost19 = -back13 + 0.5f*given3;
-                        const float cos_series_of = cos_series(given3);
-                        const float curved3 = cos_series_of*(given3*given3);
-                        const float total20 = curved3 + total19;
-                        const float back14 = -total19 + total20;
-                        const float lost20 = -back14 + curved3;
-                        const float even_low = lost19 + 0.5f*lost2 + lost20;
-                        even_low2 = even_low;
-                    } else {
-                        const float sine = sinf(root);
-                        even_low2 = -root_low*sine;
-                    }
-                    const float lost262 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                    apart_of = lost26 + total26;
-                    nyquist_of = lost252 + lost262 + lost272 + total272;
-                    together_of = lost38 + total38;
-                } else {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float expm1_of = expm1f(-half);
-                    const float grown = -0.5f*expm1_of;
-                    const float angle = 0.5f*root;
-                    const float wave = cosf(angle);
-                    const float sin_of = sinf(angle);
-                    const float e = expf(-delta);
-                    const float total252 = e + 1.0f;
-                    const float back18 = total252 - 1.0f;
-                    const float lost252 = -back18 + e;
-                    const float total272 = total252 + total262;
-                    const float back19 = -total252 + total272;
-                    const float lost272 = -back19 + total262;
-                    const float back73 = -0.5f*root_low*wave;
-                    const float total93 = -back73 + sin_of;
-                    const float back83 = -sin_of + total93;
-                    const float rest33 = -back83 + total93;
-                    const float one23 = -rest33 + sin_of;
-                    const float two23 = -back73 - back83;
-                    const float lost93 = one23 + two23;
-                    const float total103 = (total93*total93);
-                    const float lost103 = fmaf(total93, total93, -(total93*total93));
-                    const float low4 = lost103 + 2.0f*lost93*total93;
-                    const float total113 = envelope*total103;
-                    const float lost113 = envelope*low4 +
-                        fmaf(envelope, total103, -(envelope*total103));
-                    const float total123 = (grown*grown) + total113;
-                    const float back93 = -total113 + total123;
-                    const float rest43 = -back93 + total123;
-                    const float one33 = -rest43 + total113;
-                    const float two33 = -back93 + (grown*grown);
-                    const float lost123 = one33 + two33;
-                    const float low23 = lost113 + lost123;
-                    const float total132 = total123/stiff;
-                    const float left72 = -stiff*total132 + total123;
-                    const float left82 = left72 - fmaf(total132, stiff, -(total132*stiff));
-                    const float left92 = left82 + low23;
-                    const float lost132 = left92/stiff;
-                    float even_low2;
-                    if (square2 > -1.5f) {
-                        const float given3 = square2;
-                        const float total19 = 0.5f*given3 + 1.0f;
-                        const float back13 = total19 - 1.0f;
-                        const float lost19 = -back13 + 0.5f*given3;
-                        const float cos_series_of = cos_series(given3);
-                        const float curved3 = cos_series_of*(given3*given3);
-                        const float total20 = curved3 + total19;
-                        const float back14 = -total19 + total20;
-                        const float lost20 = -back14 + curved3;
-                        const float even_low = lost19 + 0.5f*lost2 + lost20;
-                        even_low2 = even_low;
-                    } else {
-                        const float sine = sinf(root);
-                        even_low2 = -root_low*sine;
-                    }
-                    const float lost262 = even_low2*twice2 + fmaf(twice2, even, -(twice2*even));
-                    apart_of = lost26 + total26;
-                    nyquist_of = lost252 + lost262 + lost272 + total272;
-                    together_of = 4.0f*lost132 + 4.0f*total132;
-                }
-            } else {
-                if ((count > 0.0f) && (far < 1.5f) && (half < 0.75f)) {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float expm1_of = expm1f(-half);
-                    const float grown = -0.5f*expm1_of;
-                    const float angle = 0.5f*root;
-                    const float wave = cosf(angle);
-                    const float sin_of = sinf(angle);
-                    const float back72 = 0.5f*root_low*sin_of;
-                    const float total92 = -back72 + wave;
-                    const float back82 = total92 - wave;
-                    const float rest32 = -back82 + total92;
-                    const float one22 = -rest32 + wave;
-                    const float two22 = -back72 - back82;
-                    const float lost92 = one22 + two22;
-                    const float total102 = (total92*total92);
-                    const float lost102 = fmaf(total92, total92, -(total92*total92));
-                    const float low2 = lost102 + 2.0f*lost92*total92;
-                    const float total112 = envelope*total102;
-                    const float lost112 = envelope*low2 +
-                        fmaf(envelope, total102, -(envelope*total102));
-                    const float total122 = (grown*grown) + total112;
-                    const float back92 = -total112 + total122;
-                    const float rest42 = -back92 + total122;
-                    const float one32 = -rest42 + total112;
-                    const float two32 = -back92 + (grown*grown);
-                    const float lost122 = one32 + two32;
-                    const float low22 = lost112 + lost122;
-                    const float back142 = -total192 + total202;
-                    const float rest9 = -back142 + total202;
-                    const float one8 = -rest9 + total192;
-                    const float two8 = -back142 + low32;
-                    const float lost202 = one8 + two8;
-                    const float lost212 = fmaf(count, 6.2831855f, -(count*6.2831855f));
-                    const float back152 = -root + total222;
-                    const float rest10 = -back152 + total222;
-                    const float one9 = -rest10 + root;
-                    const float two9 = -back152 + total212;
-                    const float lost222 = one9 + two9;
-                    const float both_low = -1.7484555e-07f*count + lost212 + lost222 + root_low;
-                    const float left102 = total202 - total232*whole32;
-                    const float left112 = left102 - fmaf(total232, whole32, -(total232*whole32));
-                    const float left122 = -both_low*total232 + left112 + lost202;
-                    const float lost232 = left122/whole32;
-                    const float eta = total232;
-                    const float eta_low = lost232;
-                    const float total242 = (eta*eta);
-                    const float lost242 = 2.0f*eta*eta_low + fmaf(eta, eta, -(eta*eta));
-                    const float cos_series_of2 = cos_series(-total242);
-                    const float bent2 = cos_series_of2*(total242*total242);
-                    const float total253 = -bent2 + 0.5f*total242;
-                    const float back162 = -0.5f*total242 + total253;
-                    const float lost253 = -back162 - bent2;
-                    const float sin_series_of2 = sin_series(-total242);
-                    const float total263 = -sin_series_of2*total242 + 1.0f;
-                    const float lift_low = 0.5f*lost242*total263 + lost253;
-                    const float given22 = half;
-                    const float total29 = 1.0f - 0.5f*given22;
-                    const float back182 = total29 - 1.0f;
-                    const float lost292 = -back182 - 0.5f*given22;
-                    const float decay_series_of3 = decay_series(given22);
-                    const float curved22 = decay_series_of3*(given22*given22);
-                    const float total302 = curved22 + total29;
-                    const float back192 = -total29 + total302;
-                    const float lost302 = -back192 + curved22;
-                    const float mean_low5 = lost292 + lost302;
-                    const float total312 = given22*total302;
-                    const float lost312 = given22*mean_low5 +
-                        fmaf(given22, total302, -(given22*total302));
-                    const float total32 = 1.0f - total312;
-                    const float back202 = total32 - 1.0f;
-                    const float lost32 = -back202 - total312;
-                    const float fall_low5 = -lost312 + lost32;
-                    const float total33 = 1.0f - total32;
-                    const float back212 = total33 - 1.0f;
-                    const float lost33 = -back212 - total32;
-                    const float low42 = -fall_low5 + lost33;
-                    const float total34 = low42 + total33;
-                    const float back22 = -total33 + total34;
-                    const float lost34 = -back22 + low42;
-                    const float total35 = (total34*total34);
-                    const float lost35 = 2.0f*lost34*total34 +
-                        fmaf(total34, total34, -(total34*total34));
-                    const float total36 = total253*total32;
-                    const float lost36 = lift_low*total32 +
-                        fmaf(total32, total253, -(total32*total253));
-                    const float total37 = total35 + 2.0f*total36;
-                    const float back23 = -total35 + total37;
-                    const float rest11 = -back23 + total37;
-                    const float one10 = -rest11 + total35;
-                    const float two10 = -back23 + 2.0f*total36;
-                    const float lost37 = one10 + two10;
-                    const float low5 = 2.0f*fall_low5*total253 + lost35 + 2.0f*lost36 + lost37;
-                    const float total38 = total37/stiff;
-                    const float left16 = -stiff*total38 + total37;
-                    const float left17 = left16 - fmaf(total38, stiff, -(total38*stiff));
-                    const float left18 = left17 + low5;
-                    const float lost38 = left18/stiff;
-                    apart_of = lost26 + total26;
-                    nyquist_of = 4.0f*low22 + 4.0f*total122;
-                    together_of = lost38 + total38;
-                } else {
-                    const float sign_low = -lost2;
-                    const float left = -(root*root) + size;
-                    const float left2 = left - fmaf(root, root, -(root*root));
-                    const float left3 = left2 + sign_low;
-                    const float whole = (root == 0.0f ? 1.0f : root);
-                    const float root_low = 0.5f*left3/whole;
-                    const float expm1_of = expm1f(-half);
-                    const float grown = -0.5f*expm1_of;
-                    const float angle = 0.5f*root;
-                    const float wave = cosf(angle);
-                    const float sin_of = sinf(angle);
-                    const float back72 = 0.5f*root_low*sin_of;
-                    const float total92 = -back72 + wave;
-                    const float back82 = total92 - wave;
-                    const float rest32 = -back82 + total92;
-                    const float one22 = -rest32 + wave;
-                    const float two22 = -back72 - back82;
-                    const float lost92 = one22 + two22;
-                    const float total102 = (total92*total92);
-                    const float lost102 = fmaf(total92, total92, -(total92*total92));
-                    const float low2 = lost102 + 2.0f*lost92*total92;
-                    const float total112 = envelope*total102;
-                    const float lost112 = envelope*low2 +
-                        fmaf(envelope, total102, -(envelope*total102));
-                    const float total122 = (grown*grown) + total112;
-                    const float back92 = -total112 + total122;
-                    const float rest42 = -back92 + total122;
-                    const float one32 = -rest42 + total112;
-                    const float two32 = -back92 + (grown*grown);
-                    const float lost122 = one32 + two32;
-                    const float low22 = lost112 + lost122;
-                    const float back73 = -0.5f*root_low*wave;
-                    const float total93 = -back73 + sin_of;
-                    const float back83 = -sin_of + total93;
-                    const float rest33 = -back83 + total93;
-                    const float one23 = -rest33 + sin_of;
-                    const float two23 = -back73 - back83;
-                    const float lost93 = one23 + two23;
-                    const float total103 = (total93*total93);
-                    const float lost103 = fmaf(total93, total93, -(total93*total93));
-                    const float low4 = lost103 + 2.0f*lost93*total93;
-                    const float total113 = envelope*total103;
-                    const float lost113 = envelope*low4 +
-                        fmaf(envelope, total103, -(envelope*total103));
-                    const float total123 = (grown*grown) + total113;
-                    const float back93 = -total113 + total123;
-                    const float rest43 = -back93 + total123;
-                    const float one33 = -rest43 + total113;
-                    const float two33 = -back93 + (grown*grown);
-                    const float lost123 = one33 + two33;
-                    const float low23 = lost113 + lost123;
-                    const float total132 = total123/stiff;
-                    const float left72 = -stiff*total132 + total123;
-                    const float left82 = left72 - fmaf(total132, stiff, -(total132*stiff));
-                    const float left92 = left82 + low23;
-                    const float lost132 = left92/stiff;
-                    apart_of = lost26 + total26;
-                    nyquist_of = 4.0f*low22 + 4.0f*total122;
-                    together_of = 4.0f*lost132 + 4.0f*total132;
-                }
-            }
-        }
-    } else {
-        const float size = fabsf(total2);
-        const float root = sqrtf(size);
-        const float total3 = half + root;
-        const float reach = 0.44444445f*total3;
-        if (reach < 1.0f) {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            const float envelope = expf(-half);
-            const float rest5 = apart_series(half, total2);
-            const float total27 = rest5 + 0.16666667f;
-            const float back17 = -rest5 + total27;
-            const float rest6 = -back17 + total27;
-            const float one4 = rest5 - rest6;
-            const float two4 = 0.16666667f - back17;
-            const float lost27 = one4 + two4;
-            const float total28 = envelope*total27;
-            const float lost28 = envelope*lost27 + fmaf(envelope, total27, -(envelope*total27));
-            const float rest12 = together_series(half, total2);
-            const float total55 = rest12 + 0.5f;
-            const float back33 = -rest12 + total55;
-            const float rest13 = -back33 + total55;
-            const float one11 = rest12 - rest13;
-            const float two11 = 0.5f - back33;
-            const float lost55 = one11 + two11;
-            const float total56 = envelope*total55;
-            const float lost56 = envelope*lost55 + fmaf(envelope, total55, -(envelope*total55));
-            float fall_;
-            float fall_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-            }
-            const float total282 = fall_ + 1.0f;
-            const float back20 = total282 - 1.0f;
-            const float lost282 = -back20 + fall_;
-            float fall2;
-            float fall_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-            }
-            const float fast = fall_*fall2;
-            const float lost29 = fall_*fall_low4 + fmaf(fall_, fall2, -(fall_*fall2));
-            const float low3 = fall2*fall_low2 + lost29;
-            const float total30 = fast + 1.0f;
-            const float back21 = total30 - 1.0f;
-            const float lost30 = -back21 + fast;
-            const float total31 = total282*total30;
-            const float lost31 = total282*(lost30 + low3) +
-                fmaf(total282, total30, -(total282*total30));
-            apart_of = lost28 + total28;
-            nyquist_of = lost31 + total30*(fall_low2 + lost282) + total31;
-            together_of = 2.0f*lost56 + 2.0f*total56;
-        } else {
-            const float sign_low = lost2;
-            const float left = -(root*root) + size;
-            const float left2 = left - fmaf(root, root, -(root*root));
-            const float left3 = left2 + sign_low;
-            const float whole = (root == 0.0f ? 1.0f : root);
-            const float root_low = 0.5f*left3/whole;
-            const float back3 = -half + total3;
-            const float lost3 = -back3 + root;
-            const float p_low = lost3 + root_low;
-            const float whole2 = (total3 == 0.0f ? 1.0f : total3);
-            const float q = gamma/whole2;
-            const float off = gamma - q*whole2;
-            const float off2 = off - fmaf(whole2, q, -(whole2*q));
-            const float off3 = off2 - p_low*q;
-            const float q_low = off3/whole2;
-            const float rate2 = 2.0f*root;
-            const float whole3 = (delta*total3 == 0.0f ? 1.0f : delta*total3);
-            float fall_;
-            float fall_low2;
-            float mean;
-            float mean_low2;
-            if (q < 0.75f) {
-                const float given = q;
-                const float total4 = 1.0f - 0.5f*given;
-                const float back4 = total4 - 1.0f;
-                const float lost4 = -back4 - 0.5f*given;
-                const float decay_series_of = decay_series(given);
-                const float curved = decay_series_of*(given*given);
-                const float total5 = curved + total4;
-                const float back5 = -total4 + total5;
-                const float lost5 = -back5 + curved;
-                const float mean_low = lost4 + lost5 - q_low*
-                    (0.125f*(given*given) - 0.33333334f*given + 0.5f);
-                const float total6 = given*total5;
-                const float lost6 = given*mean_low + fmaf(given, total5, -(given*total5));
-                const float total7 = 1.0f - total6;
-                const float back6 = total7 - 1.0f;
-                const float lost7 = -back6 - total6;
-                const float fall_low = -lost6 + lost7 - q_low*total5;
-                fall_ = total7;
-                fall_low2 = fall_low;
-                mean = total5;
-                mean_low2 = mean_low;
-            } else {
-                const float sunk = expf(-q);
-                const float sunk_low = -q_low*sunk;
-                const float total8 = 1.0f - sunk;
-                const float back7 = total8 - 1.0f;
-                const float lost8 = -back7 - sunk;
-                const float bottom = q;
-                const float total9 = total8/bottom;
-                const float left4 = -bottom*total9 + total8;
-                const float left5 = left4 - fmaf(total9, bottom, -(total9*bottom));
-                const float left6 = left5 + lost8 - q_low*total9 - sunk_low;
-                const float lost9 = left6/bottom;
-                fall_ = sunk;
-                fall_low2 = sunk_low;
-                mean = total9;
-                mean_low2 = lost9;
-            }
-            const float twice = 2.0f*fall_;
-            const float total282 = fall_ + 1.0f;
-            const float back20 = total282 - 1.0f;
-            const float lost282 = -back20 + fall_;
-            float fall2;
-            float fall_low4;
-            float mean2;
-            float mean_low4;
-            if (rate2 < 0.75f) {
-                const float given2 = 2.0f*root;
-                const float total10 = 1.0f - 0.5f*given2;
-                const float back8 = total10 - 1.0f;
-                const float lost10 = -back8 - 0.5f*given2;
-                const float decay_series_of2 = decay_series(given2);
-                const float curved2 = decay_series_of2*(given2*given2);
-                const float total11 = curved2 + total10;
-                const float back9 = -total10 + total11;
-                const float lost11 = -back9 + curved2;
-                const float mean_low3 = lost10 + lost11 - 2.0f*root_low*
-                    (0.125f*(given2*given2) - 0.33333334f*given2 + 0.5f);
-                const float total12 = given2*total11;
-                const float lost12 = given2*mean_low3 + fmaf(given2, total11, -(given2*total11));
-                const float total13 = 1.0f - total12;
-                const float back10 = total13 - 1.0f;
-                const float lost13 = -back10 - total12;
-                const float fall_low3 = -lost12 + lost13 - 2.0f*root_low*total11;
-                fall2 = total13;
-                fall_low4 = fall_low3;
-                mean2 = total11;
-                mean_low4 = mean_low3;
-            } else {
-                const float sunk2 = expf(-2.0f*root);
-                const float sunk_low2 = -2.0f*root_low*sunk2;
-                const float total14 = 1.0f - sunk2;
-                const float back11 = total14 - 1.0f;
-                const float lost14 = -back11 - sunk2;
-                const float bottom2 = 2.0f*root;
-                const float total15 = total14/bottom2;
-                const float left7 = -bottom2*total15 + total14;
-                const float left8 = left7 - fmaf(total15, bottom2, -(total15*bottom2));
-                const float left9 = left8 + lost14 - 2.0f*root_low*total15 - sunk_low2;
-                const float lost15 = left9/bottom2;
-                fall2 = sunk2;
-                fall_low4 = sunk_low2;
-                mean2 = total15;
-                mean_low4 = lost15;
-            }
-            const float fast = fall_*fall2;
-            const float total16 = mean2*twice;
-            const float lost16 = mean_low4*twice + fmaf(twice, mean2, -(twice*mean2));
-            const float total17 = mean - total16;
-            const float back12 = -mean + total17;
-            const float rest3 = -back12 + total17;
-            const float one2 = mean - rest3;
-            const float two2 = -back12 - total16;
-            const float lost17 = one2 + two2;
-            const float total18 = fast*mean;
-            const float lost18 = fast*mean_low2 + fmaf(fast, mean, -(fast*mean));
-            const float top = total17 + total18;
-            const float low = -lost16 + lost17 + lost18 + mean_low2;
-            const float lost29 = fall_*fall_low4 + fmaf(fall_, fall2, -(fall_*fall2));
-            const float low3 = fall2*fall_low2 + lost29;
-            const float total30 = fast + 1.0f;
-            const float back21 = total30 - 1.0f;
-            const float lost30 = -back21 + fast;
-            const float total31 = total282*total30;
-            const float lost31 = total282*(lost30 + low3) +
-                fmaf(total282, total30, -(total282*total30));
-            const float total52 = 1.0f - fast;
-            const float back32 = total52 - 1.0f;
-            const float lost52 = -back32 - fast;
-            const float total53 = mean*total52;
-            const float lost53 = mean*(lost52 - low3) + fmaf(mean, total52, -(mean*total52));
-            const float moved_low = lost53 + mean_low2*total52;
-            const float total54 = total53/whole2;
-            const float left25 = total53 - total54*whole2;
-            const float left26 = left25 - fmaf(total54, whole2, -(total54*whole2));
-            const float left27 = left26 + moved_low - p_low*total54;
-            const float lost54 = left27/whole2;
-            apart_of = (low + top)/whole3;
-            nyquist_of = lost31 + total30*(fall_low2 + lost282) + total31;
-            together_of = lost54 + total54;
-        }
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const float half = 0.5f*delta;
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        const float envelope = expf(-half);
+        *apart_out = apart_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        *nyquist_out = nyquist_swing(half, w, w_low, envelope, even, even_low, root);
+        *together_out = together_swing(reach, half, w, w_low, envelope, root, gamma, near, moved);
+        return;
     }
-    *apart_out = apart_of;
-    *nyquist_out = nyquist_of;
-    *together_out = together_of;
+    const float half = 0.5f*delta;
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall_, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    *apart_out = apart_creep(reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
+        mean_low2);
+    *nyquist_out = nyquist_creep(fall_, fall_low, fall2, fall_low2);
+    *together_out = together_creep(reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
+        fall2, fall_low2);
     return;
 }
 
@@ -6973,53 +1317,23 @@ static void cos_next_sin_next(float k, float x, float *cos_next_out, float *sin_
     const float missed = -before + k;
     const float quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
     const float left = angle - 1.5707964f*quarters;
-    const float total = left - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-    const float back = -left + total;
-    const float rest = -back + total;
-    const float one = left - rest;
-    const float two = -back - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-    const float lost = one + two;
-    const float total2 = 4.371139e-08f*quarters + total;
-    const float back2 = -total + total2;
-    const float rest2 = -back2 + total2;
-    const float one2 = -rest2 + total;
-    const float two2 = -back2 + 4.371139e-08f*quarters;
-    const float lost2 = one2 + two2;
-    const float total3 = total2 + fmaf(count, x, -(count*x));
-    const float back3 = -total2 + total3;
-    const float rest3 = -back3 + total3;
-    const float one3 = -rest3 + total2;
-    const float two3 = -back3 + fmaf(count, x, -(count*x));
-    const float lost3 = one3 + two3;
-    const float total4 = missed*x + total3;
-    const float back4 = -total3 + total4;
-    const float rest4 = -back4 + total4;
-    const float one4 = -rest4 + total3;
-    const float two4 = -back4 + missed*x;
-    const float lost4 = one4 + two4;
+    float total, lost;
+    two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
+    float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
+    float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
+    float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
     const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
         fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
     const float low2 = low + fmaf(missed, x, -(missed*x));
     const float wave = sinf(total4);
     const float still = cosf(total4);
     const float turn_ = quarters - 4.0f*floorf(0.25f*quarters);
-    float value;
-    float value2;
-    if ((turn_ == 1.0f) || (turn_ == 3.0f)) {
-        const float sine = low2*still + wave;
-        const float cosine = -low2*wave + still;
-        value = sine;
-        value2 = cosine;
-    } else {
-        const float sine = low2*still + wave;
-        const float cosine = -low2*wave + still;
-        value = cosine;
-        value2 = sine;
-    }
-    const float cos_next_of = ((turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value);
-    const float sin_next_of = (turn_ >= 2.0f ? -value2 : value2);
-    *cos_next_out = cos_next_of;
-    *sin_next_out = sin_next_of;
+    const float sine = low2*still + wave;
+    const float cosine = -low2*wave + still;
+    const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
+    const float value2 = ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
+    *cos_next_out = ((turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value);
+    *sin_next_out = (turn_ >= 2.0f ? -value2 : value2);
     return;
 }
 
@@ -7033,86 +1347,37 @@ static float cos_next(float k, float x) {
         const float before = count - 1.0f;
         const float missed = -before + k;
         const float left = angle - 1.5707964f*quarters;
-        const float total = left - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-        const float back = -left + total;
-        const float rest = -back + total;
-        const float one = left - rest;
-        const float two = -back - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-        const float lost = one + two;
-        const float total2 = 4.371139e-08f*quarters + total;
-        const float back2 = -total + total2;
-        const float rest2 = -back2 + total2;
-        const float one2 = -rest2 + total;
-        const float two2 = -back2 + 4.371139e-08f*quarters;
-        const float lost2 = one2 + two2;
-        const float total3 = total2 + fmaf(count, x, -(count*x));
-        const float back3 = -total2 + total3;
-        const float rest3 = -back3 + total3;
-        const float one3 = -rest3 + total2;
-        const float two3 = -back3 + fmaf(count, x, -(count*x));
-        const float lost3 = one3 + two3;
-        const float total4 = missed*x + total3;
-        const float back4 = -total3 + total4;
-        const float rest4 = -back4 + total4;
-        const float one4 = -rest4 + total3;
-        const float two4 = -back4 + missed*x;
-        const float lost4 = one4 + two4;
+        float total, lost;
+        two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
+        float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
+        float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
+        float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
         const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
             fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
         const float low2 = low + fmaf(missed, x, -(missed*x));
         const float wave = sinf(total4);
         const float still = cosf(total4);
-        float value;
-        if ((turn_ == 1.0f) || (turn_ == 3.0f)) {
-            const float sine = low2*still + wave;
-            value = sine;
-        } else {
-            const float cosine = -low2*wave + still;
-            value = cosine;
-        }
+        const float sine = low2*still + wave;
+        const float cosine = -low2*wave + still;
+        const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
         return -value;
     }
     const float before = count - 1.0f;
     const float missed = -before + k;
     const float left = angle - 1.5707964f*quarters;
-    const float total = left - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-    const float back = -left + total;
-    const float rest = -back + total;
-    const float one = left - rest;
-    const float two = -back - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-    const float lost = one + two;
-    const float total2 = 4.371139e-08f*quarters + total;
-    const float back2 = -total + total2;
-    const float rest2 = -back2 + total2;
-    const float one2 = -rest2 + total;
-    const float two2 = -back2 + 4.371139e-08f*quarters;
-    const float lost2 = one2 + two2;
-    const float total3 = total2 + fmaf(count, x, -(count*x));
-    const float back3 = -total2 + total3;
-    const float rest3 = -back3 + total3;
-    const float one3 = -rest3 + total2;
-    const float two3 = -back3 + fmaf(count, x, -(count*x));
-    const float lost3 = one3 + two3;
-    const float total4 = missed*x + total3;
-    const float back4 = -total3 + total4;
-    const float rest4 = -back4 + total4;
-    const float one4 = -rest4 + total3;
-    const float two4 = -back4 + missed*x;
-    const float lost4 = one4 + two4;
+    float total, lost;
+    two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
+    float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
+    float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
+    float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
     const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
         fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
     const float low2 = low + fmaf(missed, x, -(missed*x));
     const float wave = sinf(total4);
     const float still = cosf(total4);
-    float value;
-    if ((turn_ == 1.0f) || (turn_ == 3.0f)) {
-        const float sine = low2*still + wave;
-        value = sine;
-    } else {
-        const float cosine = -low2*wave + still;
-        value = cosine;
-    }
-    return value;
+    const float sine = low2*still + wave;
+    const float cosine = -low2*wave + still;
+    return ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -7121,85 +1386,71 @@ static float early_slope(float theta, float k4, float k3, float k2, float k1, fl
     const float cosine = cosf(0.5f*theta);
     const float up = (sine*sine);
     const float along = (cosine*cosine);
-    const float power = along;
-    const float found = k3*power + k4*up;
-    const float power2 = along*power;
+    const float found = along*k3 + k4*up;
+    const float power2 = (along*along);
     const float found2 = found*up + k2*power2;
     const float power3 = along*power2;
     const float found3 = found2*up + k1*power3;
     const float power4 = along*power3;
-    const float found4 = found3*up + k0*power4;
-    return found4;
+    return found3*up + k0*power4;
 }
 
 // has the sign of the slope of the boundary's alpha next to pi
 static float end_slope(float at_minus_one, float loss, float together_, float apart_, float last) {
-    const float total = -4.0f*last + together_;
-    const float back = -together_ + total;
-    const float rest = -back + total;
-    const float one = -rest + together_;
-    const float two = -back - 4.0f*last;
-    const float lost = one + two;
-    const float total2 = (total*total);
-    const float lost2 = 2.0f*lost*total + fmaf(total, total, -(total*total));
-    const float total3 = apart_*together_;
-    const float lost3 = fmaf(apart_, together_, -(apart_*together_));
-    const float total4 = -total2 + total3;
-    const float back2 = -total3 + total4;
-    const float rest2 = -back2 + total4;
-    const float one2 = -rest2 + total3;
-    const float two2 = -back2 - total2;
-    const float lost4 = one2 + two2;
+    float total, lost; two_diff(together_, 4.0f*last, &total, &lost);
+    float total2, lost2; wide_prod(total, total, 2.0f*lost, &total2, &lost2);
+    float total3, lost3; two_prod(apart_, together_, &total3, &lost3);
+    float total4, lost4; two_diff(total3, total2, &total4, &lost4);
+    float total5, lost5; two_diff(total2, 2.0f*total3, &total5, &lost5);
+    float total7, lost7; wide_prod(apart_, total3, lost3, &total7, &lost7);
+    float total12, lost12; two_diff(2.0f*apart_, total, &total12, &lost12);
+    float total13, lost13; two_prod(apart_, apart_, &total13, &lost13);
+    float total14, lost14; wide_prod(total13, total12, -lost + lost12, &total14, &lost14);
     const float gap_low = -lost2 + lost3 + lost4;
-    const float total5 = total2 - 2.0f*total3;
-    const float back3 = -total2 + total5;
-    const float rest3 = -back3 + total5;
-    const float one3 = -rest3 + total2;
-    const float two3 = -back3 - 2.0f*total3;
-    const float lost5 = one3 + two3;
+    float total10, lost10; wide_prod(apart_, total4, gap_low, &total10, &lost10);
+    float total11, lost11; wide_prod(loss, total10, lost10, &total11, &lost11);
     const float lean_low = lost2 - 2.0f*lost3 + lost5;
-    const float total6 = total*total5;
-    const float lost6 = lean_low*total + fmaf(total, total5, -(total*total5));
-    const float total7 = apart_*total3;
-    const float lost7 = apart_*lost3 + fmaf(apart_, total3, -(apart_*total3));
-    const float total8 = total6 + total7;
-    const float back4 = -total6 + total8;
-    const float rest4 = -back4 + total8;
-    const float one4 = -rest4 + total6;
-    const float two4 = -back4 + total7;
-    const float lost8 = one4 + two4;
+    float total6, lost6; wide_prod(total, total5, lean_low, &total6, &lost6);
+    float total8, lost8; two_diff(total6, -total7, &total8, &lost8);
     const float bent_low = lost*total5 + lost6 + lost7 + lost8;
-    const float total9 = at_minus_one*total8;
-    const float lost9 = at_minus_one*bent_low + fmaf(at_minus_one, total8, -(at_minus_one*total8));
-    const float total10 = apart_*total4;
-    const float lost10 = apart_*gap_low + fmaf(apart_, total4, -(apart_*total4));
-    const float total11 = loss*total10;
-    const float lost11 = loss*lost10 + fmaf(loss, total10, -(loss*total10));
-    const float total12 = 2.0f*apart_ - total;
-    const float back5 = -2.0f*apart_ + total12;
-    const float rest5 = -back5 + total12;
-    const float one5 = 2.0f*apart_ - rest5;
-    const float two5 = -back5 - total;
-    const float lost12 = one5 + two5;
-    const float total13 = (apart_*apart_);
-    const float lost13 = fmaf(apart_, apart_, -(apart_*apart_));
-    const float total14 = total12*total13;
-    const float lost14 = total13*(-lost + lost12) + fmaf(total13, total12, -(total13*total12));
+    float total9, lost9; wide_prod(at_minus_one, total8, bent_low, &total9, &lost9);
+    float total15, lost15; two_diff(4.0f*total14, total9, &total15, &lost15);
+    float total16, lost16; two_diff(total15, 2.0f*total11, &total16, &lost16);
     const float three_low = lost13*total12 + lost14;
-    const float total15 = 4.0f*total14 - total9;
-    const float back6 = -4.0f*total14 + total15;
-    const float rest6 = -back6 + total15;
-    const float one6 = -rest6 + 4.0f*total14;
-    const float two6 = -back6 - total9;
-    const float lost15 = one6 + two6;
-    const float total16 = -2.0f*total11 + total15;
-    const float back7 = -total15 + total16;
-    const float rest7 = -back7 + total16;
-    const float one7 = -rest7 + total15;
-    const float two7 = -back7 - 2.0f*total11;
-    const float lost16 = one7 + two7;
     const float low = -2.0f*lost11 + lost15 + lost16 - lost9 + 4.0f*three_low;
     return low + total16;
+}
+
+// the next point of a search between a and b, where f is fa and fb, after c
+static float next_guess(float b, float fb, float a, float fa, float c, float fc, float close) {
+    const float span = -b + c;
+    const float rise_ = -fb + fc;
+    const float whole = (span == 0.0f ? 1.0f : span);
+    const float place = (a - b)/whole;
+    const float whole2 = (rise_ == 0.0f ? 1.0f : rise_);
+    const float height = (fa - fb)/whole2;
+    const float safe = ((place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
+        (place > (height*height)) ? 1.0f : 0.0f);
+    const float width = -a + b;
+    const float whole3 = (width == 0.0f ? 1.0f : width);
+    const float edge = close*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/fabsf(whole3);
+    const float edge2 = fminf(0.5f, edge);
+    float guess;
+    if (safe > 0.0f) {
+        const float one = -fa + fb;
+        const float two = fb - fc;
+        const float three = fa - fc;
+        const float here = fa/one;
+        const float there = fc/two;
+        const float other = fa/three;
+        const float last = fb/two;
+        guess = here*there + last*other*(-a + c)/whole3;
+    } else {
+        guess = 0.5f;
+    }
+    const float share = fminf(guess, 1.0f - edge2);
+    const float share2 = fmaxf(edge2, share);
+    return a + share2*width;
 }
 
 // the angle of the largest stiffness for delays below a period
@@ -7244,75 +1495,45 @@ static float early_angle(float at_one, float at_minus_one, float loss, float tog
         const float rises = early_slope(0.041666668f*3.1415927f*count, k, k2, k3, k4, k5);
         const float next_count = (rises > 0.0f ? count + 1.0f : count);
         const float next_found = (rises > 0.0f ? 0.0f : 1.0f);
-        count = next_count;
         found = next_found;
+        count = next_count;
     }
     if (found > 0.0f) {
         const float high = 0.041666668f*3.1415927f*count;
         const float low = fmaxf(0.001f*high, 0.041666668f*3.1415927f*(count - 1.0f));
-        const float low2 = low;
-        const float above = early_slope(low2, k, k2, k3, k4, k5);
+        const float above = early_slope(low, k, k2, k3, k4, k5);
         float root;
         if (above <= 0.0f) {
-            root = low2;
+            root = low;
         } else {
-            const float high2 = high;
-            const float below = early_slope(high2, k, k2, k3, k4, k5);
+            const float below = early_slope(high, k, k2, k3, k4, k5);
             if (below >= 0.0f) {
-                root = high2;
+                root = high;
             } else {
-                float b = low2;
+                float b = low;
                 float fb = above;
-                float a = high2;
+                float a = high;
                 float fa = below;
-                float c = high2;
+                float c = high;
                 float fc = below;
                 for (int count_b = 0; count_b < 120; ++count_b) {
                     if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
                         (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
                         break; }
-                    const float span = -b + c;
-                    const float rise_ = -fb + fc;
-                    const float whole = (span == 0.0f ? 1.0f : span);
-                    const float place = (a - b)/whole;
-                    const float whole2 = (rise_ == 0.0f ? 1.0f : rise_);
-                    const float height = (fa - fb)/whole2;
-                    const float safe = ((place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
-                        (place > (height*height)) ? 1.0f : 0.0f);
-                    const float one = (safe > 0.0f ? -fa + fb : 1.0f);
-                    const float two = (safe > 0.0f ? fb - fc : 1.0f);
-                    const float three = (safe > 0.0f ? fa - fc : 1.0f);
-                    const float width = -a + b;
-                    const float here = fa/one;
-                    const float there = fc/two;
-                    const float whole3 = (width == 0.0f ? 1.0f : width);
-                    const float other = fa/three;
-                    const float last2 = fb/two;
-                    const float guess = (safe > 0.0f ? here*there + last2*other*(-a + c)/whole3 :
-                        0.5f);
-                    const float edge = 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/
-                        fabsf(whole3);
-                    const float edge2 = fminf(0.5f, edge);
-                    const float share = fminf(guess, 1.0f - edge2);
-                    const float share2 = fmaxf(edge2, share);
-                    const float new_ = a + share2*width;
+                    const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
                     const float value = early_slope(new_, k, k2, k3, k4, k5);
-                    const float next_b = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? b : a);
-                    const float next_fb = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? fb : fa);
-                    const float next_a = new_;
-                    const float next_fa = value;
-                    const float next_c = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? a : b);
-                    const float next_fc = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? fa : fb);
-                    b = next_b;
-                    fb = next_fb;
-                    a = next_a;
-                    fa = next_fa;
-                    c = next_c;
+                    const float same = (((fa < 0.0f) && (value < 0.0f)) ||
+                        ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
+                    const float next_b = (same > 0.0f ? b : a);
+                    const float next_fb = (same > 0.0f ? fb : fa);
+                    const float next_c = (same > 0.0f ? a : b);
+                    const float next_fc = (same > 0.0f ? fa : fb);
                     fc = next_fc;
+                    c = next_c;
+                    fa = value;
+                    a = new_;
+                    fb = next_fb;
+                    b = next_b;
                 }
                 root = (fabsf(fa) < fabsf(fb) ? a : b);
             }
@@ -7332,86 +1553,37 @@ static float sin_next(float k, float x) {
         const float before = count - 1.0f;
         const float missed = -before + k;
         const float left = angle - 1.5707964f*quarters;
-        const float total = left - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-        const float back = -left + total;
-        const float rest = -back + total;
-        const float one = left - rest;
-        const float two = -back - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-        const float lost = one + two;
-        const float total2 = 4.371139e-08f*quarters + total;
-        const float back2 = -total + total2;
-        const float rest2 = -back2 + total2;
-        const float one2 = -rest2 + total;
-        const float two2 = -back2 + 4.371139e-08f*quarters;
-        const float lost2 = one2 + two2;
-        const float total3 = total2 + fmaf(count, x, -(count*x));
-        const float back3 = -total2 + total3;
-        const float rest3 = -back3 + total3;
-        const float one3 = -rest3 + total2;
-        const float two3 = -back3 + fmaf(count, x, -(count*x));
-        const float lost3 = one3 + two3;
-        const float total4 = missed*x + total3;
-        const float back4 = -total3 + total4;
-        const float rest4 = -back4 + total4;
-        const float one4 = -rest4 + total3;
-        const float two4 = -back4 + missed*x;
-        const float lost4 = one4 + two4;
+        float total, lost;
+        two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
+        float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
+        float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
+        float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
         const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
             fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
         const float low2 = low + fmaf(missed, x, -(missed*x));
         const float wave = sinf(total4);
         const float still = cosf(total4);
-        float value;
-        if ((turn_ == 1.0f) || (turn_ == 3.0f)) {
-            const float cosine = -low2*wave + still;
-            value = cosine;
-        } else {
-            const float sine = low2*still + wave;
-            value = sine;
-        }
+        const float sine = low2*still + wave;
+        const float cosine = -low2*wave + still;
+        const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
         return -value;
     }
     const float before = count - 1.0f;
     const float missed = -before + k;
     const float left = angle - 1.5707964f*quarters;
-    const float total = left - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-    const float back = -left + total;
-    const float rest = -back + total;
-    const float one = left - rest;
-    const float two = -back - fmaf(quarters, 1.5707964f, -(quarters*1.5707964f));
-    const float lost = one + two;
-    const float total2 = 4.371139e-08f*quarters + total;
-    const float back2 = -total + total2;
-    const float rest2 = -back2 + total2;
-    const float one2 = -rest2 + total;
-    const float two2 = -back2 + 4.371139e-08f*quarters;
-    const float lost2 = one2 + two2;
-    const float total3 = total2 + fmaf(count, x, -(count*x));
-    const float back3 = -total2 + total3;
-    const float rest3 = -back3 + total3;
-    const float one3 = -rest3 + total2;
-    const float two3 = -back3 + fmaf(count, x, -(count*x));
-    const float lost3 = one3 + two3;
-    const float total4 = missed*x + total3;
-    const float back4 = -total3 + total4;
-    const float rest4 = -back4 + total4;
-    const float one4 = -rest4 + total3;
-    const float two4 = -back4 + missed*x;
-    const float lost4 = one4 + two4;
+    float total, lost;
+    two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
+    float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
+    float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
+    float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
     const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
         fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
     const float low2 = low + fmaf(missed, x, -(missed*x));
     const float wave = sinf(total4);
     const float still = cosf(total4);
-    float value;
-    if ((turn_ == 1.0f) || (turn_ == 3.0f)) {
-        const float cosine = -low2*wave + still;
-        value = cosine;
-    } else {
-        const float sine = low2*still + wave;
-        value = sine;
-    }
-    return value;
+    const float sine = low2*still + wave;
+    const float cosine = -low2*wave + still;
+    return ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
 }
 
 // has the sign of the slope of the boundary's alpha
@@ -7453,78 +1625,48 @@ static float later_angle(float d, float l, float at_one, float at_minus_one, flo
             together_, apart_, across);
         const float next_count = (rises > 0.0f ? count + 1.0f : count);
         const float next_found = (rises > 0.0f ? 0.0f : 1.0f);
-        count = next_count;
         found = next_found;
+        count = next_count;
     }
     if (found > 0.0f) {
         const float high = 0.041666668f*count*turn_;
         const float low = fmaxf(0.001f*high, 0.041666668f*turn_*(count - 1.0f));
-        const float low2 = low;
-        const float above = boundary_slope(low2, l, at_one, at_minus_one, loss, together_, apart_,
+        const float above = boundary_slope(low, l, at_one, at_minus_one, loss, together_, apart_,
             across);
         float root;
         if (above <= 0.0f) {
-            root = low2;
+            root = low;
         } else {
-            const float high2 = high;
-            const float below = boundary_slope(high2, l, at_one, at_minus_one, loss, together_,
+            const float below = boundary_slope(high, l, at_one, at_minus_one, loss, together_,
                 apart_, across);
             if (below >= 0.0f) {
-                root = high2;
+                root = high;
             } else {
-                float b = low2;
+                float b = low;
                 float fb = above;
-                float a = high2;
+                float a = high;
                 float fa = below;
-                float c = high2;
+                float c = high;
                 float fc = below;
                 for (int count_b = 0; count_b < 120; ++count_b) {
                     if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
                         (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
                         break; }
-                    const float span = -b + c;
-                    const float rise_ = -fb + fc;
-                    const float whole = (span == 0.0f ? 1.0f : span);
-                    const float place = (a - b)/whole;
-                    const float whole2 = (rise_ == 0.0f ? 1.0f : rise_);
-                    const float height = (fa - fb)/whole2;
-                    const float safe = ((place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
-                        (place > (height*height)) ? 1.0f : 0.0f);
-                    const float one = (safe > 0.0f ? -fa + fb : 1.0f);
-                    const float two = (safe > 0.0f ? fb - fc : 1.0f);
-                    const float three = (safe > 0.0f ? fa - fc : 1.0f);
-                    const float width = -a + b;
-                    const float here = fa/one;
-                    const float there = fc/two;
-                    const float whole3 = (width == 0.0f ? 1.0f : width);
-                    const float other = fa/three;
-                    const float last = fb/two;
-                    const float guess = (safe > 0.0f ? here*there + last*other*(-a + c)/whole3 :
-                        0.5f);
-                    const float edge = 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/
-                        fabsf(whole3);
-                    const float edge2 = fminf(0.5f, edge);
-                    const float share = fminf(guess, 1.0f - edge2);
-                    const float share2 = fmaxf(edge2, share);
-                    const float new_ = a + share2*width;
+                    const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
                     const float value = boundary_slope(new_, l, at_one, at_minus_one, loss,
                         together_, apart_, across);
-                    const float next_b = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? b : a);
-                    const float next_fb = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? fb : fa);
-                    const float next_a = new_;
-                    const float next_fa = value;
-                    const float next_c = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? a : b);
-                    const float next_fc = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? fa : fb);
-                    b = next_b;
-                    fb = next_fb;
-                    a = next_a;
-                    fa = next_fa;
-                    c = next_c;
+                    const float same = (((fa < 0.0f) && (value < 0.0f)) ||
+                        ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
+                    const float next_b = (same > 0.0f ? b : a);
+                    const float next_fb = (same > 0.0f ? fb : fa);
+                    const float next_c = (same > 0.0f ? a : b);
+                    const float next_fc = (same > 0.0f ? fa : fb);
                     fc = next_fc;
+                    c = next_c;
+                    fa = value;
+                    a = new_;
+                    fb = next_fb;
+                    b = next_b;
                 }
                 root = (fabsf(fa) < fabsf(fb) ? a : b);
             }
@@ -7600,17 +1742,16 @@ static float stiffest_angle(float gamma, float delta, float d, float l, float pa
         if ((delta > 0.0f) && (gamma > -stiffness) && (sqrtf(gamma)*(d + 1.0f) <= 3.1415927f)) {
             good = 1.0f;
         } else {
-            const float damping = t14;
             const float inside = -7.6293945e-05f*gamma + 0.9999237f*stiffness;
             float outside;
             if (part == 0.0f) {
-                outside = whole_roots(inside, damping, l, first, last, at_one, at_minus_one, loss,
+                outside = whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
                     together_, apart_);
             } else {
-                outside = late_roots(inside, damping, l, first, last, at_one, at_minus_one, loss,
+                outside = late_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
                     together_, apart_);
             }
-            good = stable(outside, inside, damping, gamma, delta);
+            good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0f) {
             return theta;
@@ -7623,28 +1764,19 @@ static float stiffest_angle(float gamma, float delta, float d, float l, float pa
 // (x - sin(x))/x^3
 static float gap(float x) {
     if (fabsf(x) < 2.0f) {
-        const float near = x;
-        const float square = -(near*near);
-        const float b7 = 2.8114574e-15f;
-        const float b6 = b7*square + 7.6471636e-13f;
-        const float b5 = b6*square + 1.6059044e-10f;
-        const float b4 = b5*square + 2.5052108e-08f;
-        const float b3 = b4*square + 2.7557319e-06f;
-        const float b2 = b3*square + 0.0001984127f;
-        const float b1 = b2*square + 0.008333334f;
-        const float rest = b1*square - 4.967054e-09f;
-        const float total = rest + 0.16666667f;
-        return total;
+        const float square = -(x*x);
+        const float rest = square*(square*(square*
+            (square*(square*(square*(2.8114574e-15f*square + 7.6471636e-13f) + 1.6059044e-10f) +
+            2.5052108e-08f) + 2.7557319e-06f) + 0.0001984127f) + 0.008333334f) - 4.967054e-09f;
+        return rest + 0.16666667f;
     }
-    const float whole = x;
-    return (x - sinf(x))/(whole*whole*whole);
+    return (x - sinf(x))/(x*x*x);
 }
 
 // sin(x)/x
 static float sinc(float x) {
     if (fabsf(x) < 1.0f) {
-        const float near = x;
-        return -(near*near)*gap(near) + 1.0f;
+        return -(x*x)*gap(x) + 1.0f;
     }
     const float whole = (x == 0.0f ? 1.0f : x);
     return sinf(x)/whole;
@@ -7653,9 +1785,8 @@ static float sinc(float x) {
 // the damping that the wall needs at the angle 2 psi
 static float need(float alpha, float beta, float l, float epsilon, float psi) {
     if (epsilon == 0.0f) {
-        const float early = 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
+        return 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
             cos_next(l, 2.0f*psi);
-        return early;
     }
     const float early = 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
         cos_next(l, 2.0f*psi);
@@ -7671,17 +1802,15 @@ static float need(float alpha, float beta, float l, float epsilon, float psi) {
 static float chord(float k, float x) {
     const float turn_ = x*(k + 1.0f);
     if (turn_ < 1.5f) {
-        const float angle = turn_;
         const float order = 2.0f*k + 2.0f;
         const float along = cos_next(k, x);
-        const float wave = sinc(0.5f*angle);
-        const float inner = 0.5f*(wave*wave) - gap(angle);
+        const float wave = sinc(0.5f*turn_);
+        const float inner = 0.5f*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25f*inner*(order*order));
     }
-    const float some = x;
     const float order = 2.0f*k + 2.0f;
     const float along = cos_next(k, x);
-    return (-along*order*sinf(x) + 2.0f*sin_next(k, x))/(some*some*some);
+    return (-along*order*sinf(x) + 2.0f*sin_next(k, x))/(x*x*x);
 }
 
 // has the sign of the slope of Need, at a fraction
@@ -7702,9 +1831,8 @@ static float rising(float alpha, float beta, float l, float epsilon, float psi) 
 static float steepness(float alpha, float beta, float l, float epsilon, float psi) {
     if (epsilon == 0.0f) {
         const float t = 2.0f*l + 2.0f;
-        const float early = -2.0f*alpha*chord(l, 2.0f*psi)/(sinc(psi)*sinc(psi)) + (t*t)*
-            (0.5f*alpha + beta)*sinc(psi*t);
-        return early;
+        return -2.0f*alpha*chord(l, 2.0f*psi)/(sinc(psi)*sinc(psi)) + (t*t)*(0.5f*alpha + beta)*
+            sinc(psi*t);
     }
     const float phase = psi*(2.0f*l + 2.0f) +
         atan2f(alpha*cosf(psi), (alpha + 2.0f*beta)*sinf(psi)) +
@@ -7713,8 +1841,7 @@ static float steepness(float alpha, float beta, float l, float epsilon, float ps
         const float rising_ = rising(alpha, beta, l, epsilon, psi);
         return -fabsf(rising_);
     }
-    const float rising_ = rising(alpha, beta, l, epsilon, psi);
-    return rising_;
+    return rising(alpha, beta, l, epsilon, psi);
 }
 
 // half of the angle at which the wall needs most damping
@@ -7744,47 +1871,20 @@ static float worst_angle(float alpha, float beta, float l, float epsilon) {
                 if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
                     (fabsf(a - b) <= 7.6293945e-06f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
                     break; }
-                const float span = -b + c;
-                const float rise_ = -fb + fc;
-                const float whole2 = (span == 0.0f ? 1.0f : span);
-                const float place = (a - b)/whole2;
-                const float whole3 = (rise_ == 0.0f ? 1.0f : rise_);
-                const float height = (fa - fb)/whole3;
-                const float safe = ((place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
-                    (place > (height*height)) ? 1.0f : 0.0f);
-                const float one = (safe > 0.0f ? -fa + fb : 1.0f);
-                const float two = (safe > 0.0f ? fb - fc : 1.0f);
-                const float three = (safe > 0.0f ? fa - fc : 1.0f);
-                const float width = -a + b;
-                const float here = fa/one;
-                const float there = fc/two;
-                const float whole4 = (width == 0.0f ? 1.0f : width);
-                const float other = fa/three;
-                const float last = fb/two;
-                const float guess = (safe > 0.0f ? here*there + last*other*(-a + c)/whole4 : 0.5f);
-                const float edge = 7.6293945e-06f*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/
-                    fabsf(whole4);
-                const float edge2 = fminf(0.5f, edge);
-                const float share = fminf(guess, 1.0f - edge2);
-                const float share2 = fmaxf(edge2, share);
-                const float new_ = a + share2*width;
+                const float new_ = next_guess(b, fb, a, fa, c, fc, 7.6293945e-06f);
                 const float value = steepness(stiffness, damping, l, epsilon, new_);
-                const float next_b = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? b : a);
-                const float next_fb = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? fb : fa);
-                const float next_a = new_;
-                const float next_fa = value;
-                const float next_c = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? a : b);
-                const float next_fc = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? fa : fb);
-                b = next_b;
-                fb = next_fb;
-                a = next_a;
-                fa = next_fa;
-                c = next_c;
+                const float same = (((fa < 0.0f) && (value < 0.0f)) ||
+                    ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
+                const float next_b = (same > 0.0f ? b : a);
+                const float next_fb = (same > 0.0f ? fb : fa);
+                const float next_c = (same > 0.0f ? a : b);
+                const float next_fc = (same > 0.0f ? fa : fb);
                 fc = next_fc;
+                c = next_c;
+                fa = value;
+                a = new_;
+                fb = next_fb;
+                b = next_b;
             }
             root = (fabsf(fa) < fabsf(fb) ? a : b);
         }
@@ -7814,8 +1914,7 @@ static float lead(float theta, float l, float epsilon) {
     if (theta*(l + 1.0f) < 4.0f) {
         const float early = sin_next(l, theta);
         const float late = sin_next(l + 1.0f, theta);
-        const float sine = early + epsilon*(-early + late);
-        return sine;
+        return early + epsilon*(-early + late);
     }
     return -1.0f;
 }
@@ -7832,38 +1931,24 @@ static float rated(float number, float value) {
 static float spread(float k, float x) {
     const float turn_ = x*(k + 1.0f);
     if (turn_ < 1.5f) {
-        const float angle = turn_;
         const float order = 2.0f*k + 2.0f;
-        return order*((order*order)*gap(2.0f*angle) - gap(x));
+        return order*((order*order)*gap(2.0f*turn_) - gap(x));
     }
-    const float some = x;
     const float order = 2.0f*k + 2.0f;
-    return (order*sinf(x) - 2.0f*cos_next(k, x)*sin_next(k, x))/(some*some*some);
+    return (order*sinf(x) - 2.0f*cos_next(k, x)*sin_next(k, x))/(x*x*x);
 }
 
 // what straight motions need at a whole delay of k periods
 static float straight(float stiffness, float damping, float k, float angle) {
     const float order = 2.0f*k + 1.0f;
     const float wave = sinc(angle*order);
+    float total, lost; two_prod(order, wave, &total, &lost);
     const float near = 2.0f*sinc(angle);
-    const float total = order*wave;
-    const float lost = fmaf(order, wave, -(order*wave));
-    const float total2 = total/near;
-    const float left = -near*total2 + total;
-    const float left2 = left - fmaf(total2, near, -(total2*near));
-    const float left3 = left2 + lost;
-    const float lost2 = left3/near;
-    const float total3 = stiffness*total2;
-    const float lost3 = lost2*stiffness + fmaf(stiffness, total2, -(stiffness*total2));
+    float total2, lost2; wide_quot(total, near, lost, 0.0f, &total2, &lost2);
+    float total3, lost3; wide_prod(stiffness, total2, lost2, &total3, &lost3);
     const float along = cos_next(k, 2.0f*angle);
-    const float total4 = along*damping;
-    const float lost4 = fmaf(damping, along, -(damping*along));
-    const float total5 = total3 - total4;
-    const float back = -total3 + total5;
-    const float rest = -back + total5;
-    const float one = -rest + total3;
-    const float two = -back - total4;
-    const float lost5 = one + two;
+    float total4, lost4; two_prod(damping, along, &total4, &lost4);
+    float total5, lost5; two_diff(total3, total4, &total5, &lost5);
     const float low = lost3 - lost4 + lost5;
     return low + total5;
 }
@@ -7943,30 +2028,7 @@ static float turn(float psi, float l, float epsilon) {
                 if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
                     (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
                     break; }
-                const float span = -b + c;
-                const float rise_ = -fb + fc;
-                const float whole = (span == 0.0f ? 1.0f : span);
-                const float place = (a - b)/whole;
-                const float whole2 = (rise_ == 0.0f ? 1.0f : rise_);
-                const float height = (fa - fb)/whole2;
-                const float safe = ((place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
-                    (place > (height*height)) ? 1.0f : 0.0f);
-                const float one = (safe > 0.0f ? -fa + fb : 1.0f);
-                const float two = (safe > 0.0f ? fb - fc : 1.0f);
-                const float three = (safe > 0.0f ? fa - fc : 1.0f);
-                const float width = -a + b;
-                const float here = fa/one;
-                const float there = fc/two;
-                const float whole3 = (width == 0.0f ? 1.0f : width);
-                const float other = fa/three;
-                const float last = fb/two;
-                const float guess = (safe > 0.0f ? here*there + last*other*(-a + c)/whole3 : 0.5f);
-                const float edge = 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/
-                    fabsf(whole3);
-                const float edge2 = fminf(0.5f, edge);
-                const float share = fminf(guess, 1.0f - edge2);
-                const float share2 = fmaxf(edge2, share);
-                const float new_ = a + share2*width;
+                const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
                 const float t33 = sinf(new_);
                 const float t34 = l + 1.0f;
                 const float t35 = cosf(new_);
@@ -7988,22 +2050,18 @@ static float turn(float psi, float l, float epsilon) {
                     (0.25f*t36*t44*t45 - 0.5f*t43 + 0.5f*t48 + 0.5f*
                     sqrtf(t39*(4.0f*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) +
                     ((-t43 + t47 + t48)*(-t43 + t47 + t48))));
-                const float next_b = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? b : a);
-                const float next_fb = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? fb : fa);
-                const float next_a = new_;
-                const float next_fa = value;
-                const float next_c = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? a : b);
-                const float next_fc = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? fa : fb);
-                b = next_b;
-                fb = next_fb;
-                a = next_a;
-                fa = next_fa;
-                c = next_c;
+                const float same = (((fa < 0.0f) && (value < 0.0f)) ||
+                    ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
+                const float next_b = (same > 0.0f ? b : a);
+                const float next_fb = (same > 0.0f ? fb : fa);
+                const float next_c = (same > 0.0f ? a : b);
+                const float next_fc = (same > 0.0f ? fa : fb);
                 fc = next_fc;
+                c = next_c;
+                fa = value;
+                a = new_;
+                fb = next_fb;
+                b = next_b;
             }
             root = (fabsf(fa) < fabsf(fb) ? a : b);
         }
@@ -8020,27 +2078,26 @@ static float touching(float theta, float l, float epsilon) {
     return NAN;
 }
 
+// whether another angle allows more stiffness, at a fraction
+static float passive_slope(float psi, float l, float epsilon) {
+    const float turned = turn(psi, l, epsilon);
+    const float wall = cosf(turned)/(l + 1.0f);
+    const float wall2 = sinf(turned) - 0.5f*cosf(turned)/(l + 1.0f);
+    const float need_ = need(wall, wall2, l, epsilon, psi);
+    return -epsilon*(1.0f - epsilon)*(wall + 2.0f*wall2)*(sinf(psi)*sinf(psi)) + need_*
+        (epsilon*(-cos_next(l, 2.0f*psi) + cos_next(l + 1.0f, 2.0f*psi)) + cos_next(l, 2.0f*psi));
+}
+
 // the worst angle of the stiffest passive wall, at a fraction
 static float passive_angle(float l, float epsilon) {
     const float low = 1e-06f*3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
-    const float turned = turn(low, l, epsilon);
-    const float wall = cosf(turned)/(l + 1.0f);
-    const float wall2 = sinf(turned) - 0.5f*cosf(turned)/(l + 1.0f);
-    const float need_ = need(wall, wall2, l, epsilon, low);
-    const float above = -epsilon*(1.0f - epsilon)*(wall + 2.0f*wall2)*(sinf(low)*sinf(low)) + need_*
-        (epsilon*(-cos_next(l, 2.0f*low) + cos_next(l + 1.0f, 2.0f*low)) + cos_next(l, 2.0f*low));
+    const float above = passive_slope(low, l, epsilon);
     float root;
     if (above <= 0.0f) {
         root = low;
     } else {
         const float high = 3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
-        const float turned2 = turn(high, l, epsilon);
-        const float wall3 = cosf(turned2)/(l + 1.0f);
-        const float wall4 = sinf(turned2) - 0.5f*cosf(turned2)/(l + 1.0f);
-        const float need2 = need(wall3, wall4, l, epsilon, high);
-        const float below = -epsilon*(1.0f - epsilon)*(wall3 + 2.0f*wall4)*
-            (sinf(high)*sinf(high)) + need2*(epsilon*
-            (-cos_next(l, 2.0f*high) + cos_next(l + 1.0f, 2.0f*high)) + cos_next(l, 2.0f*high));
+        const float below = passive_slope(high, l, epsilon);
         if (below >= 0.0f) {
             root = high;
         } else {
@@ -8054,54 +2111,20 @@ static float passive_angle(float l, float epsilon) {
                 if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
                     (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
                     break; }
-                const float span = -b + c;
-                const float rise_ = -fb + fc;
-                const float whole = (span == 0.0f ? 1.0f : span);
-                const float place = (a - b)/whole;
-                const float whole2 = (rise_ == 0.0f ? 1.0f : rise_);
-                const float height = (fa - fb)/whole2;
-                const float safe = ((place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
-                    (place > (height*height)) ? 1.0f : 0.0f);
-                const float one = (safe > 0.0f ? -fa + fb : 1.0f);
-                const float two = (safe > 0.0f ? fb - fc : 1.0f);
-                const float three = (safe > 0.0f ? fa - fc : 1.0f);
-                const float width = -a + b;
-                const float here = fa/one;
-                const float there = fc/two;
-                const float whole3 = (width == 0.0f ? 1.0f : width);
-                const float other = fa/three;
-                const float last = fb/two;
-                const float guess = (safe > 0.0f ? here*there + last*other*(-a + c)/whole3 : 0.5f);
-                const float edge = 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/
-                    fabsf(whole3);
-                const float edge2 = fminf(0.5f, edge);
-                const float share = fminf(guess, 1.0f - edge2);
-                const float share2 = fmaxf(edge2, share);
-                const float new_ = a + share2*width;
-                const float turned3 = turn(new_, l, epsilon);
-                const float wall5 = cosf(turned3)/(l + 1.0f);
-                const float wall6 = sinf(turned3) - 0.5f*cosf(turned3)/(l + 1.0f);
-                const float need3 = need(wall5, wall6, l, epsilon, new_);
-                const float value = -epsilon*(1.0f - epsilon)*(wall5 + 2.0f*wall6)*
-                    (sinf(new_)*sinf(new_)) + need3*(epsilon*
-                    (-cos_next(l, 2.0f*new_) + cos_next(l + 1.0f, 2.0f*new_)) +
-                    cos_next(l, 2.0f*new_));
-                const float next_b = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? b : a);
-                const float next_fb = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? fb : fa);
-                const float next_a = new_;
-                const float next_fa = value;
-                const float next_c = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? a : b);
-                const float next_fc = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? fa : fb);
-                b = next_b;
-                fb = next_fb;
-                a = next_a;
-                fa = next_fa;
-                c = next_c;
+                const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
+                const float value = passive_slope(new_, l, epsilon);
+                const float same = (((fa < 0.0f) && (value < 0.0f)) ||
+                    ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
+                const float next_b = (same > 0.0f ? b : a);
+                const float next_fb = (same > 0.0f ? fb : fa);
+                const float next_c = (same > 0.0f ? a : b);
+                const float next_fc = (same > 0.0f ? fa : fb);
                 fc = next_fc;
+                c = next_c;
+                fa = value;
+                a = new_;
+                fb = next_fb;
+                b = next_b;
             }
             root = (fabsf(fa) < fabsf(fb) ? a : b);
         }
@@ -8138,8 +2161,7 @@ void haptic_single_discretize_late(float gamma, float delta, float epsilon, floa
         *e_out = NAN;
         return;
     }
-    float swing_of, together_of;
-    swing_together(gamma, delta, &swing_of, &together_of);
+    float swing_of, together_of; swing_together(gamma, delta, &swing_of, &together_of);
     const float t0 = 1.0f - epsilon;
     const float t1 = (t0*t0);
     const float t2 = delta*t0;
@@ -8320,8 +2342,7 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
         const float t4 = apart_of*delta;
         const float t5 = stiffest_angle(gamma, delta, d, d, 0.0f, rise_of, fall_of, t1, nyquist_of,
             t3, together_of, t4);
-        float cos_next_of, sin_next_of;
-        cos_next_sin_next(d, t5, &cos_next_of, &sin_next_of);
+        float cos_next_of, sin_next_of; cos_next_sin_next(d, t5, &cos_next_of, &sin_next_of);
         const float t7 = 0.5f*t5;
         const float t8 = sinf(t7);
         const float t9 = cosf(t7);
