@@ -14,6 +14,7 @@ test: .venv/ready
 # what takes long by its nature: every test, every change, whatever is written by a command
 check: test
 	$(BIN)/pytest -n 2 --dist worksteal --durations 12 -m slow
+	SYMHAPTIC_KERNELS=array $(BIN)/pytest -n 2 tests/numeric tests/kernels tests/test_hard_cases.py
 	$(BIN)/symhaptic mutants --check
 	$(BIN)/symhaptic kernels --check
 	$(BIN)/symhaptic report --check

@@ -138,6 +138,33 @@ def test_public_functions_take_names_and_shapes_as_ever():
     assert symhaptic.linear_limit(np.zeros((0, 2)), 1.0, 1.0).shape == (0, 2)
 
 
+@pytest.mark.parametrize("scale", [2.0**-900, 2.0**-500, 2.0**200])
+def test_a_margin_grows_with_wall_and_damping(scale):
+    """The needed damping is homogeneous in the wall: powers of two do not change a digit."""
+    for row in zip(*(COLUMNS[n].tolist() for n in ("alpha", "beta", "delta", "d")), strict=True):
+        alpha, beta, delta, delay = row
+        one = symhaptic.passivity_margin(alpha, beta, delta, delay)
+        scaled = symhaptic.passivity_margin(scale * alpha, scale * beta, scale * delta, delay)
+        assert scaled == scale * one
+
+
+SEARCHES = {
+    "passivity_margin": ("alpha", "beta", "delta", "d"),
+    "max_stable_stiffness": ("gamma", "delta", "d"),
+    "max_passive_stiffness": ("delta", "d"),
+}
+
+
+@pytest.mark.parametrize("name", SEARCHES)
+def test_one_by_one_is_as_together(name):
+    """Floats take the short way, lists the long one."""
+    given = [COLUMNS[n][:40] for n in SEARCHES[name]]
+    search = getattr(symhaptic, name)
+    together = rows(search(*(g.tolist() for g in given)))
+    single = [np.ravel(search(*one)) for one in zip(*(g.tolist() for g in given), strict=True)]
+    assert np.array_equal(np.stack(single, axis=1), together, equal_nan=True)
+
+
 def told(choice):
     code = "import symhaptic; symhaptic.show_config(); print(*symhaptic.discretize(0.0, 0.0))"
     environment = os.environ | {compiled.CHOICE: choice}

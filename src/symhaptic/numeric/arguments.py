@@ -18,7 +18,7 @@ _BLOCK = 16384
 """Elements worked on at a time: NumPy's calls cost little beside them, and arrays fit the cache."""
 
 
-_LARGEST = 1e70
+LARGEST = 1e70
 """Fourth powers of such numbers are floats: no sum or product of the formulas overflows."""
 
 LONGEST = 1e15
@@ -81,14 +81,14 @@ def check(name: str, array: Any, xp: Any) -> None:
 
 def _finite(name: str, array: Any, xp: Any) -> None:
     refuse(name, array, xp.isinf(array), "finite numbers are")
-    if float(xp.finfo(array.dtype).max) > _LARGEST:
-        refuse(name, array, xp.abs(array) > _LARGEST, f"numbers up to {_LARGEST:g} in size are")
+    if float(xp.finfo(array.dtype).max) > LARGEST:
+        refuse(name, array, xp.abs(array) > LARGEST, f"numbers up to {LARGEST:g} in size are")
 
 
 def _nonnegative(name: str, array: Any, xp: Any) -> None:
     refuse(name, array, (array < 0) | xp.isinf(array), f"finite numbers {name} >= 0 are")
-    if float(xp.finfo(array.dtype).max) > _LARGEST:
-        refuse(name, array, array > _LARGEST, f"numbers 0 <= {name} <= {_LARGEST:g} are")
+    if float(xp.finfo(array.dtype).max) > LARGEST:
+        refuse(name, array, array > LARGEST, f"numbers 0 <= {name} <= {LARGEST:g} are")
 
 
 def _periods(name: str, array: Any, xp: Any) -> None:

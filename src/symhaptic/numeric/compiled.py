@@ -15,6 +15,8 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
+from symhaptic.numeric.arguments import LARGEST, LONGEST
+
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -22,16 +24,13 @@ CHOICE = "SYMHAPTIC_KERNELS"
 
 _DOUBLE = np.dtype(np.float64)
 
-_LARGEST = 1e70
-"""As in :mod:`symhaptic.numeric.arguments`, which tells what is wrong with what is beyond."""
-
 _WHOLE = 2**53
 """Whole numbers up to here are floats."""
 
-_LOW = {"alpha": -_LARGEST, "beta": -_LARGEST}
+_LOW = {"alpha": -LARGEST, "beta": -LARGEST}
 _FINITE = (-sys.float_info.max, sys.float_info.max)
 
-_HIGH = {"delay": 1e15}
+_HIGH = {"delay": LONGEST}
 
 
 def _module() -> ModuleType | None:
@@ -94,7 +93,7 @@ def at_once(
         if ufunc is None:
             return function
         names = [n for n in signature(function).parameters if n != "sheet"]
-        bounds = [(_LOW.get(n, 0.0), _HIGH.get(n, _LARGEST)) for n in names]
+        bounds = [(_LOW.get(n, 0.0), _HIGH.get(n, LARGEST)) for n in names]
         look = work is not None or ufunc.types[0].endswith("?")
         kernel = ufunc if work is None else partial(work, ufunc)
 
