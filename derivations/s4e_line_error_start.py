@@ -62,7 +62,7 @@ def derive(page):
     swing = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     shape = linear.numbers(swing)
     page.show(
-        "Without damping",
+        "Without damping the numerator is symmetric",
         r"(\nu,s_1)",
         r"\bigl(\tfrac12,\tfrac12\gamma\bigr)",
         page.same("undamped", [shape[nu], shape[s_1].subs(gamma, Omega**2)], [HALF, Omega**2 / 2]),
@@ -75,7 +75,7 @@ def derive(page):
     )
     swings = on_circle(swing.denominator).subs(theta, Omega)
     page.step(
-        "And the boundary meets the line at the origin",
+        "The boundary meets the line at the origin",
         swings,
         S.Zero,
         name=r"A(e^{j\Omega})",
