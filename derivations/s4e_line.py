@@ -95,11 +95,10 @@ def derive(page):
         boxed=True,
     )
     page.state(
-        "linear-tangent",
-        "the boundary tends to (25) as $T\\to0$ with $K$ of order $1/T$ and $d$ kept; it is "
-        "tangent to it for $\\gamma=\\delta=0$ only",
+        "linear-short-periods",
+        "the boundary tends to (25) as $T\\to0$ with $K$ of order $1/T$ and $d$ kept",
     )
-    page.settle("linear-tangent", flatter, distance, note="the relative error is of order $T$")
+    page.settle("linear-short-periods", distance, note="the relative error is of order $T$")
     page.settle(
         "s4e-linearised",
         flatter,

@@ -66,6 +66,7 @@ PROVED = [
     "arm-numbers",
     "linear-lag",
     "linear-tangent",
+    "linear-short-periods",
     "linear-error-start",
     "linear-error-rises",
     "linear-free-mass",

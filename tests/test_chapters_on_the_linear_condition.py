@@ -16,6 +16,7 @@ from scipy.signal import cont2discrete
 from symhaptic import linear_limit
 from symhaptic.book.chapters import BadChapter
 from symhaptic.book.figures import linear as linear_figures
+from symhaptic.book.lemmas import linear_tangent as tangency
 from symhaptic.book.lemmas.linear_start import GIVEN, no_bound, unbounded
 from symhaptic.bounds.linear_points import Arc, error_without_stiffness, points
 from symhaptic.model import lag, linear
@@ -295,6 +296,15 @@ def test_the_start_is_not_shown_without_one_of_its_hypotheses(dropped):
         for_all(unbounded().over, kept, no_bound())
 
 
+@pytest.mark.parametrize("dropped", tangency.GIVEN)
+def test_the_tangent_is_not_shown_without_one_of_its_hypotheses(dropped):
+    """linear-tangent: none of the conditions is idle."""
+    kept = [p for p in tangency.GIVEN if p != dropped]
+    assert len(kept) == len(tangency.GIVEN) - 1
+    with pytest.raises(NotShown):
+        for_all(tangency.tangent().over, kept, tangency.free_mass_only())
+
+
 def test_physical_damping_is_worth_more():
     """s6-linear-dissipation: a difference quotient of beta at alpha = 0.01 on the boundary."""
     for d, worth in ((0, 1 + 7 * 0.01 / 12), (1, 1 + 25 * 0.01 / 12)):
@@ -402,6 +412,7 @@ CHANGED = [
     ("s4e_line_free_mass", "(2 * d + 1) * sin(theta / 2)", "2 * d * sin(theta / 2)"),
     ("s4e_line_passive", "kept.subs(t_d, d * T)", "kept.subs(t_d, d)"),
     ("s4e_line_passive", "b_D: S.Zero", "b_D: S.One"),
+    ("s4e_line_tangent", "tangent())\n", "tangent().body)\n"),
     ("s4e_line_trade", "(2 * d + 1) * (2 * d + 3)", "(2 * d + 1) * (2 * d + 1)"),
     ("s4e_line_trade", "delta: S.Zero}", "delta: Rational(1, 50)}"),
     ("s4e_line_two_percent", "-error, first", "error, first"),

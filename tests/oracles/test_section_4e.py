@@ -136,6 +136,18 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
     only(agrees_at_the_crossing, shown(LINE, title))
 
 
+@guards("s4e_line_tangent")
+@pytest.mark.parametrize(("gamma", "delta"), [(0, 0), (0, 0.2), (0.2, 0), (0.3, 0.2)])
+@pytest.mark.parametrize("d", [0, 1, 2.5])
+def test_only_a_free_mass_starts_along_the_line(gamma, delta, d):
+    with mpmath.workdps(60):
+        gamma, delta = mpmath.mpf(gamma), mpmath.mpf(delta)
+        alpha, beta = oracle.wall(mpmath.mpf("1e-9"), gamma, delta, d, 90)
+        share = surplus(alpha, beta, delta, d) / (alpha + gamma)
+    assert (abs(share) < 1e-12) == (gamma == delta == 0)
+    assert share < 1e-12
+
+
 @guards("s4e_line_error", "s4e_line_error_start")
 def test_the_error_along_the_boundary_and_at_its_start():
     def error(theta, gamma, delta, d):

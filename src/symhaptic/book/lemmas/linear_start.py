@@ -10,7 +10,7 @@ from sympy import Expr, Ne, S, Symbol, cos, sin
 from symhaptic.book.lemmas.arm_numbers import ARM, NUMBERS, TOTAL, signs, together
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.notation import a, d, delta, e, gamma, n_0, n_1, s_1, s_2, theta
-from symhaptic.notation.proposition import And, Predicate, Proposition, Relation
+from symhaptic.notation.proposition import And, Predicate, Proposition, Relation, Terms
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 from symhaptic.proof.theorems.familiar import device_static
 from symhaptic.proof.theorems.kernel import (
@@ -19,6 +19,7 @@ from symhaptic.proof.theorems.kernel import (
     assume,
     conjoined,
     part,
+    placed,
     substituted,
 )
 from symhaptic.proof.theorems.leaves import combined, tends
@@ -32,7 +33,7 @@ UP = damping() / (sin(theta) * SQUARE)
 APART = (UP + delta) / (d + HALF) - ACROSS
 """alpha_lin - alpha at the damping of the boundary."""
 
-_WIDTH = (s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2).xreplace(NUMBERS)
+WIDTH = (s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2).xreplace(NUMBERS)
 _PLACE = Symbol("q")
 _FREE = 1 + e - gamma * TOTAL
 """What a is, by the other numbers."""
@@ -45,15 +46,16 @@ def unbounded() -> Proposition:
     """
     near = And(
         (
-            _limit((ACROSS + gamma) / theta**2, _WIDTH),
-            Relation(S.Zero, "<", _WIDTH),
-            _limit((ACROSS + gamma) / APART, S.Zero),
+            limit_at_start((ACROSS + gamma) / theta**2, WIDTH),
+            Relation(S.Zero, "<", WIDTH),
+            limit_at_start((ACROSS + gamma) / APART, S.Zero),
         )
     )
     return every((gamma, delta, d), GIVEN, every(DEVICE_NUMBERS, ARM[:1], near))
 
 
-def _limit(expr: Expr, value: Expr) -> Predicate:
+def limit_at_start(expr: Expr, value: Expr) -> Predicate:
+    """What tends to a value at the start of the boundary."""
     return Predicate("limit", (theta,), (expr, S.Zero, value))
 
 
@@ -61,20 +63,30 @@ def _limit(expr: Expr, value: Expr) -> Predicate:
 def no_bound() -> Theorem:
     """The theorem of :func:`unbounded`, but for its outer quantifier, as hypotheses."""
     found = conjoined(
-        _tends((ACROSS + gamma) / theta**2, _WIDTH),
+        tends_at_start((ACROSS + gamma) / theta**2, WIDTH),
         width(),
-        _tends((ACROSS + gamma) / APART, S.Zero),
+        tends_at_start((ACROSS + gamma) / APART, S.Zero),
     )
     return for_all(DEVICE_NUMBERS, ARM[:1], found)
 
 
-def _tends(expr: Expr, value: Expr) -> Theorem:
+def tends_at_start(expr: Expr, value: Expr, arm: Terms | None = None) -> Theorem:
     """A limit at the start, with a by the other numbers of the device at rest."""
-    static = device_static(assume(DEVICE))
-    limit = closed(tends(expr.xreplace({a: _FREE}), theta, S.Zero, value), *divisors())
-    equal = combined(Relation(_FREE, "=", a), [static, S.One])
-    pattern = _limit(expr.xreplace({a: _PLACE}), value)
-    return closed(substituted(pattern, _PLACE, limit, equal), *divisors())
+    arm = arm or {}
+    static = device_static(assume(DEVICE.at(arm)))
+    rest, expr, value = (x.xreplace(dict(arm)) for x in (_FREE, expr, value))
+    limit = closed(tends(expr.xreplace({a: rest}), theta, S.Zero, value), *apart(arm))
+    equal = combined(Relation(rest, "=", a), [static, S.One])
+    pattern = limit_at_start(expr.xreplace({a: _PLACE}), value)
+    return closed(substituted(pattern, _PLACE, limit, equal), *apart(arm))
+
+
+def apart(arm: Terms) -> tuple[Theorem, ...]:
+    """What limits divide by is not zero: of n_1 + n_0 and, without a given arm, the gap."""
+    total = placed(together(), dict(arm)) if arm else together()
+    powers = [(n, k) for k in (1, 2, 3) for n in (1, 2, 12)]
+    found = [positive(Ne(sp.expand(n * TOTAL**k), 0), [n, *[total] * k]) for n, k in powers]
+    return (*found, *(() if arm else divisors()))
 
 
 @cache
@@ -84,7 +96,7 @@ def width() -> Theorem:
     mass, line = (part(known, p) for p in known.conclusion.parts[2:4])
     first = positive(NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
     sprung = [HALF, d >= 0, d >= 0, gamma >= 0], [HALF, d >= 0, gamma >= 0]
-    found = positive(_WIDTH > 0, [mass], [d >= 0, first], [first], *sprung)
+    found = positive(WIDTH > 0, [mass], [d >= 0, first], [first], *sprung)
     return closed(found, *divisors())
 
 
