@@ -20,7 +20,7 @@ from symhaptic.model.passivity import real_part
 from symhaptic.model.plant import Plant
 from symhaptic.notation import F, alpha, beta, d, delta, gamma, m, omega, s, t, v
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.systems import KIND, R_1, R_2, X_1, X_2
+from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1, X_2
 from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined, weakened
@@ -83,7 +83,7 @@ def derive(page):
     )
     page.lemma(
         "Side by side and fed back to each other passive systems are passive",
-        for_all([R_1, X_1, R_2, X_2, KIND], [R_1 >= 0, R_2 >= 0], conjoined(parallel(), fed_back())),
+        for_all([*FREQUENCY, KIND], [R_1 >= 0, R_2 >= 0], conjoined(parallel(), fed_back())),
         because="$\\Re\\frac{Z_1}{1+Z_1Z_2}=(R_1+|Z_1|^2R_2)/|1+Z_1Z_2|^2$",
         boxed=True,
     )
