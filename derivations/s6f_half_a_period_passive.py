@@ -4,13 +4,19 @@ For $d=\tfrac12$ the exact condition is a quadratic in $\cos^2\frac\theta2$, and
 passive walls can be written down. We work in units of $b$ and $T$.
 """
 
-from sympy import Rational, S, cos, discriminant, expand, pi, sqrt
+from sympy import Rational, S, cos, discriminant, expand, sqrt
 
 from symhaptic.book.figures.fractional import largest_stiffness
-from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
-from symhaptic.proof import sign
+from symhaptic.book.lemmas.half_late_passive import (
+    a_delay_helps,
+    delay_helps,
+    stiffest,
+    stiffest_half_late,
+)
+from symhaptic.model import fractional
+from symhaptic.notation import B, K, T, b, epsilon, l, theta, x
 from symhaptic.proof.enclosed import root
+from symhaptic.proof.theorems.tactics import example
 
 HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
 
@@ -56,53 +62,38 @@ def derive(page):
     one, two = S.One, Rational(2)
     zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))
     page.enclosed("Their zeros", zeros, places=12, because="of the second we ask if it is a bound")
-    below, above = Rational("1.175869"), Rational("1.175870")
-    passive = everywhere(value.subs({K: below, B: Rational("0.324")}), x)
-    page.positive("At $K=1.175869$, $B=0.324$", passive, r"\text{all }x", name="f(x)")
-    never = everywhere(-value.subs({K: above, x: Rational("0.7818")}), B)
-    page.positive("At $K=1.175870$", never, r"\text{all }B", name="-f(0.7818)")
-    page.say(
-        "With a wall all weaker ones on its ray are passive, so that no stiffer wall is. Where "
-        "(11) says $2\\tan\\frac\\pi6=1.154700\\ldots$, the true maximum is 1.8 per cent larger. "
-        "But it belongs to another damping, and the wall of (11) itself is not passive:"
+    found = page.lemma(
+        "Half a period late no passive wall is stiffer than $1.175870\\,b/T$",
+        stiffest_half_late(),
+        because="the first wall by a sum of squares, and of all stiffer ones the quadratic is "
+        "negative at $\\tan\\frac\\theta2=0.5283$",
+        boxed=True,
     )
-    theirs = [e.subs({d: HALF[epsilon], theta: pi / 3, b: 1, T: 1}) for e in passivity.envelope()]
-    fails = sign.number(-value.subs({x: 1, K: theirs[0], B: theirs[1]}))
-    page.positive("At the wall of (11)", fails, r"\text{low frequencies}", name="-f(1)")
+    page.say(
+        "Where (11) says $2\\tan\\frac\\pi6=1.154700\\ldots$, the true maximum is 1.8 per cent "
+        "larger. But it belongs to another damping, and the wall of (11) itself is not passive."
+    )
     page.state(
         "fractional-largest-stiffness",
         "half a period late the largest passive stiffness lies between $1.175869\\,b/T$ and "
         "$1.175870\\,b/T$, 1.8 per cent above (11), and the wall of (11) is not passive",
+        claim=stiffest(),
     )
-    page.settle("fractional-largest-stiffness", passive, never, fails)
-    page.say("A longer delay may even help. Take no stiffness and the damping $B=\\frac65$:")
-    damped = {K: 0, B: Rational(6, 5)}
-    helped = everywhere(value.subs(damped), x)
-    page.positive("Half a period late", helped, r"\text{all }x", name="f(x)")
-    whole = passivity.margin().subs(damped | {b: 1})
-    fails = [
-        page.positive(title, sign.number(-whole.subs({d: n, theta: angle})), on, name=r"-F/b")
-        for n, title, angle, on in (
-            (0, "Without delay", 5 * pi / 6, r"\theta=\tfrac56\pi"),
-            (1, "One period late", pi / 2, r"\theta=\tfrac12\pi"),
-        )
-    ]
+    units = {b: S.One, T: S.One}
+    page.settle("fractional-largest-stiffness", found, example=example(units, [T > 0, b > 0]))
+    helped = page.lemma(
+        "A longer delay may help: passive half a period late, and not without delay", delay_helps()
+    )
     page.state(
         "fractional-longer-delay",
         "$K=0$, $B=\\frac65b$ is passive half a period late, and neither without delay nor one "
         "period late",
+        claim=a_delay_helps(),
     )
-    page.settle("fractional-longer-delay", helped, *fails)
+    page.settle("fractional-longer-delay", helped, example=example(units, [T > 0, b > 0]))
     page.figure(
         "stiffness-fractional",
         "Largest passive stiffness over the delay: exact, by (11), and by (11) for the next whole "
         "delay, which is always on the safe side (next chapter).",
         largest_stiffness,
     )
-
-
-def everywhere(expr, variable):
-    """A quadratic with rational coefficients that is positive for all values of the variable."""
-    bend, fall, rest = (expand(expr).coeff(variable, n) for n in (2, 1, 0))
-    square = sign.assume((variable + fall / (2 * bend)) ** 2, strict=False)
-    return sign.combined(expr, [bend, square], [sign.number(rest - fall**2 / (4 * bend))])

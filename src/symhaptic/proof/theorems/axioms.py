@@ -114,6 +114,7 @@ _believed("rest", _R + "1.20", [x, y], [_le(0, x), _lt(0, y)], Exists((p,), _bet
 # -- what the predicates mean of walls and devices -------------------------------------
 
 K, B, T, b, d, m, k, t_d = n.K, n.B, n.T, n.b, n.d, n.m, n.k, n.t_d
+ell, epsilon = n.l, n.epsilon
 alpha, beta, gamma, delta, theta = n.alpha, n.beta, n.gamma, n.delta, n.theta
 n_1, n_0, a, e = NUMBERS = n.n_1, n.n_0, n.a, n.e
 LOOP, WALL = (alpha, beta, gamma, delta, d), (K, B, b, T, d)
@@ -141,6 +142,29 @@ _believed(
         (
             _named("passive_wall", *WALL),
             _named("passive", (K + B * (z - 1) / (T * z)) * z**-d, b / T, over=(z,)),
+        )
+    ),
+)
+_taps = (1 - epsilon) * z**-ell + epsilon * z ** (-ell - 1)
+_off = epsilon * (1 - epsilon)
+_believed(
+    "passive late wall",
+    "while one force is held the device moves by p, and when its sample is taken it is off a "
+    "straight motion by q: at constant speeds (as above) the damper burns b p^2/T + b q^2/(T "
+    "epsilon (1 - epsilon)), and the wall takes p H z^(-l-1) (x + (1 - epsilon) p + q); each q at "
+    "its best",
+    [K, B, b, T, ell, epsilon],
+    [whole(ell), _lt(0, T), _lt(0, b), _le(0, epsilon), _le(epsilon, 1)],
+    Iff(
+        (
+            _named("passive_wall", K, B, b, T, ell + epsilon),
+            _named(
+                "passive",
+                (K + B * (z - 1) / (T * z)) * _taps
+                + _off * B * (K * T + B) / (2 * b * T) * (1 - 1 / z),
+                b / T - _off * ((K * T + B) ** 2 + B**2) / (4 * b * T),
+                over=(z,),
+            ),
         )
     ),
 )
