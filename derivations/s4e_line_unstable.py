@@ -37,7 +37,7 @@ def derive(page):
         "not negative",
     )
     page.step(
-        "It is bent downwards",
+        "The minor is bent downwards on the line",
         on_it.expand().coeff(alpha, 2),
         -n_0 * (n_0 + 3 * n_1) / 4,
         name=r"\tfrac12\,\Delta_2''(\alpha)",

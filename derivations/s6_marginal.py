@@ -52,20 +52,20 @@ def damping(page):
         "at $d=40$ it is only twice as large as $\\delta=0.02$."
     )
     page.positive(
-        "Without delay less than 4.2 %",
+        "Without delay a damper adds less than 4.2 %",
         box.positive(Rational(1042, 1000) * Rational(6848, 10**4) - MOST, RANGES, GIVEN),
         IN_23,
         name=r"1.042\cdot0.6848-\alpha_{\max}(0)",
     )
     page.positive(
-        "And without damping at least",
+        "Without damping the stiffest wall has at least 0.6848",
         box.positive(MOST - Rational(6848, 10**4), {**RANGES, delta: (0, 0)}, GIVEN),
         r"0\le\gamma\le0.001,\ \delta=0",
         name=r"\alpha_{\max}(0)-0.6848",
     )
     known = {FIRST: most(STIFF, STIFF, 40), SECOND: most(STIFF, DAMPED, 40)}
     page.positive(
-        "Eleven times at $d=40$",
+        "At $d=40$ it makes the wall eleven times as stiff",
         box.positive(SECOND - 11 * FIRST, {}, Known(given(known))),
         r"\gamma=0.001,\ \delta_1=0.001,\ \delta_2=0.02",
         name=r"\alpha_{\max}(\delta_2)-11\,\alpha_{\max}(\delta_1)",
@@ -106,7 +106,7 @@ def spring(page):
     )
     free = MOST
     page.positive(
-        "Between 0.71 and 0.7133 without delay",
+        "Without delay the stiffest wall stays between 0.71 and 0.7133",
         box.positive(
             (free - Rational(71, 100)) * (Rational(7133, 10**4) - free),
             {**RANGES, delta: (DAMPED, DAMPED)},
@@ -121,7 +121,12 @@ def spring(page):
     )
     known = {FIRST: most(S.Zero, DAMPED, 1000)}
     gap = box.positive(Rational(59, 10**5) - 16 * FIRST, {}, Known(given(known)))
-    page.positive("Sixteen times", gap, r"\delta=0.02", name=r"0.00059-16\,\alpha_{\max}(1000)")
+    page.positive(
+        "At $d=1000$ the spring makes it sixteen times as stiff",
+        gap,
+        r"\delta=0.02",
+        name=r"0.00059-16\,\alpha_{\max}(1000)",
+    )
     claim = CLAIMED["s6-stiffness-marginal"](())
     symbols, known_of, then = taken_apart(claim)
     free: dict = {gamma: S.Zero}

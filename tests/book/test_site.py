@@ -195,3 +195,13 @@ def test_the_ledger_is_filtered_and_sorted(whole, opened):
     opened.get_by_label("Verdict").select_option("")
     opened.get_by_role("button", name="verdict").click()
     assert opened.locator(f"{shown} td:nth-child(3)").first.inner_text().strip() == "argued"
+
+
+def test_the_guides_are_pages_with_their_code_and_links():
+    from symhaptic.book.site.guides import ORDER, guides
+
+    found = guides()
+    assert list(found) == list(ORDER)
+    assert "::\n\n   pip install symhaptic\n" in found["verify"]
+    assert ".. code:: python\n\n   >>> " in found["limits"]
+    assert not any(".md>`__" in text for text in found.values())

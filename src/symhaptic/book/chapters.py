@@ -67,7 +67,7 @@ class Chapter:
         return source(self.path)
 
 
-def _beside(name: str) -> Path:
+def beside(name: str) -> Path:
     """A file or folder of the project: inside an installed package, or in the repository."""
     inside = PACKAGE / name
     return inside if inside.exists() else PACKAGE.parents[1] / name
@@ -75,7 +75,7 @@ def _beside(name: str) -> Path:
 
 def folder() -> Path:
     """The folder of the paper's derivations."""
-    return _beside("derivations")
+    return beside("derivations")
 
 
 def source(path: Path) -> str:
@@ -86,17 +86,17 @@ def source(path: Path) -> str:
 def expected_ledger() -> Path:
     """The committed ledger that `symhaptic verify` compares with."""
     inside = PACKAGE / "ledger.json"
-    return inside if inside.exists() else _beside("reports") / "ledger.json"
+    return inside if inside.exists() else beside("reports") / "ledger.json"
 
 
 def expected_mutants() -> Path:
     """The committed outcome of `symhaptic mutants`."""
-    return _beside("reports") / "mutants.json"
+    return beside("reports") / "mutants.json"
 
 
 def expected_bench() -> Path:
     """The committed measurement of `symhaptic bench`, which the report shows."""
-    return _beside("reports") / "bench.json"
+    return beside("reports") / "bench.json"
 
 
 def shipped() -> list[Path]:

@@ -20,6 +20,7 @@ from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.rests import between, shown_in
 from symhaptic.book.site import explorer, mathml, tables
 from symhaptic.book.site.chapter import Place, chapter_page, kind
+from symhaptic.book.site.guides import guides
 from symhaptic.book.site.place import MARK, allowed
 from symhaptic.book.site.words import heading, table, words
 from symhaptic.book.tex.build import MEANINGS
@@ -51,6 +52,7 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
             "results": tables.results(entries),
             "errata": tables.errata(entries),
             "ledger": tables.ledger(entries, names),
+            **guides(),
         }
     pages["believed"] = tables.believed(entries)
     pages[explorer.NAME] = explorer.page({chapter.name for _, chapter in numbered})
@@ -77,7 +79,7 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         ]
     before = ["results", "errata", "ledger"] if whole else []
     out += _tree("Results", [*before, "believed"])
-    out += _tree("Try it", [explorer.NAME])
+    out += _tree("Use it", [explorer.NAME, *(guides() if whole else ())])
     for part in (*PARTS, OWN):
         inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
         if inside:
