@@ -351,6 +351,11 @@ def test_axe_finds_nothing_serious(site, browser, scheme, width):
     page.close()
 
 
+def test_no_name_is_given_twice(page):
+    ids = page.evaluate("[...document.querySelectorAll('[id]')].map(one => one.id)")
+    assert len(ids) == len(set(ids))
+
+
 def test_every_limit_and_rule_leads_to_a_chapter():
     names = {path.stem for path in shipped()}
     assert {one.chapter for one in explorer.TOLD} | set(explorer.CHAPTERS.values()) <= names

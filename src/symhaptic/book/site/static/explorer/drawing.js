@@ -3,7 +3,8 @@
 (() => {
   const SVG = "http://www.w3.org/2000/svg";
   const ROW = 2; // pixels
-  const MARGIN = { left: 58, right: 14, top: 14, bottom: 46 };
+  const PARTS = 16; // of a piece with a corner
+  const MARGIN = { left: 70, right: 14, top: 14, bottom: 46 };
 
   explorer.element = (name, attributes = {}, text = "") => {
     const made = document.createElementNS(SVG, name);
@@ -73,43 +74,57 @@
         if (there) for (const [alpha, beta] of [points[i - 1], points[i]]) add(alpha, beta);
       });
     }
+    const corner = (explorer.line(points) + n.gamma) / 2; // where both straight parts meet
+    const near = 1e-6 * Math.abs(corner);
+    if (kind === "stable" && haptic.is_stable(-n.gamma + near, corner - near, n.gamma, n.delta, n.d)) add(-n.gamma, corner);
     const wide = right - left || 1;
     const tall = high - low || 1;
     return { left: left - 0.06 * wide, right: right + 0.08 * wide, low: low - 0.08 * tall, high: high + 0.08 * tall };
   };
 
-  // what is stable, row by row, and its part of the line alpha = -gamma
+  // what is stable, row by row, and the straight parts of its boundary: a root at 1 or at -1
   explorer.stablePath = (n, points, view, frame) => {
     const [out, edge] = [[], []];
+    const line = explorer.line(points);
+    const place = (value) => frame.x(value).toFixed(1);
     for (let py = frame.top; py < frame.bottom; py += ROW) {
-      const beta = frame.value(0, py + ROW / 2)[1];
-      const inside = explorer.marks(n, points, beta).map(([alpha]) => alpha).filter((alpha) => alpha > view.left && alpha < view.right);
-      const ends = [view.left, ...inside, view.right];
+      const [top, beta, bottom] = [0, ROW / 2, ROW].map((down) => frame.value(0, py + down)[1]);
+      const inside = explorer.marks(n, points, beta).filter(([alpha]) => alpha > view.left && alpha < view.right);
+      const ends = [[view.left, NaN, 1], ...inside, [view.right, NaN, 1]];
       for (let i = 1; i < ends.length; ++i) {
-        if (!haptic.is_stable((ends[i] + ends[i - 1]) / 2, beta, n.gamma, n.delta, n.d)) continue;
-        if (ends[i - 1] === -n.gamma) edge.push(`M${frame.x(-n.gamma).toFixed(1)} ${py}v${ROW}`);
-        out.push(`M${frame.x(ends[i - 1]).toFixed(1)} ${py}H${frame.x(ends[i]).toFixed(1)}v${ROW}H${frame.x(ends[i - 1]).toFixed(1)}z`);
+        const [from, to] = [ends[i - 1], ends[i]];
+        if (!haptic.is_stable((from[0] + to[0]) / 2, beta, n.gamma, n.delta, n.d)) continue;
+        out.push(`M${place(from[0])} ${py}H${place(to[0])}v${ROW}H${place(from[0])}z`);
+        for (const [, theta, curved] of [from, to]) {
+          if (curved) continue;
+          const [above, below] = theta === 0 ? [-n.gamma, -n.gamma] : [line - 2 * top, line - 2 * bottom];
+          edge.push(`M${place(above)} ${py}L${place(below)} ${py + ROW}`);
+        }
       }
     }
     return [out.join(""), edge.join("")];
   };
 
-  // a point that lies left of a bound, moved there along its piece
-  function cut(point, other, left) {
-    if (point[0] >= left || other[0] < left) return point;
-    const share = (left - point[0]) / (other[0] - point[0]);
-    return [left, point[1] + share * (other[1] - point[1])];
-  }
-
+  // the curved parts; a piece beside one of another kind holds a corner, and is judged in parts
   explorer.borderPath = (n, points, frame) => {
     let [out, open] = ["", false];
     const bordering = explorer.bordering(n, points);
-    for (let i = 1; i < points.length; ++i) {
-      const [p, q] = [cut(points[i - 1], points[i], -n.gamma), cut(points[i], points[i - 1], -n.gamma)];
-      const there = bordering[i];
-      if (there && !open) out += `M${frame.x(p[0]).toFixed(1)} ${frame.y(p[1]).toFixed(1)}`;
-      if (there) out += `L${frame.x(q[0]).toFixed(1)} ${frame.y(q[1]).toFixed(1)}`;
+    const place = ([alpha, beta]) => `${frame.x(alpha).toFixed(1)} ${frame.y(beta).toFixed(1)}`;
+    const draw = (there, p, q) => {
+      if (there) out += `${open ? "" : `M${place(p)}`}L${place(q)}`;
       open = there;
+    };
+    for (let i = 1; i < points.length; ++i) {
+      const [p, q] = [points[i - 1], points[i]];
+      if (bordering[i] === bordering[i - 1] && bordering[i] === (bordering[i + 1] ?? bordering[i])) {
+        draw(bordering[i], p, q);
+        continue;
+      }
+      const at = (share) => haptic.stability_boundary(p[2] + share * (q[2] - p[2]), n.gamma, n.delta, n.d);
+      for (let j = 0; j < PARTS; ++j) {
+        const [one, two] = [at(j / PARTS), at((j + 1) / PARTS)];
+        draw(explorer.borders(n, one, two), one, two);
+      }
     }
     return out;
   };

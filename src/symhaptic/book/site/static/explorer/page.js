@@ -2,7 +2,7 @@
 "use strict";
 document.addEventListener("DOMContentLoaded", () => {
   const find = (id) => document.getElementById(id);
-  if (!find("explorer")) return;
+  if (!find("explore")) return;
   const [region, motion] = [find("region"), find("motion")];
   let state = explorer.fromHash(location.hash);
   let frame = null;

@@ -34,6 +34,10 @@
     const limit = Math.abs(limits.alpha) < 1e-14 ? 0 : limits.alpha; // where nothing damps, but for rounding
     say("told-limit", limit * K, "N/m", limit > 0 ? at(limits.theta) : "");
     say("told-stiffest", limits.stiffest[0] * K, "N/m", Number.isFinite(limits.stiffest[1]) ? `with B = ${explorer.number(limits.stiffest[1] * B)} Ns/m, ${at(limits.stiffest[2])}` : "");
+    if (!Number.isFinite(limits.stiffest[0])) {
+      document.getElementById("told-stiffest").textContent = "not searched for";
+      document.getElementById("told-stiffest-note").textContent = "outside of what the exported search covers";
+    }
     say("told-passive-limit", limits.passive_alpha * K, "N/m");
     say("told-stiffest-passive", limits.stiffest_passive[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest_passive[1] * B)} Ns/m`);
     say("told-linear", limits.linear * K, "N/m");
