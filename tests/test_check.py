@@ -1,9 +1,12 @@
 """Each mistake that was found in other people's code is caught and named."""
 
 import subprocess
+import sys
 
 import pytest
 from command import symhaptic
+
+from symhaptic.check.plugin import Agreement
 
 MINE = """
 from math import cos, exp, pi, sin, tan
@@ -109,3 +112,20 @@ def test_bad_usage_is_one_line(mine):
         done = checked(mine, *options)
         assert done.returncode == 2
         assert len(done.stderr.splitlines()) == 1
+
+
+def test_the_plugin_loads_nothing_symbolic():
+    code = "import sys, symhaptic.check.plugin as p; print({'sympy', 'flint'} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
+
+
+def test_the_plugin_passes_and_fails_a_test():
+    eq25 = Agreement("linear_limit")
+    eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 0.5), over={"d": (0, 2)}, points=500)
+    with pytest.raises(pytest.fail.Exception, match="0x"):
+        eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 1), points=500)
+    with pytest.raises(ValueError, match="over: 'b'"):
+        eq25.agrees(lambda beta, delta, d: 0.0, over={"b": (0, 1)})
+    with pytest.raises(ValueError, match="id: 'eq99'"):
+        Agreement("eq99")
