@@ -129,3 +129,14 @@ def test_the_plugin_passes_and_fails_a_test():
         eq25.agrees(lambda beta, delta, d: 0.0, over={"b": (0, 1)})
     with pytest.raises(ValueError, match="id: 'eq99'"):
         Agreement("eq99")
+
+
+def test_a_table_of_exact_values():
+    """Without delay (11) is K = 2b/T tan(pi/4) = 2b/T, so 100000 for b = 50, T = 0.001."""
+    done = symhaptic("check", "--formula", "eq11", "--table", "--points", 200)
+    head, *rows = [line.split(",") for line in done.stdout.splitlines()]
+    assert head == ["b", "T", "d", "K", "B"]
+    assert len(rows) == 200
+    wanted = [(50.0).hex(), (0.001).hex(), (0.0).hex()]
+    (found,) = [row for row in rows if row[:3] == wanted]
+    assert abs(float(found[3]) - 100000) < 1e-9

@@ -40,6 +40,9 @@ def check(
     github: Annotated[
         bool, typer.Option("--github", help="Print a failure as an annotation of GitHub's.")
     ] = False,
+    table: Annotated[
+        bool, typer.Option("--table", help="Print points and exact values as CSV; call nothing.")
+    ] = False,
     listing: Annotated[bool, typer.Option("--list", help="Print what can be checked.")] = False,
 ) -> None:
     """Check a function of your own against exact values: 0 agrees, 1 differs, 2 bad usage."""
@@ -54,6 +57,11 @@ def check(
         return
     if formula not in CHECKED:
         refuse(f"--formula: {formula!r} is not known; {suggested(str(formula), CHECKED)}")
+    if table:
+        from symhaptic.check.table import csv_text
+
+        typer.echo(csv_text(CHECKED[formula], points), nl=False)
+        return
     if sum(given is not None for given in (python, library, command)) != 1:
         refuse("--python, --library, --command: exactly one of them is needed")
     if not ulp >= 0:
