@@ -25,10 +25,10 @@ SOUNDNESS ?= 100000
 bench: .venv/ready
 	$(BIN)/pytest benchmarks --benchmark-only
 
-.venv/ready: pyproject.toml constraints.txt
+.venv/ready: pyproject.toml setup.py constraints.txt $(wildcard src/symhaptic/kernels/*.[ch])
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
 	touch $@
 
 clean:
-	rm -rf .venv reports/figures reports/*.pdf
+	rm -rf .venv build src/*.egg-info src/symhaptic/kernels/*.so reports/figures reports/*.pdf

@@ -12,8 +12,10 @@ import time
 
 import numpy as np
 import pytest
+from scipy.signal import cont2discrete
 
 import symhaptic
+import symhaptic.numeric.compiled
 from symhaptic.export import kernels, request
 from symhaptic.export.targets import TARGETS
 from symhaptic.kernels import haptic
@@ -100,3 +102,59 @@ def test_public_functions_beside_kernels(benchmark, name):
     ratio = seconds(lambda: getattr(symhaptic, name)(*columns)) / bare
     benchmark.extra_info["times the kernel"] = round(ratio, 2)
     print(f"\n    {name}: {ratio:.2f} times the kernel", end="")
+
+
+PUBLIC = {
+    "discretize": 3, "is_stable": 3, "stability_boundary": 3, "linear_limit": 3,
+    "passivity_margin": 10, "max_stable_stiffness": 10, "max_passive_stiffness": 10,
+}  # fmt: skip
+"""What one call may take, in microseconds."""
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_public_functions_beside_c(benchmark, compiled, name):
+    """Arrays beside the exported C in a plain loop, and one call with floats; all checked."""
+    if symhaptic.numeric.compiled.MODULE is None:
+        pytest.skip("the install found no compiler")
+    form, function = FORMS[name], getattr(symhaptic, name)
+    columns = [COLUMNS[s.name] for s in form.arguments]
+    if name == "max_stable_stiffness":
+        columns = [columns[0] / 10, *columns[1:]]  # where its kernel has an answer
+    out = np.empty((len(form.results), COUNT))
+    pointers = [ctypes.c_void_p(c.ctypes.data) for c in (*columns, out)]
+    loop = getattr(compiled, f"loop_{name}")
+    found = benchmark.pedantic(function, columns, rounds=1)
+    assert found is not None
+    quick = seconds(lambda: loop(ctypes.c_long(COUNT), *pointers))
+    ours = seconds(lambda: function(*columns))
+    one = [float(c[0]) for c in columns]
+    call = seconds(lambda: [function(*one) for _ in range(1000)]) / 1000
+    print(
+        f"\n    {name}: arrays {ours / quick:.2f} times C (goal 1.1), "
+        f"one call {1e6 * call:.1f} us (goal {PUBLIC[name]})",
+        end="",
+    )
+
+
+def test_one_wall_beside_scipy(benchmark):
+    """SciPy samples the device, NumPy finds the roots: what is done without the package."""
+    gamma, delta, alpha, beta, delay = 0.1, 0.2, 0.3, 0.4, 2
+
+    def by_scipy():
+        num, den, _ = cont2discrete(([1.0], [1.0, delta, gamma]), 1.0)
+        wall = np.array([alpha + beta, -beta])
+        p = np.concatenate([den, np.zeros(delay + 1)])
+        p[-3:] += np.convolve(num.ravel()[1:], wall)
+        return np.abs(np.roots(p)).max() < 1
+
+    def by_us():
+        return symhaptic.is_stable(alpha, beta, gamma, delta, float(delay))
+
+    assert by_scipy() == benchmark(by_us)
+    theirs = seconds(lambda: [by_scipy() for _ in range(200)]) / 200
+    ours = seconds(lambda: [by_us() for _ in range(200)]) / 200
+    print(
+        f"\n    is_stable: SciPy and NumPy {1e6 * theirs:.0f} us, the package {1e6 * ours:.1f} us, "
+        f"ratio {theirs / ours:.0f}",
+        end="",
+    )

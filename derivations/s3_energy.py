@@ -7,8 +7,16 @@ burns.  Which inequality forbids this, and is it the whole truth?
 
 from sympy import I, S, cos, exp, re
 
-from symhaptic.model import passivity, wall
-from symhaptic.notation import K, T, b, function, omega, p_k, theta, v, x, z
+from symhaptic.book.lemmas.answers import PUSHES, holds, no_motion_gains
+from symhaptic.book.lemmas.answers import pulled as gives_energy
+from symhaptic.model import passivity
+from symhaptic.notation import K, T, b, function, omega, p_k, theta, v, x, y, z
+from symhaptic.paper import STATEMENTS
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.proof.theorems.familiar import square
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):
@@ -74,14 +82,40 @@ def derive(page):
         "well. Both together suffice. (At equality no energy is gained either: the strict sign "
         "asks for slightly more than passivity.)"
     )
+    _settle(page, b > needed)
+
+
+def _settle(page, condition):
+    """(4) guarantees passivity where the wall does not pull."""
+    printed = STATEMENTS["eq4"].printed
+    claim = CLAIMED["eq4"](printed)
+    symbols, given, _ = taken_apart(claim)
+    theorem = for_all(symbols, [*given, PUSHES], weakened(no_motion_gains(given[-1]), *given))
+    pulls = [S.One], [S.Half, square(1 + 2 * cos(omega))]
+    soft = {x: S.One, y: S.Zero, v: S.Zero, b: S.One, T: S.One}
+    pulled = soft | dict.fromkeys((x, y, v), -S.One)
+    page.lemma(
+        "A wall $x+y/z+v/z^2$ that meets (4) and does not pull gives no energy away",
+        theorem,
+        because="the energy of a motion is the integral of the margin over the spectrum of its "
+        "displacements, and what is stored at the end",
+        boxed=True,
+    )
     page.settle(
         "eq4",
-        b > needed,
-        provided=r"H(1)\ge 0",
-        unless={K: -S.One, b: S.One, T: S.One, omega: S.One},
-        specialise=lambda form: form.replace(H, lambda at: wall.transfer().subs({z: at, "B": 0})),
-        truth=(ramp >= 0).subs(p_k, 1),
+        theorem,
+        condition,
+        example=example(soft, [*given, PUSHES], holds(given[-1], soft, [S.Half])),
+        unless=[
+            counterexample(
+                claim,
+                pulled,
+                holds(given[-1], pulled, *pulls),
+                gives_energy(),
+                but=PUSHES,
+            )
+        ],
         note="at equality no motion gains energy either, so that (4) is sufficient, and necessary "
         "but for equality",
-        shows="a spring with $K=-1$ satisfies (4), yet four unit steps extract the energy 2",
+        shows="$H=-(1+1/z+1/z^2)$ pulls, satisfies (4) for every damper, and gives energy away",
     )

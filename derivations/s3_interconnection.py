@@ -4,11 +4,27 @@ Passivity is used because it survives when systems are connected. We ask which c
 are, and what stability it is that follows.
 """
 
-from sympy import I, S, symbols
+from sympy import I, Rational, S, cos, symbols
 
+from symhaptic.book.lemmas.connections import (
+    HELD,
+    NO_CHAIN,
+    connected_is_passive,
+    fed_back,
+    negative,
+    parallel,
+    passive_wall_is_stable,
+)
+from symhaptic.book.lemmas.walls import met, unstable
 from symhaptic.model.passivity import real_part
 from symhaptic.model.plant import Plant
-from symhaptic.notation import F, m, omega, s, t, v
+from symhaptic.notation import F, alpha, beta, d, delta, gamma, m, omega, s, t, v
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1, X_2
+from symhaptic.proof.theorems.familiar import bounded, square
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
 
 def derive(page):
@@ -25,7 +41,7 @@ def derive(page):
         because="what both take in is what comes from outside; with both stores added, the whole "
         "is passive",
     )
-    kept = page.same("parallel and feedback", face, (F - pushed) * v + pushed * v)
+    page.same("parallel and feedback", face, (F - pushed) * v + pushed * v)
     page.say(
         "This needs that the two share one quantity and exchange the other. A chain, in which the "
         "output of one system is the input of the next, does not. Take a lag, $1/(s+1)$, in units "
@@ -39,7 +55,7 @@ def derive(page):
         name=r"\Re\frac{1}{1+j\omega}",
         because="positive: the lag is passive",
     )
-    chain = page.step(
+    page.step(
         "Two lags in a chain",
         real_part(lag**2),
         (1 - omega**2) / (1 + omega**2) ** 2,
@@ -61,12 +77,54 @@ def derive(page):
         name=r"x/v_0",
         because="it takes in energy only when pushed, and drifts for ever",
     )
+    page.say(
+        "Of two linear systems let $Z_1=R_1+jX_1$ and $Z_2=R_2+jX_2$ be the answers to a sine. "
+        "They are passive if $0\\le R$ at every frequency."
+    )
+    page.lemma(
+        "Side by side and fed back to each other passive systems are passive",
+        for_all([*FREQUENCY, KIND], [R_1 >= 0, R_2 >= 0], conjoined(parallel(), fed_back())),
+        because="$\\Re\\frac{Z_1}{1+Z_1Z_2}=(R_1+|Z_1|^2R_2)/|1+Z_1Z_2|^2$",
+        boxed=True,
+    )
+    _settle(page)
+
+
+def _settle(page):
+    claim = CLAIMED["s3-interconnection"](())
+    symbols, given, then = taken_apart(claim)
+    extra = [NO_CHAIN, HELD]
+    every = conjoined(*connected_is_passive(), passive_wall_is_stable(given[-1]))
+    theorem = for_all(symbols, [*given, *extra], weakened(every, *given))
+    wall = dict.fromkeys((beta, gamma, d), S.Zero) | {alpha: S.One, delta: S.One}
+    lags = dict.fromkeys((R_1, R_2), Rational(1, 5)) | dict.fromkeys((X_1, X_2), -Rational(2, 5))
+    beside = {**lags, **wall, KIND: S.One}
+    chain = beside | {KIND: S(3)}
+    drift = beside | {alpha: S.Zero, beta: S.Half}
+    quarter, full = S.Half / 2, 1 + cos(omega)
+    shown = met(wall, [S.Half])
+    slow = met(drift, [quarter, square(full)], [quarter, bounded(cos, omega)], [S.Half])
     page.settle(
         "s3-interconnection",
-        kept,
-        provided=r"\text{parallel or feedback,}\ \text{and}\ \text{stability as bounded energy}",
-        unless={omega: S(2)},
-        truth=chain >= 0,
-        shows=r"two lags in a chain are not passive",
-        note="a passive mass may drift for ever",
+        theorem,
+        example=example(beside, [*given, *extra], shown),
+        unless=[
+            counterexample(
+                claim,
+                chain,
+                *(shown, not_all(then.at(chain), negative(chain))),
+                holds=[HELD],
+                but=NO_CHAIN,
+            ),
+            counterexample(
+                claim,
+                drift,
+                *(slow, not_all(then.at(drift), unstable(drift))),
+                holds=[NO_CHAIN],
+                but=HELD,
+            ),
+        ],
+        shows=r"two lags in a chain are not passive, and a passive wall without stiffness lets a "
+        "free mass drift",
+        note="right in parallel and in feedback, and where a spring or the wall holds the mass",
     )

@@ -111,7 +111,10 @@ def periods(page):
     )
     page.lemma("The stiffness is covered", inside)
     spare = 20 * LONGEST - DAMPING * LONGEST
-    page.lemma("The damping too", positive(DAMPING * T < 20 * LONGEST, [spare], [DAMPING, short]))
+    page.lemma(
+        "The damping is covered, too",
+        positive(DAMPING * T < 20 * LONGEST, [spare], [DAMPING, short]),
+    )
     page.enclosed(
         "They cover periods up to, in milliseconds",
         [

@@ -28,8 +28,8 @@ def derive(page):
         "a root at exp(j theta)", on_circle(polynomial.subs(on_it)).subs(x, cos(theta)), S.Zero
     )
     page.say("For $d=0$ the explicit boundary is a pair of rational functions of $x=\\cos\\theta$.")
-    page.show("Stiffness", alpha, on_it[alpha], root)
-    page.show("Damping", beta, on_it[beta], root)
+    page.show("The boundary without delay has this stiffness", alpha, on_it[alpha], root)
+    page.show("The boundary without delay has this damping", beta, on_it[beta], root)
     graph = page.same("the curve as a graph", on_it[alpha], CURVE.subs(beta, on_it[beta]))
     page.show(
         "The curve as a graph over the damping",

@@ -23,7 +23,7 @@ def derive(page):
     minor = 1 - e + beta * (n_1 - n_0 + a * n_0) - n_0 * total * beta**2
     minor -= alpha * n_0 * (1 + beta * n_1)
     page.step(
-        "Jury's minor",
+        "Near the origin Jury's minor is nearly the line",
         minor.subs(a, 1 + e - gamma * total),
         total * (1 - n_0 * beta) * (beta + delta - alpha / 2)
         + (1 - e - delta * total) * (1 - n_0 * beta)

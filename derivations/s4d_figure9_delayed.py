@@ -28,8 +28,10 @@ def derive(page):
         "Multiplied by the conjugate of the numerator, the explicit boundary needs four terms, for "
         "every delay. With $|N|^2=n_1^2+n_0^2+2n_1n_0\\cos\\theta$:"
     )
-    page.show("Stiffness", r"\alpha|N|^2\cos\tfrac{\theta}{2}", along, root)
-    page.show("Damping", r"\beta|N|^2\sin\theta", across, root)
+    page.show(
+        "The delayed boundary has this stiffness", r"\alpha|N|^2\cos\tfrac{\theta}{2}", along, root
+    )
+    page.show("The delayed boundary has this damping", r"\beta|N|^2\sin\theta", across, root)
     page.say(
         "The drawn arcs lie within $0\\le\\theta\\le\\pi/(d+1)$. On all of this, with the damping "
         "$\\delta=0.02$ that makes the regions largest:"

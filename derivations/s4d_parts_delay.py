@@ -45,8 +45,8 @@ def derive(page):
         "that of $d=1$ is below that of $d=0$. Inside the "
         "paper's ranges (23), $\\gamma=0.001$, $\\delta=0.01$, $\\alpha=-0.0009$, $\\beta=-0.011$:"
     )
-    page.lemma("One period of delay", stable_at({**wall, d: S.One}))
-    page.lemma("No delay", unstable_at(wall))
+    page.lemma("With one period of delay the wall is stable", stable_at({**wall, d: S.One}))
+    page.lemma("Without delay it is not stable", unstable_at(wall))
     page.say(
         "Stiffnesses above zero are met too, once the delay is long enough to turn the spring's "
         "own oscillation: at $\\gamma=0.001$, $\\delta=0.02$ the wall $\\alpha=0.0001$, "

@@ -69,7 +69,7 @@ def bound(page):
     """Damping in proportion to mass and rate, beside some stiffness."""
     claim = CLAIMED["s4d-damping-bound"](())
     symbols, given, _ = taken_apart(claim)
-    same = page.lemma("And any other period and mass", for_another_mass_and_rate())
+    same = page.lemma("It holds for any other period and mass, too", for_another_mass_and_rate())
     loop_ = dict.fromkeys((b, k, d, DAMPER, SPRING), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One}
     kept = loop_ | {B: BRAKED[beta], b: BEFORE, SOON: Rational(1, 2), DAMPER: BEFORE}
     swung = loop_ | {B: LITTLE[beta], SOON: S.One, SPRING: 4 * pi**2}

@@ -37,7 +37,7 @@ def derive(page):
     on = (lies + s_1 - delta - gamma / 2) / theta**2
     flatter = page.limits(on, theta, S.Zero, -short / 12)
     page.show(
-        "And from there on",
+        "From there on the boundary is flatter than the line",
         r"\lim_{\theta\to0}\frac{\Delta+g}{\theta^2}",
         -short / 12,
         flatter,
@@ -52,7 +52,7 @@ def derive(page):
     )
     scaled = periods(page)
     across = page.limit(
-        "The stiffness then",
+        "The stiffness is then of the order $h^2$",
         stiffness.subs(scaled, simultaneous=True) / h**2,
         h,
         S.Zero,
@@ -64,7 +64,9 @@ def derive(page):
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
     above = (lies.subs(scaled, simultaneous=True) / h**4).subs({s_2: 1, MU: delta / 12})
     distance = page.limits(above, h, S.Zero, apart)
-    page.show("And the surplus over the line", r"\lim_{h\to0}\Delta/h^4", apart, distance)
+    page.show(
+        "The surplus over the line is of the next order", r"\lim_{h\to0}\Delta/h^4", apart, distance
+    )
     crossing = flat * delta / rise
     page.step(
         "In short periods the boundary crosses the line at",
@@ -120,7 +122,7 @@ def periods(page):
         [2 * exp(-delta / 2) * n for n in (up, side)],
     )
     page.limit(
-        "The share",
+        "The share $\\nu$ is nearly one half",
         (side / (2 * delta * up)).subs(brief, simultaneous=True),
         h,
         S.Zero,

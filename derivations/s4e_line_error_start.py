@@ -6,10 +6,14 @@ paper's Fig. 10 shows small errors there. We take the limit, with and without sp
 
 from sympy import I, Rational, S, tanh
 
+from symhaptic.book.lemmas.linear_start import no_bound, unbounded
 from symhaptic.model import boundary, linear, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import Omega, d, delta, gamma, nu, s_1, s_2, theta, z
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.tactics import example, for_all
 
 HALF = Rational(1, 2)
 GAP = linear.GAP
@@ -18,7 +22,7 @@ GAP = linear.GAP
 def derive(page):
     stiffness, damping = boundary.solved(on_circle(-(z**d) * linear.near()))
     above = page.limits(linear.surplus(stiffness, damping), theta, S.Zero, -GAP)
-    right = page.limits(stiffness + gamma, theta, S.Zero, S.Zero)
+    page.limits(stiffness + gamma, theta, S.Zero, S.Zero)
     page.show(
         "At the start of the boundary",
         r"\lim_{\theta\to0}(\alpha_{\text{lin}}-\alpha)",
@@ -58,7 +62,7 @@ def derive(page):
     swing = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     shape = linear.numbers(swing)
     page.show(
-        "Without damping",
+        "Without damping the numerator is symmetric",
         r"(\nu,s_1)",
         r"\bigl(\tfrac12,\tfrac12\gamma\bigr)",
         page.same("undamped", [shape[nu], shape[s_1].subs(gamma, Omega**2)], [HALF, Omega**2 / 2]),
@@ -71,18 +75,34 @@ def derive(page):
     )
     swings = on_circle(swing.denominator).subs(theta, Omega)
     page.step(
-        "And the boundary meets the line at the origin",
+        "The boundary meets the line at the origin",
         swings,
         S.Zero,
         name=r"A(e^{j\Omega})",
         because="with $\\Omega=\\sqrt\\gamma$: at $\\theta=\\Omega$ the device swings alone, $Q=0$ "
         "and $\\alpha=\\beta=0$",
     )
+    unbounded_there(page)
+
+
+def unbounded_there(page):
+    """The reciprocal of the error tends to zero beside spring and damper."""
+    no_error = page.lemma(
+        "Beside spring and damper the reciprocal of the error tends to zero",
+        no_bound(),
+        because="$\\alpha+\\gamma$ is of order $\\theta^2$, with a factor that is positive, and "
+        "$\\alpha_{\\text{lin}}-\\alpha$ tends to a multiple of the gap, which is not zero",
+    )
+    symbols, given, _ = taken_apart(unbounded())
     page.state(
         "linear-error-start",
         "for $\\gamma\\delta>0$ and $\\gamma-\\frac14\\delta^2<\\pi^2$ the error (26) is unbounded "
         "at the start of the boundary, for every $d$",
+        claim=unbounded(),
     )
     page.settle(
-        "linear-error-start", above, right, note="it is bounded for $\\gamma=0$ or $\\delta=0$"
+        "linear-error-start",
+        for_all(symbols, given, weakened(no_error, *given)),
+        example=example({gamma: S.One, delta: S.One, d: S.Zero}, given),
+        note="it is bounded for $\\gamma=0$ or $\\delta=0$",
     )

@@ -27,7 +27,7 @@ def derive(page):
     low = b + B - K * T * (d + HALF)
     lowest = page.limits(passivity.margin(), theta, S.Zero, low)
     page.show(
-        "Passivity at low frequencies",
+        "At low frequencies (9) is what passivity asks for",
         r"\lim_{\theta\to0}F",
         low,
         lowest,
@@ -56,7 +56,7 @@ def derive(page):
         "satisfies (24) and is not passive:"
     )
     page.step(
-        "What (24) allows more",
+        "Beside an arm (24) allows more than (9)",
         (b_D + b_H + B) / (T * (d + HALF)) - (b_D + B) / (T * (d + HALF)),
         b_H / (T * (d + HALF)),
         name="K_{(24)}-K_{(9)}",

@@ -63,8 +63,18 @@ def derive(page):
     device = loop.numbers()
     physical = {**wall, beta: -Rational(1, 200), delta: Rational(1, 50)}
     virtual = {**wall, beta: Rational(3, 200), delta: S.Zero}
-    page.inside("$\\delta=0.02$, $\\beta=-0.005$", loop.named(), physical, device)
-    page.outside("$\\delta=0$, $\\beta=0.015$", loop.named(), virtual, device)
+    page.inside(
+        "With physical damping, $\\delta=0.02$ and $\\beta=-0.005$, the loop is stable",
+        loop.named(),
+        physical,
+        device,
+    )
+    page.outside(
+        "With virtual damping for it, $\\delta=0$ and $\\beta=0.015$, it is not",
+        loop.named(),
+        virtual,
+        device,
+    )
     settle(page, physical, virtual)
 
 

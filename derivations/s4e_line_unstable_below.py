@@ -5,16 +5,15 @@ We ask whether all walls are stable that satisfy (25) and have no more damping t
 inside the ranges (23).
 """
 
-from sympy import Rational, S, diff
+from sympy import Rational, S
 
-from symhaptic.bounds.linear_points import SHAPE
-from symhaptic.model import linear, loop
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.box import positive
-
-INSIDE = r"\text{inside (23)}"
-Y = linear.CHORD
+from symhaptic.book.lemmas.line_crossing import below_the_crossing
+from symhaptic.book.lemmas.stability import stable_at
+from symhaptic.notation import alpha, beta, d, delta, gamma, x
+from symhaptic.paper.propositions.linear import safe
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):
@@ -27,40 +26,34 @@ def derive(page):
         because="from $\\alpha_\\times$ found before: a sixth of $\\delta$ for $d=0$, a quarter "
         "for $d=1$, nearly half for long delays",
     )
-    facts = []
-    for delay, end in ((0, Rational(203, 100)), (1, Rational(61, 100))):
-        arc = linear.arc(delay)
-        rise = diff(arc.up, Y) * arc.size - arc.up * diff(arc.size, Y)
-        facts += [
-            page.positive(
-                f"Rising damping, $d={delay}$",
-                positive(rise, {**RANGES, Y: (0, end)}, SHAPE),
-                rf"0\le y\le{float(end):g},\ {INSIDE}",
-                name=r"|M|^4\,\frac{d\beta}{dy}",
-            ),
-            page.positive(
-                f"The end of the arc, $d={delay}$",
-                positive(-arc.right.subs(Y, end), RANGES, SHAPE),
-                rf"y={float(end):g},\ {INSIDE}",
-                name=r"-|M|^2(\alpha+\gamma)",
-            ),
-        ]
     page.say(
-        "The walls with (25), $\\alpha>-\\gamma$ and $\\beta\\le\\beta_\\times$ are a triangle "
-        "that the boundary does not enter: before the crossing it has $\\Delta<0$, after it "
-        "$\\beta>\\beta_\\times$, behind its end $\\alpha<-\\gamma$ and, for $d=1$ and $y>3.36$, "
-        "$\\Delta<0$ again. So all of it is stable if one wall of it is, for all of (23) at once, "
-        "and for each delay one is:"
+        "The walls with (25), $\\alpha>-\\gamma$ and $\\beta\\le\\beta_\\times$ are a triangle. "
+        "Beside each of them there is a stiffer wall of the same damping on the line, which is not "
+        "above the crossing and so is stable. With less stiffness the largest of Jury's minors is "
+        "larger, and the other inequalities hold in the whole triangle."
     )
-    for delay, stiffness in ((0, Rational(4, 100)), (1, Rational(1, 100))):
-        at = {alpha: stiffness, beta: S.Zero if delay == 0 else -Rational(5, 1000), d: S(delay)}
-        at |= {gamma: Rational(1, 1000), delta: Rational(1, 50)}
-        where = f"$d={delay}$, $\\gamma=0.001$, $\\delta=0.02$"
-        title = f"{where}: the wall $({float(stiffness):g},{float(at[beta]):g})$"
-        facts.append(page.inside(title, loop.named(), at, loop.numbers()))
+    claim = safe()
+    symbols, arms, every = taken_apart(claim)
+    theorem = for_all(symbols, arms, weakened(conjoined(*map(below_the_crossing, every.of)), *arms))
+    page.lemma(
+        "What satisfies (25) and has at most the damping of a stable wall on its line is stable",
+        theorem,
+        because="for $d=0$ and $d=1$, on all of (23)",
+        boxed=True,
+    )
     page.state(
         "linear-safe",
         "inside (23), for $d=0$ and $d=1$, every wall with (25), $\\alpha>-\\gamma$ and a damping "
-        "not above that of the crossing is stable",
+        "not above that of a stable wall on the line is stable",
+        claim=claim,
     )
-    page.settle("linear-safe", *facts, note="with $\\beta_\\times$ that of the only crossing")
+    arm = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
+    wall = {alpha: Rational(1, 100), beta: -Rational(5, 1000), x: Rational(1, 100)}
+    late = {**arm, alpha: wall[x], beta: Rational(3, 2) * wall[x] - arm[delta], d: S.One}
+    page.lemma("A wall on the line below the crossing, $d=1$", stable_at(late))
+    page.settle(
+        "linear-safe",
+        theorem,
+        example=example(arm | wall, arms),
+        note="up to the damping $\\beta_\\times$ of the only crossing",
+    )

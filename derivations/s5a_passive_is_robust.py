@@ -103,7 +103,7 @@ def _scaled(page):
     """(5) is linear in the wall and the damper."""
     need = passivity.dirichlet_form()
     page.step(
-        "Scaling",
+        "The damping that is needed is proportional to the wall",
         need.subs({K: y * K, B: y * B}, simultaneous=True),
         y * need,
         name=r"\text{need}(yK,yB)",

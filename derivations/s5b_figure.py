@@ -20,7 +20,7 @@ def derive(page):
         "condition, which bounds the stiffness alone:"
     )
     page.step(
-        "The damping needed there",
+        "At $(d+1)\\theta=\\frac\\pi2$ passivity needs this damping",
         passivity.dirichlet_form().subs({K: alpha, T: S.One}).subs(quarter),
         alpha / (2 * tan(theta / 2)),
         name=r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
@@ -31,7 +31,7 @@ def derive(page):
     size = n_1**2 + n_0**2 + 2 * n_1 * n_0 * cos(theta)
     need = (1 + a - e) * n_1 + (1 - a - e) * n_0 + 2 * (n_0 - e * n_1) * cos(theta)
     tip = page.step(
-        "The stability boundary there",
+        "The stability boundary has this stiffness there",
         stiffness.subs(quarter),
         tan(theta / 2) * need / size,
         name=alpha,
@@ -65,7 +65,7 @@ def derive(page):
         because="with $u=1/(d+1)$ and $\\theta=\\varphi u$: the mass is forgotten",
     )
     page.limit(
-        "The passive wall",
+        "The stiffest passive wall falls like the inverse of the delay",
         2 * delta * tan(pi * far / 4) / far,
         far,
         S.Zero,

@@ -44,7 +44,7 @@ def derive(page):
         name="F(yK,B)",
     )
     without = page.step(
-        "Without stiffness",
+        "Without stiffness the margin is not negative",
         b + B * cos((d + 1) * theta),
         (b + B) * (1 + cos((d + 1) * theta)) / 2 + (b - B) * (1 - cos((d + 1) * theta)) / 2,
         name="F(0,B)",
@@ -69,13 +69,13 @@ def derive(page):
     )
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), beta: Rational("0.0252"), d: S(150)}
     soft = {**arm, alpha: Rational(1, 5000), y: S.Zero}
-    page.lemma("$\\alpha=0.0002$", stands(soft))
-    page.lemma("No stiffness", falls(soft))
+    page.lemma("The wall with $\\alpha=0.0002$ is stable", stands(soft))
+    page.lemma("Without its stiffness it is not", falls(soft))
     page.say("With stiff springs, as in Fig. 13, two periods are enough:")
     spring = {gamma: S(3), delta: Rational(1, 50), beta: Rational("0.47"), d: S(2)}
     spring |= {alpha: Rational(3, 10), y: S.Zero}
-    page.lemma("$\\alpha=0.3$", stands(spring))
-    page.lemma("No stiffness, stiff spring", falls(spring))
+    page.lemma("Beside the spring the wall with $\\alpha=0.3$ is stable", stands(spring))
+    page.lemma("Without its stiffness it is not, beside the same spring", falls(spring))
     claim = CLAIMED["s5b-soft-contacts"](())
     symbols, given, _ = taken_apart(claim)
     held, below = proposition(y * alpha + gamma > 0), passive()

@@ -27,24 +27,31 @@ def derive(page):
     first, second, third, minor = (
         f.subs(arm).subs(loss) for f in jury.criterion(jury.coefficients(0)).expressions
     )
-    page.step("At 1", first, RISE * (alpha + gamma), name="p_1(1)")
+    page.step(
+        "The polynomial at 1 grows with the stiffness", first, RISE * (alpha + gamma), name="p_1(1)"
+    )
     low = page.step(
-        "The second",
+        "The second inequality holds for $\\beta>-s_1$",
         second,
         2 * RISE * (beta + s_1) + (n_1 - n_0) * (alpha + gamma),
         name="c_1",
         because="positive for $\\alpha>-\\gamma$ if $\\beta>-s_1$",
     )
-    page.step("At $-1$", diff(third, alpha), -(n_1 - n_0), name=r"\partial c_3/\partial\alpha")
+    page.step(
+        "The third one falls with the stiffness",
+        diff(third, alpha),
+        -(n_1 - n_0),
+        name=r"\partial c_3/\partial\alpha",
+    )
     falls = page.step(
-        "The minor",
+        "The minor falls with the stiffness",
         minor,
         RISE * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * (alpha + gamma),
         name=r"\Delta_2",
         because="falls with $\\alpha$; and positive, it needs $\\beta>-s_1$",
     )
     apart = page.positive(
-        "And $n_1>n_0$",
+        "Damping makes $n_1$ larger than $n_0$",
         box.positive(SLOPES[1] - 2 * SLOPES[2], WIDE, named({s: s for s in SLOPES})),
         IN_WIDE,
         name=r"\frac{\partial}{\partial\delta}(n_1-n_0)",
@@ -57,8 +64,13 @@ def derive(page):
     )
     stiff = {beta: -Rational(5, 2), gamma: S(5), delta: S.Half, d: S.One}
     numbers = loop.numbers()
-    page.inside("$\\alpha=4$", loop.named(), {**stiff, alpha: S(4)}, numbers)
-    page.outside("$\\alpha=0$", loop.named(), {**stiff, alpha: S.Zero}, numbers)
+    page.inside(
+        "Beside a stiff spring the wall with $\\alpha=4$ is stable",
+        loop.named(),
+        {**stiff, alpha: S(4)},
+        numbers,
+    )
+    page.outside("Without its stiffness it is not", loop.named(), {**stiff, alpha: S.Zero}, numbers)
     page.state(
         "undelayed-turned-down",
         rf"without delay and for ${IN_WIDE}$ a stable wall stays stable as its stiffness falls to "

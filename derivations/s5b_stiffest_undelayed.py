@@ -35,7 +35,9 @@ def derive(page):
     )
     loss = RISE * s_1 - gamma * n_0
     split = RISE * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * (alpha + gamma)
-    page.step("The minor", minor.subs(arm).subs(e, 1 - loss), split, name=r"\Delta_2")
+    page.step(
+        "The minor has two products", minor.subs(arm).subs(e, 1 - loss), split, name=r"\Delta_2"
+    )
     bounded(page, first, second, third, minor)
     reached(page, minor, second, third)
     ratio(page)
@@ -55,10 +57,12 @@ def bounded(page, first, second, third, minor):
     parts += (1 - n_0 * beta) * ((n_1 - n_0) ** 2 * beta + RISE**2 * s_1 - 4 * n_0)
     proof = page.same("least damping", RISE * minor.subs(arm).subs(e, 1 - loss), parts)
     text = r"n_0(1+n_1\beta)c_2+(1-n_0\beta)\bigl((n_1-n_0)^2\beta+(n_1+n_0)^2s_1-4n_0\bigr)"
-    page.show("The minor again", r"(n_1+n_0)\Delta_2", text, proof)
+    page.show(
+        "The minor is also a sum with the fourth coefficient", r"(n_1+n_0)\Delta_2", text, proof
+    )
     damping = (RISE * (1 - e) + gamma * n_0 * RISE).subs(BALLS)
     page.positive(
-        "For soft springs",
+        "Beside soft springs $1+n_1\\beta$ is positive",
         box.positive(4 * LATE - damping, WIDE, GIVEN),
         IN_WIDE,
         name="4n_0-(n_1+n_0)^2s_1",
@@ -75,7 +79,7 @@ def reached(page, minor, second, third):
     best = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
     margin = n_0 * x * (largest - alpha) - RISE * (n_0 * x - best) ** 2 / (n_0 * n_1**2)
     page.show(
-        "With $x=1+n_1\\beta>0$",
+        "With $x=1+n_1\\beta>0$ the minor is a margin less a square",
         r"\Delta_2",
         r"n_0x(\alpha_{\max}-\alpha)-\frac{(n_1+n_0)(n_0x-w)^2}{n_0n_1^2},\quad "
         r"w=\sqrt{n_0(n_0+en_1-\gamma n_0n_1)}",
@@ -116,7 +120,7 @@ def ratio(page):
         because="$\\eta<1/17.8<0.0562$; at $\\delta=0$ no stiffness is passive at all",
     )
     low = box.positive(Rational(72, 100) - largest, RANGES, GIVEN)
-    page.positive("Never stiffer than 0.72", low, IN_23, name=r"0.72-\alpha_{\max}(0)")
+    page.positive("No stable wall is stiffer than 0.72", low, IN_23, name=r"0.72-\alpha_{\max}(0)")
     end = Rational(1, 50)
     plants = [(Rational(1, 1000), end), (S.Zero, end), (S.Zero, Rational(201, 10000))]
     ratios = [over(most(*arm, 0), passive(arm[1], 0)) for arm in plants]
@@ -125,7 +129,7 @@ def ratio(page):
         for g, v in (("0.001", 0.02), (0, 0.02), (0, 0.0201))
     ]
     page.enclosed(
-        "The ratio in numbers",
+        "The ratio is 17.8 and a little more",
         list(zip(names, ratios, strict=True)),
         because="17.8 is cut from these, 0.0562 is the inverse of the first, rounded up (that of "
         "the second is below 0.0561); just beyond the range 17.8 is too much",

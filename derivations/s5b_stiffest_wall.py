@@ -24,7 +24,12 @@ def derive(page):
     )
     turned = alpha * cos(theta / 2) + I * (alpha + 2 * beta) * sin(theta / 2)
     back = exp(-I * theta / 2)
-    page.step("The wall", on_circle(WALL) * back, turned, name=r"V=z^{-1/2}W")
+    page.step(
+        "Half a period earlier the wall turns by $\\chi$",
+        on_circle(WALL) * back,
+        turned,
+        name=r"V=z^{-1/2}W",
+    )
     page.say(
         "A root is a place where $V=-F$ with $F=z^{d+1/2}A/N$. Let $\\chi$ be the angle of $F$, "
         "followed from $\\theta\\to0$, where it is 0 with a spring and $\\tfrac\\pi2$ without. The "
@@ -32,7 +37,7 @@ def derive(page):
     )
     force = on_circle(PLANT / FORCE) * exp(I * (d + Rational(1, 2)) * theta)
     page.show(
-        "Stiffness on the boundary",
+        "The stiffness on the boundary is a length times a cosine",
         r"\alpha(\theta)",
         r"-\frac{\Re F}{\cos\frac\theta2}=-R\cos\chi,\quad R=\frac{|A|}{|N|\cos\frac\theta2}",
         page.same("real part", -real_part(force) / cos(theta / 2), boundary.wall(DEVICE)[0]),

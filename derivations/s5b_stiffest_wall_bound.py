@@ -84,7 +84,7 @@ def sizes(page):
     facts = []
     for text, expr in zip(texts, inequalities, strict=True):
         fact = box.positive(expr.subs(BALLS), RANGES, named({s: s for s in NUMBERS}))
-        facts.append(page.positive("For soft springs", fact, WIDE, name=text))
+        facts.append(page.positive("Beside soft springs the bound holds", fact, WIDE, name=text))
     page.say(
         "By the first, the plant outweighs every stable wall at $z=-1$. By the second it outweighs "
         "those on the arc: $|\\alpha+2\\beta|\\le4(1+e)/(n_1+n_0)$ for $\\theta\\ge\\theta_r$, as "
@@ -123,7 +123,7 @@ def conclusion(page, proof):
         "$(d+1)\\theta_r\\le\\frac\\pi2$:"
     )
     page.show(
-        "The largest stable stiffness",
+        "The largest stable stiffness is a maximum over the first angles",
         r"\alpha_{\max}(d)",
         r"\max_{0<\theta\le\pi/(d+1/2)}\alpha(\theta)",
         proof,

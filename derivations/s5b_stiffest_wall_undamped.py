@@ -37,7 +37,7 @@ def derive(page):
     force = on_circle((z**2 - a * z + 1) / (n_0 * z + n_0)) * exp(I * (d + Rational(1, 2)) * theta)
     turned = (2 * cos(theta) - a) * exp(I * (d + 1) * theta) / (2 * n_0 * cos(theta / 2))
     page.step(
-        "With its delay",
+        "With its delay the force is real times a turn",
         force,
         turned,
         name="F",
@@ -49,7 +49,7 @@ def derive(page):
         (a - 2 * cos(theta)) * cos((d + 1) * theta) / (2 * n_0 * cos(theta / 2) ** 2),
     )
     page.show(
-        "The boundary",
+        "The boundary's stiffness has one factor that turns",
         r"\alpha(\theta)",
         r"\frac{(a-2\cos\theta)\cos(d+1)\theta}{2n_0\cos^2\frac\theta2}",
         curve,
@@ -64,7 +64,7 @@ def derive(page):
         / (2 * n_0 * cos(theta / 2) ** 2 * tan(theta / 2)),
     )
     page.show(
-        "And its damping",
+        "The boundary's damping has the sine of that turn",
         r"\alpha+2\beta",
         r"\frac{(a-2\cos\theta)\sin(d+1)\theta}{2n_0\cos^2\frac\theta2\tan\frac\theta2}",
         damping,

@@ -67,7 +67,7 @@ def derive(page):
         "$\\omega T\\le\\pi$ is the same as their squares:"
     )
     page.result(
-        "Below the Nyquist frequency",
+        "A device swings below the Nyquist frequency for these springs",
         gamma - delta**2 / 4 <= pi**2,
         equal_to=turns**2 <= pi**2,
         paper="30",

@@ -20,7 +20,7 @@ SHARE = symbols("nu")
 def derive(page):
     motion = plant.normalised(FULL).transition(S.One, 2 * I * pi)
     page.show(
-        "After one period",
+        "After one period every state is its mirror image, damped",
         r"(x,v)",
         r"-e^{-\delta/2}(x,v)",
         page.same("mirrored", list(motion.subs(AT)), [-LEFT, 0, 0, -LEFT]),
@@ -30,7 +30,7 @@ def derive(page):
     whole = loop.characteristic(FULL, split=2 * I * pi).subs(AT)
     rest = (z + LEFT) * z ** (d + 1) + force * ((alpha + beta) * z - beta)
     page.step(
-        "The polynomial",
+        "The polynomial has one zero at $-e^{-\\delta/2}$",
         whole,
         (z + LEFT) * rest,
         name="p_1(z)",
@@ -48,13 +48,28 @@ def derive(page):
         (quadratic[0] * z**2 + quadratic[1] * z + quadratic[2]).subs({f: LEFT, SHARE: force}),
     )
     one, two, three = jury.criterion(quadratic).expressions
-    page.step("At 1", one, 1 + f + SHARE * alpha, name="q(1)", because="$\\alpha>-\\gamma$")
-    page.step("At $-1$", two, 1 - f - SHARE * (alpha + 2 * beta), name="q(-1)")
     page.step(
-        "Roots $r_1,r_2$", three, 1 + SHARE * beta, name="1-r_1r_2", because="$\\beta>-1/\\nu$"
+        "The rest is positive at 1 for $\\alpha>-\\gamma$",
+        one,
+        1 + f + SHARE * alpha,
+        name="q(1)",
+        because="$\\alpha>-\\gamma$",
+    )
+    page.step(
+        "The rest at $-1$ bounds $\\alpha+2\\beta$",
+        two,
+        1 - f - SHARE * (alpha + 2 * beta),
+        name="q(-1)",
+    )
+    page.step(
+        "The product of the other zeros bounds $\\beta$",
+        three,
+        1 + SHARE * beta,
+        name="1-r_1r_2",
+        because="$\\beta>-1/\\nu$",
     )
     edge = page.step(
-        "The third side",
+        "The third side of the triangle is this line",
         ((1 - f) / SHARE).subs({f: LEFT, SHARE: force}),
         AT[gamma] * tanh(delta / 4),
         name=r"\alpha+2\beta<\frac{1-f}\nu",

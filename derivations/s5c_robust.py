@@ -7,7 +7,7 @@ every delay, and that one spring excludes all walls that do not pull.
 
 from sympy import I, S, cos, diff, sin
 
-from symhaptic.book.lemmas.undamped_robust import chord, outpaced, pulled, vanishes
+from symhaptic.book.lemmas.undamped_robust import chord, excluded, outpaced, pulled, vanishes
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
@@ -24,9 +24,14 @@ def derive(page):
         "Without damping the device swings for ever, by $\\Omega=\\sqrt\\gamma$ per period, and "
         "$n_1=n_0=(1-\\cos\\Omega)/\\Omega^2$:"
     )
-    page.step("The device", device.denominator.subs(swing), z**2 - 2 * z * cos(Omega) + 1, name="A")
+    page.step(
+        "The device without damping swings for ever",
+        device.denominator.subs(swing),
+        z**2 - 2 * z * cos(Omega) + 1,
+        name="A",
+    )
     equal = page.same("equal", device.n1.subs(swing), device.n0.subs(swing))
-    page.show("Its numerator", n_1, n_0, equal)
+    page.show("Its numerator is symmetric", n_1, n_0, equal)
     wall = (alpha + beta) * z - beta
     whole = z ** (d + 1) * (z**2 - 2 * z * cos(Omega) + 1) + n_0 * (z + 1) * wall
     page.same(
@@ -57,7 +62,7 @@ def derive(page):
         "$-4n_0\\alpha\\sin\\Omega\\,(1+\\cos\\Omega)$, and in the second one"
     )
     page.step(
-        "A sum of squares",
+        "The second term is a sum of squares",
         (late + 1) * square,
         ((late + 1) * beta - late * cos(Omega) * total) ** 2
         + (late**2 * sin(Omega) ** 2 - 1) * total**2,
@@ -73,6 +78,11 @@ def derive(page):
         outpaced(),
         because="neither term is positive; the delay is any fraction, with $z=w^{q+1}$ as the "
         "paper has it",
+    )
+    page.lemma(
+        "So no loop of a wall that does not pull is stable beside the spring with "
+        "$(d+1)\\sqrt\\gamma=\\frac\\pi2$",
+        excluded(),
     )
     page.lemma(
         "A wall that pulls is not stable beside a spring that is softer",

@@ -1,79 +1,21 @@
-r"""Which polynomial do the paper's curves for $d=\tfrac14$ and $d=\tfrac12$ belong to?
+r"""What does the principal sheet of $z^{-d}$ say of a stiff spring?
 
-With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta^q$. Read to the
-letter, all its roots have to lie inside the unit circle. Or only those are meant whose $\zeta$ is
-the principal root of $z$. Neither is the delayed force, and we ask how far they are from it.
+Of the roots of the polynomial in $\zeta$, $z=\zeta^q$, only those may be meant whose $\zeta$ is the
+principal root of $z$. That is not the delayed force either, and we ask how far it is from it.
 """
 
-from sympy import I, Rational, pi, tan
+from sympy import I, Rational, pi
 
 from symhaptic.book.figures.fractional import stable_readings
 from symhaptic.model import fractional, plant
-from symhaptic.model.parts import FULL, Parts
-from symhaptic.notation import alpha, beta, c, delta, gamma, l, n_0, n_1, x, y, z
+from symhaptic.model.parts import Parts
+from symhaptic.notation import alpha, beta, gamma, l, x, y, z
 from symhaptic.notation.latex import latex
-from symhaptic.proof import sign
 
 HALF = Rational(1, 2)
 
 
 def derive(page):
-    page.say(
-        "In $\\zeta$ the polynomial is $\\zeta^{q+r}A(\\zeta^q)+N(\\zeta^q)"
-        "((\\alpha+\\beta)\\zeta^q-\\beta)$, of degree $3q+r$. Each of the $q$ sheets sees the "
-        "wall turned by another multiple of $2\\pi d$. Let $q$ be even, as in all fractions of the "
-        "paper. Then $r$ is odd, and at $\\zeta=-1$ is $z=1$ while $z^d=-1$: a sheet with "
-        "the wall reversed."
-    )
-    given = {gamma: (delta**2 - c**2) / 4}
-    device = plant.sampled(plant.normalised(FULL), split=c)
-    total = device.n1 + device.n0
-    bottom = device.denominator.subs(z, 1)
-    sheets = []
-    for power, wall, title, because in (
-        (1, gamma + alpha, "At $\\zeta=1$", "positive if all roots are inside"),
-        (-1, alpha - gamma, "At $\\zeta=-1$", "negative if so, since the degree $3q+r$ is odd"),
-    ):
-        value = power * bottom + total * alpha
-        proof = page.same(title, value.xreplace(given), (total * wall).xreplace(given))
-        name = rf"p_1\big|_{{\zeta={power}}}"
-        page.show(title, name, (n_1 + n_0) * wall, proof, because)
-        sheets.append(proof)
-    page.state(
-        "fractional-literal",
-        "to the letter, for even $q$, a wall is stable only if $|\\alpha|<\\gamma$: never without "
-        "a physical spring",
-    )
-    page.settle("fractional-literal", *sheets)
-    page.say(
-        "In Fig. 11 $\\gamma=0.001$, $\\delta=0.02$, and the text says that the passive regions "
-        "lie inside the stable ones. By (11) they reach to"
-    )
-    gap = page.positive(
-        "The passive walls reach too far",
-        sign.number(2 * Rational("0.02") * tan(pi / 6) - Rational("0.001")),
-        r"d=\tfrac12",
-        name=r"\alpha_{\max}-\gamma",
-        because="23 times as far as the stable walls of that reading could, and for "
-        "$d=\\tfrac14$ farther still. Fig. 13 shades walls that are stable for all $\\gamma\\ge0$; "
-        "to the letter there is none at $\\gamma=0$",
-    )
-    page.state(
-        "fractional-figures",
-        "the curves of Fig. 11 and Fig. 13 for fractional delays are not those of the polynomial "
-        "read to the letter",
-    )
-    page.settle(
-        "fractional-figures",
-        *sheets,
-        gap,
-        note="Fig. 4 is (7), the principal sheet; whether the others are drawn from it or from "
-        "the exact plant cannot be told from the text",
-    )
-    stiff_spring(page)
-
-
-def stiff_spring(page):
     page.say(
         "For soft springs the principal sheet is close to the truth, as for the free mass. But "
         "Fig. 13 goes up to the Nyquist frequency. Take $\\sqrt\\gamma=\\frac23\\pi$, "

@@ -106,7 +106,7 @@ def frequency(page):
     )
     turn = sqrt(gamma - delta**2 / 4)
     page.step(
-        "The Nyquist frequency",
+        "This spring makes the device swing with the Nyquist frequency",
         turn.subs(gamma, pi**2 + delta**2 / 4),
         pi,
         name=r"\omega T\big|_{\gamma=\pi^2+\delta^2/4}",

@@ -150,8 +150,13 @@ QUALIFIED = [
     "s6-damping-marginal",
     "s6-stiffness-marginal",
     "s6-faster-sampling",
+    "rules:twice-damping",
+    "rules:damping-over-delay",
 ]
 REFUTED = [
+    "rules:four-masses",
+    "rules:two-masses",
+    "rules:damped-contact",
     "s4d-explicit-only-undelayed",
     "s4d-all-stabilising",
     "s4d-delay-shrinks",

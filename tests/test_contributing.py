@@ -11,7 +11,7 @@ from symhaptic.book.chapters import BadChapter, run
 from symhaptic.notation.latex import latex
 
 TEXT = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
-README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+VERIFY = (Path(__file__).parents[1] / "docs" / "verify.md").read_text(encoding="utf-8")
 EXAMPLE, THEOREM = (block.split("```")[0] for block in TEXT.split("```python\n")[1:3])
 
 
@@ -48,7 +48,7 @@ def test_a_wrong_step_in_it_is_named(tmp_path):
         run(path)
 
 
-@pytest.mark.parametrize("part", README.split("```yaml\n")[1:], ids=["GitHub", "GitLab"])
+@pytest.mark.parametrize("part", VERIFY.split("```yaml\n")[1:], ids=["GitHub", "GitLab"])
 def test_the_ci_of_somebody_else_checks_their_chapter(part, tmp_path):
     """In a repository that is not this one: installed by name, then their chapter, their tests."""
     steps = [line.strip(" -").removeprefix("run: ") for line in part.split("```")[0].splitlines()]

@@ -3,6 +3,7 @@
 import ast
 import json
 import os
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -56,17 +57,36 @@ def test_no_blanket_except_and_no_simplify():
 
 
 @pytest.fixture(scope="module")
-def unpacked(tmp_path_factory):
-    pytest.importorskip("hatchling")
-    folder = tmp_path_factory.mktemp("wheel")
+def source(tmp_path_factory):
+    """A copy of what an install needs, where nothing is left of earlier builds."""
+    pytest.importorskip("setuptools")
+    folder = tmp_path_factory.mktemp("source")
+    names = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
+        cwd=ROOT, capture_output=True, text=True, check=True,
+    ).stdout.split("\n")  # fmt: skip
+    for name in filter(None, names):
+        if (ROOT / name).is_file() and not name.startswith(("tests/", "benchmarks/")):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, folder / name)
+    return folder
+
+
+def wheel_of(source, folder, environment=None):
+    """The wheel, unpacked."""
     subprocess.run(
         [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation",
-         "--disable-pip-version-check", "-w", folder, ROOT],
-        check=True,
+         "--disable-pip-version-check", "-w", folder, source],
+        check=True, env=environment,
     )  # fmt: skip
     (wheel,) = folder.glob("*.whl")
     zipfile.ZipFile(wheel).extractall(folder / "site")
     return folder / "site"
+
+
+@pytest.fixture(scope="module")
+def unpacked(source, tmp_path_factory):
+    return wheel_of(source, tmp_path_factory.mktemp("wheel"))
 
 
 def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
@@ -95,3 +115,31 @@ def test_a_public_name_is_not_hidden_by_a_module():
         "print(modules & set(symhaptic.__all__))"
     )
     assert python(code) == "set()"
+
+
+CLEAN = (
+    "import symhaptic; print(symhaptic.__file__, flush=True); symhaptic.show_config(); "
+    "print(*symhaptic.discretize(0.0, 0.0))"
+)
+
+
+def test_without_a_compiler_the_install_works_on_the_array_kernels(source, tmp_path):
+    """PATH holds nothing and no compiler is named: the extension is left out."""
+    copied = shutil.copytree(source, tmp_path / "source", ignore=shutil.ignore_patterns("build"))
+    environment = {k: v for k, v in os.environ.items() if k not in ("CC", "CXX", "PYTHONPATH")}
+    environment["PATH"] = str(tmp_path / "empty")
+    wheel_of(copied, tmp_path, environment)
+    environment["PYTHONPATH"] = str(tmp_path / "site")
+    found = python(CLEAN, cwd=tmp_path, env=environment).split("\n")
+    assert found[0].startswith(str(tmp_path / "site"))
+    assert "kernels: array" in found
+    assert found[-1] == "0.5 0.5 2.0 1.0"  # a free mass: t^2/2 and two roots at 1
+
+
+@pytest.mark.skipif(shutil.which("cc") is None, reason="no compiler here")
+def test_the_wheel_needs_no_compiler_to_run_its_compiled_kernels(unpacked, tmp_path):
+    environment = os.environ | {"PYTHONPATH": str(unpacked), "PATH": str(tmp_path)}
+    found = python(CLEAN, cwd=tmp_path, env=environment).split("\n")
+    assert found[0].startswith(str(unpacked))
+    assert "kernels: compiled" in found
+    assert found[-1] == "0.5 0.5 2.0 1.0"

@@ -26,7 +26,11 @@ def there(name):
     return False
 
 
-@pytest.mark.parametrize("path", [*SOURCE.rglob("*.py"), *ROOT.glob("*.md")], ids=lambda p: p.name)
+@pytest.mark.parametrize(
+    "path",
+    [*SOURCE.rglob("*.py"), *ROOT.glob("*.md"), *ROOT.glob("docs/*.md")],
+    ids=lambda p: p.name,
+)
 def test_dotted_names_resolve(path):
     text = path.read_text(encoding="utf-8")
     named = set(re.findall(r"(?<![\w./])symhaptic(?:\.[A-Za-z]\w*)+", text)) - OWN
@@ -46,7 +50,7 @@ def paths_in(text):
     return set(re.findall(r"(?<![\w/.<-])(?:[\w*-]+/)+[\w*-]+\.(?:py|md)\b", text))
 
 
-MANUALS = [ROOT / "CONTRIBUTING.md", ROOT / "README.md"]
+MANUALS = [ROOT / "CONTRIBUTING.md", ROOT / "README.md", *(ROOT / "docs").glob("*.md")]
 CODE = [*SOURCE.rglob("*.py"), *(ROOT / "derivations").glob("*.py")]
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from symhaptic.book.formulas import Formula, formula
     from symhaptic.numeric.boundary import stability_boundary
+    from symhaptic.numeric.compiled import show_config
     from symhaptic.numeric.extremum import Extremum
     from symhaptic.numeric.linear import linear_limit
     from symhaptic.numeric.passivity import (
@@ -61,6 +62,7 @@ _HOME = {
     "prove": "symhaptic.proof.prove",
     "recheck": "symhaptic.proof.recheck",
     "robust_region": "symhaptic.numeric.tracing.robust",
+    "show_config": "symhaptic.numeric.compiled",
     "stability_boundary": "symhaptic.numeric.boundary",
     "stable_region": "symhaptic.numeric.tracing.region",
     "unstable_roots": "symhaptic.numeric.stability",
@@ -90,6 +92,7 @@ __all__ = [
     "prove",
     "recheck",
     "robust_region",
+    "show_config",
     "stability_boundary",
     "stable_region",
     "unstable_roots",

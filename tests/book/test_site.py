@@ -33,29 +33,6 @@ def some(tmp_path_factory):
     return target
 
 
-@pytest.fixture(scope="module")
-def browser():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        found = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield found
-        found.close()
-
-
-@pytest.fixture
-def opened(browser):
-    """A page that fails on what it writes to the console or asks of the network."""
-    page = browser.new_page()
-    bad = []
-    page.on("console", lambda told: bad.append(told.text) if told.type == "error" else None)
-    page.on("pageerror", lambda error: bad.append(str(error)))
-    page.on("request", lambda asked: asked.url.startswith("file:") or bad.append(asked.url))
-    yield page
-    assert bad == []
-    page.close()
-
-
 class Links(HTMLParser):
     """Ids of a page, where it leads, and what it loads."""
 
@@ -218,3 +195,13 @@ def test_the_ledger_is_filtered_and_sorted(whole, opened):
     opened.get_by_label("Verdict").select_option("")
     opened.get_by_role("button", name="verdict").click()
     assert opened.locator(f"{shown} td:nth-child(3)").first.inner_text().strip() == "argued"
+
+
+def test_the_guides_are_pages_with_their_code_and_links():
+    from symhaptic.book.site.guides import ORDER, guides
+
+    found = guides()
+    assert list(found) == list(ORDER)
+    assert "::\n\n   pip install symhaptic\n" in found["verify"]
+    assert ".. code:: python\n\n   >>> " in found["limits"]
+    assert not any(".md>`__" in text for text in found.values())

@@ -10,12 +10,13 @@ import flint
 import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 from flint import arb
 
 from symhaptic.bench import error, libm
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns, leaving_pi
-from symhaptic.export import device, library, request
+from symhaptic.export import device, library, pairs, request, whole_turns
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED, MEASURED_ON
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.vectors import sized
@@ -170,7 +171,7 @@ def test_an_angle_next_to_pi_hangs_on_the_slope_there():
 @pytest.mark.parametrize("low", ["root_low", "q_low"])
 @pytest.mark.parametrize("precision", MEASURED, ids=lambda p: p.name)
 def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Path):
-    """A mutant of the routines: a pole without what its float misses."""
+    """A mutant of the routines: a root or a pole without what its float misses."""
     whole = device.motion
 
     def mutant(do):
@@ -180,7 +181,11 @@ def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Pa
     (form,) = request.chosen(["discretize"])
     library.known.cache_clear()
     with monkeypatch.context() as patch:
-        patch.setattr(device, "motion", mutant)
+        if low == "root_low":
+            for module in (device, pairs, whole_turns):
+                patch.setattr(module, "root_low", lambda *_: sp.S.Zero)
+        else:
+            patch.setattr(device, "motion", mutant)
         run = error.compiled(form, tmp_path, precision)
     library.known.cache_clear()
     arrays = columns(form, np.random.default_rng(2), COUNT, precision)

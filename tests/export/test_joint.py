@@ -7,6 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from export.inlining import inlined
 from mpmath import mpf
 
 from symhaptic.export import joint, request
@@ -26,7 +27,7 @@ JOINT = sorted({step.call.func.__name__ for r in MERGED.values() for step in r.s
 @cache
 def program(name):
     """Arguments, steps and results of a routine, each as a function of the symbols in it."""
-    found = named(name, ROUTINES)
+    found = inlined(named(name, ROUTINES), ROUTINES)
     modules = [{n: partial(alone, n) for n in ROUTINES}, {"ProductError": lambda *_: 0}, "mpmath"]
 
     def function(expr):

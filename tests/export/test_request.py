@@ -1,6 +1,7 @@
 """What can be asked for, what is refused with one line, and that nothing is touched then."""
 
 import os
+import re
 from types import MappingProxyType
 
 import pytest
@@ -158,6 +159,9 @@ def test_the_readme_says_what_is_needed():
         assert "    n1 = Rise(gamma, delta)" in text
         assert "    alpha = 2*delta*tan(pi/(4*(d + 1)))" in text  # (11) of the paper
         assert max(map(len, text.splitlines())) < 1000
+        formulas = [line for line in text.splitlines() if line.startswith("$$")]
+        assert not [line for line in formulas if re.search(r"operatorname\{(?!atan)", line)]
+        assert r"$$p(z) = z^{d + 1} \left(- a z + e + z^{2}\right)" in text  # (18) of the paper
         assert "Domain: gamma >= 0, delta >= 0." in text
         assert "| gamma | 1 | nonnegative | physical stiffness, k T^2/m |" in text
         assert "units in the last place" in text

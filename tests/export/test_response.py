@@ -8,6 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from export.inlining import inlined
 
 from symhaptic.export.array_api import TARGET
 from symhaptic.export.library import known, library
@@ -23,7 +24,7 @@ T = sp.Symbol("t")
 
 @pytest.mark.parametrize("name", PARTS)
 def test_without_rounding_it_is_the_closed_form(name):
-    routine, at = known()[name], {}
+    routine, at = inlined(known()[name], known()), {}
     for symbol, expr in (*routine.steps, (None, routine.results[0][1])):
         at[symbol] = expr.replace(ProductError, lambda *_: sp.S.Zero).xreplace(at)
     psi = routine.arguments[0]
@@ -71,20 +72,22 @@ def difference():
     do, (one, factor, t) = Steps(), sp.symbols("begin factor tan")
     square, low = do("square", t * t), do("low", ProductError(t, t))
     less(do, one, factor, square, low)
-    del do.done[-2:]  # the float itself, without what it misses
-    return do.done, (one, factor, t), lambda one, factor, t: one - factor * t**2
+    found = do.done[-1].names[0]  # the float itself, without what it misses
+    routine = inlined(do.routine("Less", "", (one, factor, t), found), known())
+    steps = (*routine.steps, (sp.Symbol("found"), routine.results[0][1]))
+    return steps, (one, factor, t), lambda one, factor, t: one - factor * t**2
 
 
 def late():
     """The same of M at -1 behind a fraction of a period."""
-    routine = known()["LateApart"]
+    routine = inlined(known()["LateApart"], known())
     steps = (*routine.steps, (sp.Symbol("found"), routine.results[0][1]))
     return steps, routine.arguments, LateApart.definition
 
 
 def straight():
     """The same of what straight motions need, of its sines and its cosine as floats."""
-    routine, given = known()["Straight"], ("wave", "near", "along")
+    routine, given = inlined(known()["Straight"], known()), ("wave", "near", "along")
     steps = [s for s in routine.steps if s[0].name not in given]
     stiffness, damping, k, _ = routine.arguments
     arguments = (stiffness, damping, k, *map(sp.Symbol, given))

@@ -57,7 +57,7 @@ def test_every_public_function_of_arrays_is_tried():
     functions = {f for f in numeric if inspect.isfunction(f)}
     single = {characteristic_polynomial, stable_region}
     single |= {symhaptic.robust_region, symhaptic.grid_boundary}
-    assert functions == set(ARRAYS) | single
+    assert functions == set(ARRAYS) | single | {symhaptic.show_config}
 
 
 @each

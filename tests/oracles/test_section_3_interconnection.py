@@ -75,7 +75,10 @@ def test_the_mean_power_that_lags_take_from_a_sine():
 
     two = shown(CHAPTER, "Two lags in a chain")
     only(agrees, shown(CHAPTER, "One lag"), two)
-    assert number(two, **counterexample(CHAPTER, "s3-interconnection")) < 0
+    point = counterexample(CHAPTER, "s3-interconnection")
+    one, other = (complex(point[f"R_{n}"], point[f"X_{n}"]) for n in (1, 2))
+    assert one == other == pytest.approx(1 / (1 + 2j), rel=1e-15)  # of a lag at omega = 2
+    assert number(two, omega=2.0) == pytest.approx((one * other).real, rel=1e-14)
 
 
 @guards("s3_interconnection")

@@ -33,7 +33,13 @@ def test_without_delay_the_spring_moves_the_curve_by_its_own_size():
             assert abs(value(stiffness, **at) - alpha) < 1e-40
             assert abs(value(damping, **at) - beta) < 1e-40
 
-    only(agrees, *(shown(FIGURE_7, name) for name in ("Stiffness", "Damping")))
+    only(
+        agrees,
+        *(
+            shown(FIGURE_7, f"The boundary without delay has this {name}")
+            for name in ("stiffness", "damping")
+        ),
+    )
     moved = [
         max(abs(one - two) for one, two in zip(wall, other, strict=True)) / gamma
         for (gamma, _, _), wall, other in zip(cases, found, free, strict=True)
@@ -79,7 +85,11 @@ def test_around_the_origin_the_spring_moves_the_left_bound_only():
                 at = {"gamma": gamma, "delta": delta, "alpha": alpha, "beta": beta, **numbers}
                 assert abs(value(minor, **at) - inner) < 1e-15
 
-    only(agrees, shown("s4d_figure8_origin", "Jury's minor"), kept=("delta",))
+    only(
+        agrees,
+        shown("s4d_figure8_origin", "Near the origin Jury's minor is nearly the line"),
+        kept=("delta",),
+    )
 
 
 @guards("s4d_figure9_delayed")
@@ -96,7 +106,13 @@ def test_with_a_delay_the_spring_is_a_visible_part_of_the_width():
                 assert abs(value(along, **at) - one) < 1e-45
                 assert abs(value(across, **at) - two) < 1e-45
 
-    only(agrees, *(shown(FIGURE_9, name) for name in ("Stiffness", "Damping")))
+    only(
+        agrees,
+        *(
+            shown(FIGURE_9, f"The delayed boundary has this {name}")
+            for name in ("stiffness", "damping")
+        ),
+    )
     for d, bound, high in ((1, 0.17, 0.8), (2, 0.08, 0.5)):
         for gamma in (0.0, 1e-3):
             alpha, _ = stiffest(gamma, 0.02, d, 0.01, high)

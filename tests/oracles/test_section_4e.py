@@ -111,7 +111,11 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
             assert abs(lies - value(start, **at)) < 1e-28
             assert abs((lies - value(start, **at)) / small**2 - value(onwards, **at)) < 1e-20
 
-    only(agrees, shown(LINE, "At the start of the boundary"), shown(LINE, "And from there on"))
+    only(
+        agrees,
+        shown(LINE, "At the start of the boundary"),
+        shown(LINE, "From there on the boundary is flatter than the line"),
+    )
 
     def agrees_at_the_crossing(crossing):
         for d in (0, 1, 4):
@@ -282,7 +286,11 @@ def test_low_frequencies_are_what_the_linear_condition_sees():
             found = 1 - energy.need(K, B, d, np.array([1e-4]))[0]
             assert number(low, b=1, K=K, B=B, T=1, d=d) == pytest.approx(found, abs=1e-5)
 
-    only(agrees, shown("s4e_line_passive", "Passivity at low frequencies"), kept=("T",))
+    only(
+        agrees,
+        shown("s4e_line_passive", "At low frequencies (9) is what passivity asks for"),
+        kept=("T",),
+    )
     # K = T = 1, B = d = 0: b_D + b_H = 1 is more than K T/2, the device's own 0.01 is not enough
     assert energy.left(1.0, 0.0, b=1.01) > 0
     assert energy.left(1.0, 0.0, b=0.01) < 0
@@ -317,7 +325,7 @@ def test_physical_damping_is_worth_more_than_virtual_damping():
 
 @guards("s4e_line_two_percent")
 def test_at_the_thresholds_the_error_without_stiffness_is_two_per_cent():
-    found = decimals("s4e_line_two_percent", "Thresholds")
+    found = decimals("s4e_line_two_percent", "The error reaches 2\\,\\% at these dampings")
     cases = [(0, "0"), (0, "0.001"), (1, "0"), (1, "0.001")]
     for (d, spring), delta in zip(cases, found, strict=True):
         gamma, half = mpmath.mpf(spring), d + mpmath.mpf(1) / 2

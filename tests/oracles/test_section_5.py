@@ -77,7 +77,10 @@ def test_a_pulling_wall_runs_away_and_the_need_is_proportional():
             found = energy.need(0.7 * y, -0.3 * y, 2, np.array([theta]))[0]
             assert number(scaled, **at) == pytest.approx(found, abs=1e-14)
 
-    only(agrees, shown("s5a_passive_is_robust", "Scaling"))
+    only(
+        agrees,
+        shown("s5a_passive_is_robust", "The damping that is needed is proportional to the wall"),
+    )
 
 
 TIP = "s5b_figure"
@@ -96,7 +99,10 @@ def test_the_tips_of_both_regions():
                 wanted = energy.need(0.8, 0.3, d, np.array([theta]))[0]
                 assert number(passive, alpha=0.8, theta=theta) == pytest.approx(wanted, rel=1e-12)
 
-    titles = ("The damping needed there", "The stability boundary there")
+    titles = (
+        "At $(d+1)\\theta=\\frac\\pi2$ passivity needs this damping",
+        "The stability boundary has this stiffness there",
+    )
     only(agrees, *(shown(TIP, title) for title in titles))
 
     def agrees_at_low_angles(more):
@@ -119,7 +125,11 @@ def test_long_delays_and_a_wall_that_no_delay_destabilises():
             tip = 1 / energy.need(1.0, 0.0, 1e4 - 1, np.array([np.pi / 2e4]))[0]
             assert number(passive, delta=delta) == pytest.approx(1e4 * delta * tip, rel=1e-7)
 
-    only(agrees, shown(TIP, "A long delay, no spring"), shown(TIP, "The passive wall"))
+    only(
+        agrees,
+        shown(TIP, "A long delay, no spring"),
+        shown(TIP, "The stiffest passive wall falls like the inverse of the delay"),
+    )
     phi = np.linspace(0, np.pi, 100_001)
     assert (phi * np.sin(phi)).max() == pytest.approx(1.8197, abs=5e-5)
     assert phi[(phi * np.sin(phi)).argmax()] == pytest.approx(2.029, abs=5e-4)

@@ -37,7 +37,7 @@ def test_the_stiffest_wall_without_delay_by_a_search():
             assert number(formula, **at) == pytest.approx(alpha, rel=1e-10)
 
     only(agrees, shown(UNDELAYED, "So the largest stable stiffness without delay is"))
-    ratio = decimals(UNDELAYED, "The ratio in numbers")[0]
+    ratio = decimals(UNDELAYED, "The ratio is 17.8 and a little more")[0]
     assert found[1e-3, 0.02] / (2 * 0.02) == pytest.approx(float(ratio), rel=1e-10)
     for _ in range(20):  # on all of (23)
         gamma, delta = rng.uniform(0, 1e-3), rng.uniform(1e-3, 0.02)
@@ -69,11 +69,11 @@ def test_the_minor_and_a_coefficient_of_a_cubic():
 
     fourth = shown(UNDELAYED, "The fourth coefficient, as all add up to 8")
     both = (
-        shown("s5b_soft_contacts_undelayed", "The minor"),
-        shown("s5b_soft_contacts_undelayed", "The second"),
+        shown("s5b_soft_contacts_undelayed", "The minor falls with the stiffness"),
+        shown("s5b_soft_contacts_undelayed", "The second inequality holds for $\\beta>-s_1$"),
     )
     only(agrees, *both, fourth)
-    only(agrees, shown(UNDELAYED, "The minor"), both[1], fourth)
+    only(agrees, shown(UNDELAYED, "The minor has two products"), both[1], fourth)
 
 
 @guards("s5b_stiffest_wall")
@@ -102,7 +102,11 @@ def test_how_wall_and_plant_turn():
                 assert abs(value(force, theta=theta, **at) - slower) < 1e-20
                 assert abs(value(plant, theta=theta, **at) - faster) < 1e-20
 
-    titles = ("The wall", "$N$ turns less than $z$", "$A$ turns more than $z$")
+    titles = (
+        "Half a period earlier the wall turns by $\\chi$",
+        "$N$ turns less than $z$",
+        "$A$ turns more than $z$",
+    )
     only(agrees, *(shown(WALL, title) for title in titles))
 
 

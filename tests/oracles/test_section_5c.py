@@ -95,7 +95,7 @@ def test_the_polynomial_there_and_the_root_of_every_wall():
                     np.polyval(roots, z), abs=1e-11
                 )
 
-    only(agrees, shown(REGION, "The polynomial"))
+    only(agrees, shown(REGION, "The polynomial has one zero at $-e^{-\\delta/2}$"))
     for alpha, beta, delta, d in cases:
         gamma, left = at_nyquist(delta)
         roots = np.linalg.eigvals(oracle.loops(alpha, beta, gamma, delta, d))
@@ -125,7 +125,17 @@ def test_the_three_sides_of_the_triangle():
             inside += min(values) > 0
         assert 20 < inside < 200
 
-    only(agrees, *(shown(REGION, t) for t in ("At 1", "At $-1$", "Roots $r_1,r_2$")))
+    only(
+        agrees,
+        *(
+            shown(REGION, t)
+            for t in (
+                "The rest is positive at 1 for $\\alpha>-\\gamma$",
+                "The rest at $-1$ bounds $\\alpha+2\\beta$",
+                "The product of the other zeros bounds $\\beta$",
+            )
+        ),
+    )
 
     def agrees_with_the_third_side(side):
         for delta in (0.02, 0.6):
@@ -140,7 +150,7 @@ def test_the_three_sides_of_the_triangle():
                 )
                 assert number(side, delta=delta) == pytest.approx(high + 2 * beta, abs=1e-9)
 
-    only(agrees_with_the_third_side, shown(REGION, "The third side"))
+    only(agrees_with_the_third_side, shown(REGION, "The third side of the triangle is this line"))
 
 
 @guards("s5c_nyquist_region")

@@ -82,5 +82,5 @@ def test_the_plant_without_damping_on_the_circle():
     only(
         agrees,
         shown(UNDAMPED, "The plant on the circle"),
-        shown(UNDAMPED, "With its delay"),
+        shown(UNDAMPED, "With its delay the force is real times a turn"),
     )

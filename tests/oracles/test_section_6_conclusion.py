@@ -112,18 +112,25 @@ def test_how_much_damper_and_spring_matter():
 
 
 @guards("s6_marginal")
-def test_the_two_walls_for_which_they_matter():
-    point = counterexample("s6_marginal", "s6-stiffness-marginal")
-    wall = point["alpha"], 0.0
-    assert 16 * first_arc(0, DELTA, int(point["d"])) < wall[0]
-    for d in (0, 10, 60, 200):
-        assert oracle.stable(*wall, point["gamma"], point["delta"], d)
-    assert not oracle.stable(*wall, 0.0, point["delta"], 100)
-    late = counterexample("s6_marginal", "s6-damping-marginal")
-    stiff = 0.9 * float(first_arc(SPRING, DELTA, int(late["d"])))
-    betas = np.linspace(-0.02, 0.05, 701)
-    with_damper, without = (
-        oracle.moduli(stiff, betas, 1e-3, delta, int(late["d"])).max(axis=-1).min()
-        for delta in (0.02, 0.001)
-    )
-    assert with_damper < 1 < without
+def test_the_plant_for_which_damper_and_spring_matter():
+    """By eigenvalues: beside the spring nothing that does not pull is stable without a damper."""
+    points = [
+        counterexample("s6_marginal", f"s6-{name}-marginal") for name in ("damping", "stiffness")
+    ]
+    spring, d = points[0]["gamma"], int(points[0]["d"])
+    assert all(p["gamma"] == spring < 1e-3 and p["d"] == d for p in points)
+    assert [p["delta"] for p in points] == [0.02, 0]
+    betas = np.linspace(-0.03, 0.03, 601)
+
+    def least(alpha, gamma, delta):
+        return oracle.moduli(alpha, betas, gamma, delta, d).max(axis=-1).min()
+
+    for alpha in (0.0, 1e-5, 1e-4, 5e-4):
+        assert least(alpha, spring, 0.0) > 1 - 1e-9  # without a wall its zeros are on the circle
+    assert least(5e-4, spring, 0.02) < 1
+    assert least(2e-4, 0.0, 0.0) < 1
+    # and sixteen times the stiffness at d = 1000, as the note says
+    assert 16 * first_arc(0, DELTA, 1000) < 0.00059
+    for late in (0, 10, 60, 200):
+        assert oracle.stable(0.00059, 0.0, SPRING, DELTA, late)
+    assert not oracle.stable(0.00059, 0.0, 0.0, DELTA, 100)

@@ -218,10 +218,10 @@ def test_half_a_period_late_stable_walls_are_stable_in_the_papers_reading(whole)
         assert oracle.principal(1 / 15, 16 / 15, 0, 0, late).max() < 1
 
 
-READ = "s6h_fractional_readings"
+LETTER, READ = "s6h_fractional_letter", "s6h_fractional_readings"
 
 
-@guards("s6h_fractional_readings")
+@guards("s6h_fractional_letter")
 def test_to_the_letter_no_wall_is_stable_beyond_the_spring():
     def agrees(at_one, at_minus_one):
         for gamma, delta in PLANTS[1:3]:
@@ -233,7 +233,7 @@ def test_to_the_letter_no_wall_is_stable_beyond_the_spring():
             assert number(at_one, **at) == pytest.approx(np.prod(1 - w).real, abs=1e-12)
             assert number(at_minus_one, **at) == pytest.approx(np.prod(-1 - w).real, abs=1e-12)
 
-    only(agrees, *(shown(READ, f"At $\\zeta={sign}1$") for sign in ("", "-")))
+    only(agrees, *(shown(LETTER, f"At $\\zeta={sign}1$") for sign in ("", "-")))
     rng = np.random.default_rng(95)
     inside = 0
     for _ in range(300):

@@ -12,8 +12,11 @@ from scipy.signal import cont2discrete
 from sympy import Rational, S, symbols
 
 from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.model import plant
+from symhaptic.model.parts import FULL
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
 from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate, Relation, whole
+from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import axiom, device_static, loop_late
 from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.roots import jury, last_coefficient
@@ -155,6 +158,32 @@ def test_names_of_a_fraction_are_new():
             loop_late(NAMES, LOOP, names)
     with pytest.raises(NotShown):
         loop_late(NAMES, (z, *LOOP[1:]), (p, s))
+
+
+def test_every_fraction_that_is_the_delay_gives_the_polynomial_of_the_papers_reading():
+    """Of 1/2 = 2/4, too; beside the definition, which is made of a number q and other code."""
+    for over, under in ((0, 1), (2, 1), (1, 2), (3, 2), (2, 4)):
+        late = Rational(over, under)
+        found = axiom("loop in w", *LOOP[:-1], late, *NAMES, over, under - 1)
+        device = Predicate("device", (), (gamma, delta, *NAMES))
+        assert device in found.hypotheses
+        assert {p.name for p in found.hypotheses if isinstance(p, Predicate)} == {"device", "whole"}
+        reading, zeros = found.conclusion.of
+        assert reading == Predicate("stable_substituted", (), (*LOOP[:-1], late))
+        defined = loop_substituted((*LOOP[:-1], late), z, under)
+        numbers = plant.sampled(plant.normalised(FULL))
+        same = dict(zip(NAMES, (numbers.n1, numbers.n0, numbers.a, numbers.e), strict=True))
+        at = {alpha: 0.3, beta: 0.7, gamma: 0.4, delta: 0.5, z: 0.8 + 0.3j}
+        ours = complex(zeros.of[0].subs(same).subs(at))
+        assert ours == pytest.approx(complex(defined.conclusion.of[1].of[0].subs(at)), abs=1e-12)
+
+
+def test_a_fraction_that_is_not_the_delay_gives_no_polynomial():
+    found = axiom("loop in w", *LOOP, *NAMES, p, s)
+    assert Relation(d * (s + 1), "=", p) in found.hypotheses
+    assert {whole(p), whole(s)} <= found.hypotheses
+    with pytest.raises(NotShown):
+        axiom("loop in w", *LOOP[:-1], z, *NAMES, p, s)
 
 
 def test_a_device_at_rest_is_balanced_by_its_spring():

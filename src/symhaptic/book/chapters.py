@@ -13,6 +13,8 @@ from types import ModuleType, TracebackType
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import PACKAGE
+from symhaptic.book.sources import add
+from symhaptic.paper.statement import Source
 from symhaptic.proof.recheck import confirm
 
 
@@ -65,7 +67,7 @@ class Chapter:
         return source(self.path)
 
 
-def _beside(name: str) -> Path:
+def beside(name: str) -> Path:
     """A file or folder of the project: inside an installed package, or in the repository."""
     inside = PACKAGE / name
     return inside if inside.exists() else PACKAGE.parents[1] / name
@@ -73,7 +75,7 @@ def _beside(name: str) -> Path:
 
 def folder() -> Path:
     """The folder of the paper's derivations."""
-    return _beside("derivations")
+    return beside("derivations")
 
 
 def source(path: Path) -> str:
@@ -84,22 +86,45 @@ def source(path: Path) -> str:
 def expected_ledger() -> Path:
     """The committed ledger that `symhaptic verify` compares with."""
     inside = PACKAGE / "ledger.json"
-    return inside if inside.exists() else _beside("reports") / "ledger.json"
+    return inside if inside.exists() else beside("reports") / "ledger.json"
 
 
 def expected_mutants() -> Path:
     """The committed outcome of `symhaptic mutants`."""
-    return _beside("reports") / "mutants.json"
+    return beside("reports") / "mutants.json"
 
 
 def expected_bench() -> Path:
     """The committed measurement of `symhaptic bench`, which the report shows."""
-    return _beside("reports") / "bench.json"
+    return beside("reports") / "bench.json"
 
 
 def shipped() -> list[Path]:
     """The paper's derivations, in the order of the paper."""
     return sorted(folder().glob("s*.py"))
+
+
+SOURCE_FILE = "source.py"
+
+_sources: dict[Path, Source] = {}
+"""Folders whose source is known."""
+
+
+def source_beside(path: Path) -> Source | None:
+    """The source in whose folder a chapter stands, if it is one.
+
+    Raises :class:`BadChapter` with what is wrong with its ``source.py``.
+    """
+    file = path.resolve().parent / SOURCE_FILE
+    if file.parent not in _sources:
+        if not file.is_file():
+            return None
+        module = _load(file)
+        with _SomebodyElses(file):
+            if not hasattr(module, "SOURCE") or not hasattr(module, "STATEMENTS"):
+                raise BadChapter(file, "has no SOURCE or no STATEMENTS")
+            _sources[file.parent] = add(module.SOURCE, module.STATEMENTS)
+    return _sources[file.parent]
 
 
 def run(path: Path) -> Chapter:
@@ -109,6 +134,7 @@ def run(path: Path) -> Chapter:
     """
     begin = time.perf_counter()
     _ran.append(path)
+    source_beside(path)
     module = _load(path)
     derive = getattr(module, "derive", None)
     if not callable(derive):

@@ -12,7 +12,7 @@ from typing import Any
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.record import Settled
-from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, source_of
+from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, of_source, source_of
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition
 from symhaptic.paper import Statement
@@ -171,8 +171,8 @@ def twice(id: str, files: Iterable[str]) -> str:
     return f"{id!r} has a verdict in {' and in '.join(files)}; one file may settle a statement"
 
 
-def ledger(settled: Iterable[Entry]) -> list[Entry]:
-    """Every statement of the paper in its order, then the users' own.
+def ledger(settled: Iterable[Entry], source: Source | None = None) -> list[Entry]:
+    """Every statement that comes with the package in its order, or of a source, then one's own.
 
     Raises :class:`Twice` where two files settle one of them.
     """
@@ -180,7 +180,8 @@ def ledger(settled: Iterable[Entry]) -> list[Entry]:
     for id, files in several.items():
         raise Twice(twice(id, files))
     found = {entry.statement.id: entry for entry in entries}
-    entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in STATEMENTS.items()]
+    listed = STATEMENTS if source is None else of_source(source)
+    entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in listed.items()]
     return entries + [entry for entry in found.values() if entry.own]
 
 

@@ -1,6 +1,13 @@
-"""The sources of statements, the paper first; the one place to add another."""
+"""The sources of statements, the paper first; the one place to add another.
+
+A user's source is a folder with a file ``source.py``, which has ``SOURCE`` and ``STATEMENTS``, and
+beside it the chapters that settle these.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
 
 from symhaptic import paper, rules
 from symhaptic.paper.propositions import CLAIMED
@@ -14,7 +21,7 @@ PAPER = Source(
     "2014",
     "IEEE Transactions on Control Systems Technology",
 )
-SOURCES = (PAPER, rules.SOURCE)
+SOURCES = [PAPER, rules.SOURCE]
 
 STATEMENTS: dict[str, Statement] = {**paper.STATEMENTS, **rules.STATEMENTS}
 """Of all sources, in their order."""
@@ -28,4 +35,29 @@ def source_of(id: str) -> Source | None:
     return next(source for source in SOURCES if source.key == key)
 
 
-__all__ = ["CLAIMED", "PAPER", "SOURCES", "STATEMENTS", "source_of"]
+def add(source: Source, statements: Iterable[Statement]) -> Source:
+    """Another source, with its statements, whose ids begin with its key and a colon.
+
+    Raises ``ValueError`` with one line on what is wrong with it.
+    """
+    found = {}
+    if not source.key.isidentifier() or any(source.key == other.key for other in SOURCES):
+        raise ValueError(f"the key {source.key!r} of a source is a name that no other source has")
+    for statement in statements:
+        if not statement.id.startswith(f"{source.key}:") or statement.id in found:
+            raise ValueError(
+                f"the id {statement.id!r} is to begin with '{source.key}:' and to stand once"
+            )
+        found[statement.id] = replace(statement, notation=source.notation)
+        found[statement.id].printed  # noqa: B018  raises where it cannot be read
+    SOURCES.append(source)
+    STATEMENTS.update(found)
+    return source
+
+
+def of_source(source: Source) -> dict[str, Statement]:
+    """The statements of a source, in their order."""
+    return {id: s for id, s in STATEMENTS.items() if source_of(id) is source}
+
+
+__all__ = ["CLAIMED", "PAPER", "SOURCES", "STATEMENTS", "add", "of_source", "source_of"]

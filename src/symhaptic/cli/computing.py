@@ -123,6 +123,9 @@ def export(
             "--delay", metavar="D", help="Whole periods, where one delay has to be chosen."
         ),
     ] = None,
+    whole_delays: Annotated[
+        bool, typer.Option("--whole-delays", help="Leave out what fractional delays need.")
+    ] = False,
     precision: Annotated[
         str, typer.Option("--precision", help="double, or single where the language has it.")
     ] = "double",
@@ -140,7 +143,7 @@ def export(
 
     try:
         by = [word.strip() for word in derivative.split(",") if word.strip()]
-        forms = request.chosen(formulas or [], request.scene(scene), delay, by)
+        forms = request.chosen(formulas or [], request.scene(scene), delay, by, whole_delays)
         if listing:
             for form in forms:
                 args = ", ".join(symbol.name for symbol in form.arguments)

@@ -33,6 +33,30 @@ Derivations = Annotated[
 ]
 
 
+SourceFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--source", metavar="DIR", help="A folder of your own: source.py, and chapters beside it."
+    ),
+]
+
+
+def chapters_in(folder: Path) -> list[Path]:
+    """The chapters of a user's source, which is read before any of them is run."""
+    from symhaptic.book.chapters import SOURCE_FILE, BadChapter, readable, source_beside
+
+    if not (folder / SOURCE_FILE).is_file():
+        refuse(f"--source {folder}: has no {SOURCE_FILE}; a folder with one is allowed")
+    paths = [path for path in sorted(folder.glob("*.py")) if path.name != SOURCE_FILE]
+    if not paths:
+        refuse(f"--source {folder}: has no chapter beside {SOURCE_FILE}")
+    try:
+        source_beside(paths[0])
+        return [readable(path) for path in paths]
+    except BadChapter as wrong:
+        refuse(f"--source {wrong}")
+
+
 def settled(paths: list[Path], workers: int, own: list[Path], bad: list[BadChapter]) -> list[Entry]:
     """The statements that derivations settle; those that cannot be run are told at once."""
     from symhaptic.book import parallel
@@ -79,12 +103,16 @@ def verify(
         typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
     ] = None,
     derivation: Derivations = None,
+    source: SourceFolder = None,
     listed: Annotated[
         bool,
         typer.Option("--list", help="Name the statements, where each stands and what it says."),
     ] = False,
 ) -> None:
-    """Decide the paper's statements; fail where a verdict is not the committed one."""
+    """Decide the paper's statements; fail where a verdict is not the committed one.
+
+    With --source those of your own source, whose committed verdicts are in ledger.json beside it.
+    """
     # SymPy, which reads this when it is imported, then forgets nothing while a chapter is run
     os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
     from time import perf_counter
@@ -92,17 +120,25 @@ def verify(
     from symhaptic.book import chapters, ledger, listing, parallel
 
     writable(output)
+    if source is not None and (derivation or listed):
+        refuse(f"--source {source}: is for itself; leave --derivation and --list out")
     if listed:
         name_statements(ids or [], format, output, derivation)
         return
-    own = own_chapters(derivation)
     wanted = ids or []
-    known = ledger.expected(chapters.expected_ledger())
+    if source is not None:
+        own, shipped = chapters_in(source), list[Path]()
+        known = committed_beside(source)
+    else:
+        own = own_chapters(derivation)
+        known = ledger.expected(chapters.expected_ledger())
     for id in wanted if not own else []:
         if id not in known:
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
-    given = {path.resolve() for path in own}
-    shipped = [p for p in listing.needed(wanted, chapters.shipped()) if p.resolve() not in given]
+    if source is None:
+        given = {path.resolve() for path in own}
+        needed = listing.needed(wanted, chapters.shipped())
+        shipped = [p for p in needed if p.resolve() not in given]
     bad: list[BadChapter] = []
     begin = perf_counter()
     found = settled(own + shipped, workers or parallel.workers(), own, bad)
@@ -111,14 +147,17 @@ def verify(
         path = next(p for p in (*reversed(own), *shipped) if chapters.source(p) in files)
         bad.append(chapters.BadChapter(path, ledger.twice(id, files)))
         told_bad(bad[-1], own)
-    entries = ledger.ledger(found)
+    entries = ledger.ledger(found, None if source is None else chapters.source_beside(own[0]))
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:
             if id not in names and not bad:
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
-    surprises = ledger.surprises(entries, known, whole=not wanted)
+    if source is None or known:
+        surprises = ledger.surprises(entries, known, whole=not wanted)
+    else:
+        surprises = []
     surprises += filter(None, map(ledger.judged_again, found))
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     text = {
@@ -134,6 +173,17 @@ def verify(
         raise typer.Exit(2)
     if surprises or (strict and undecided):
         raise typer.Exit(1)
+
+
+def committed_beside(source: Path) -> dict[str, str]:
+    """The verdicts that a user has committed, or none."""
+    from symhaptic.book import ledger
+
+    path = source / "ledger.json"
+    try:
+        return ledger.expected(path) if path.is_file() else {}
+    except (ValueError, KeyError, TypeError):
+        refuse(f"{path}: is no ledger; `symhaptic verify --format json -o` writes one")
 
 
 def name_statements(
@@ -170,18 +220,22 @@ def mutants(
     ] = None,
     workers: Annotated[int, typer.Option("--workers", min=1, help="Processes at a time.")] = 2,
     derivation: Derivations = None,
+    source: SourceFolder = None,
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; fail where the file is stale.")
     ] = False,
 ) -> None:
     """Change every statement and step in one place; fail where a wrong one is not refused.
 
-    With --derivation those of your chapters are changed, and not the paper's.
+    With --derivation those of your chapters are changed, with --source those of your own source,
+    and not the paper's.
     """
     from symhaptic.book import chapters, listing
     from symhaptic.book.mutation import trials
 
-    own = own_chapters(derivation)
+    if source is not None and derivation:
+        refuse(f"--source {source}: is for itself; leave --derivation out")
+    own = own_chapters(derivation) if source is None else chapters_in(source)
     output = output or (None if own else Path("reports/mutants.json"))
     writable(output)
     if output is not None and not trials.ours(output):

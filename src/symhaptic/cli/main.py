@@ -21,13 +21,14 @@ ParserError: type[Exception] = next(
 @app.callback(invoke_without_command=True)
 def _root(
     context: typer.Context,
-    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+    version: Annotated[bool, typer.Option("--version", help="Print version and kernels.")] = False,
 ) -> None:
     """Derive, verify and typeset the passivity and stability formulas of haptic walls."""
     if version:
         from symhaptic import __version__
+        from symhaptic.numeric.compiled import kernels_used
 
-        typer.echo(f"symhaptic {__version__}")
+        typer.echo(f"symhaptic {__version__} ({kernels_used()} kernels)")
     elif context.invoked_subcommand is None:
         typer.echo(context.get_help())
 

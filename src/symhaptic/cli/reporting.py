@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.cli.deciding import Derivations, own_chapters
+from symhaptic.cli.deciding import Derivations, SourceFolder, chapters_in, own_chapters
 from symhaptic.cli.shared import app, folder_allowed, progress, refuse
 from symhaptic.notation.suggest import suggested
 
@@ -53,14 +53,23 @@ def report(
     ] = False,
     listing: Annotated[bool, typer.Option("--list", help="Print the chapters' names.")] = False,
     derivation: Derivations = None,
+    source: SourceFolder = None,
 ) -> None:
-    """Write the derivations as LaTeX chapters and a book, and as a web site."""
+    """Write the derivations as LaTeX chapters and a book, and as a web site.
+
+    With --source the chapters of your own source, each to be \\input, and chapters.tex with all.
+    """
     from symhaptic.book import chapters as library
     from symhaptic.book.parts import in_parts
     from symhaptic.book.site import place as site
     from symhaptic.book.tex import build, place, tex
 
     paths = in_parts(library.shipped(), lambda path: path.stem) + own_chapters(derivation)
+    if source is not None:
+        if derivation:
+            refuse(f"--source {source}: is for itself; leave --derivation out")
+        paths = chapters_in(source)
+        chapter, standalone = chapter or [path.stem for path in paths], True
     if listing:
         typer.echo("\n".join(path.stem for path in paths))
         return

@@ -96,16 +96,17 @@ class Scope:
                 lines += [pad + line for line in self._before(expr, often)]
             if isinstance(statement, Assign):
                 value = self.printer.doprint(statement.expr)
-                for symbol in last.get(i, ()):
-                    idle.setdefault(_base(symbol), []).append(self.name(symbol))
-                if free := idle.get(_base(statement.name)):
-                    self.names[statement.name] = free.pop()
+                self._retired(last.get(i, ()), idle)
+                self._renamed(statement.name, idle)
                 if value != (name := self.name(statement.name)):
                     lines.append(f"{pad}{name} = {value}")
             elif isinstance(statement, Repeat):
-                lines += self._repeat(statement, depth)
+                lines += (self._repeat if statement.number is None else self._sum)(statement, depth)
             elif isinstance(statement, Several):
                 name, args = self._called(statement.call)
+                self._retired(last.get(i, ()), idle)
+                for symbol in statement.names:
+                    self._renamed(symbol, idle)
                 given = self.target.unpacked(self.named(statement.names), name, args)
                 lines += [pad + line for line in given]
             elif isinstance(statement, Join):
@@ -115,6 +116,16 @@ class Scope:
             else:
                 lines.append(f"{pad}return {', '.join(self.printer.doprint(r) for r in shown)}")
         return lines
+
+    def _retired(self, symbols: Iterable[Symbol], idle: dict[str, list[str]]) -> None:
+        """Their names are free from here on."""
+        for symbol in symbols:
+            idle.setdefault(_base(symbol), []).append(self.name(symbol))
+
+    def _renamed(self, symbol: Symbol, idle: dict[str, list[str]]) -> None:
+        """It takes a free name of its kind, if there is one."""
+        if free := idle.get(_base(symbol)):
+            self.names[symbol] = free.pop()
 
     def _choice(self, choice: Choice, depth: int) -> list[str]:
         pad = "    " * depth
@@ -162,12 +173,28 @@ class Scope:
         )
         return [*lines, "", f"{pad}{states} = {call}"]
 
+    def _sum(self, loop: Repeat, depth: int) -> list[str]:
+        """A loop over numbers, which are the same for all elements."""
+        pad = "    " * depth
+        inside = Scope(self.target, tuple(Assign(*s) for s in loop.steps))
+        inside.names = dict(self.names)
+        start = ", ".join(self.printer.doprint(first) for first in loop.start)
+        states = ", ".join(self.named(loop.states))
+        numbers = ", ".join(self.printer.doprint(number) for number in loop.numbers)
+        return [
+            f"{pad}{states} = {start}",
+            f"{pad}for {self.target.rename(str(loop.number))} in ({numbers}):",
+            *inside.written(depth + 1),
+            f"{pad}    {states} = {', '.join(inside.named(loop.next))}",
+        ]
+
     def _last_uses(self) -> dict[int, list[Symbol]]:
         """For each statement, the variables of this body that are used there for the last time.
 
         Their names are free for the next ones of the same kind, and so is their memory.
         """
         own = {s.name for s in self.block if isinstance(s, Assign)}
+        own |= {name for s in self.block if isinstance(s, Several) for name in s.names}
         last: dict[Symbol, int] = {}
         for i, statement in enumerate(self.block):
             used = set(inputs((statement,)))
@@ -224,9 +251,10 @@ class Scope:
     def _called(self, expr: Expr) -> tuple[str, str]:
         """The routine, and its arguments, which are all arrays."""
         like = min(self._symbols(expr), key=str, default=None)
+        plain = expr.func.__name__ in _OF_NUMBERS
         args = [
             f"xp.full_like({like}, {self.printer.doprint(a)})"
-            if a.is_number
+            if a.is_number and not plain
             else self.printer.doprint(a)
             for a in expr.args
         ]
@@ -254,6 +282,10 @@ class Scope:
         return self.named(expr.free_symbols)
 
 
+_OF_NUMBERS = "FastTwoSum", "TwoDiff"
+"""Routines that take numbers beside arrays."""
+
+
 def _first(condition: Expr) -> list[Symbol]:
     return sorted(condition.free_symbols, key=str)[:1]
 
@@ -263,11 +295,13 @@ def _listed(names: list[str]) -> str:
 
 
 def _plain(block: Block) -> Expr | None:
-    """The one expression of a block that is nothing else and calls nothing."""
+    """The one expression of a block that is nothing else, calls nothing and is defined always."""
     first = block[0]
     if not isinstance(first, Return) or len(first.results) > 1:
         return None
     (only,) = first.results
+    if any(not power.exp.is_Integer or power.exp < 0 for power in only.atoms(sp.Pow)):
+        return None
     return None if calls(Routine("", "", (), (), (("", only),))) else only
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import sympy as sp
@@ -68,6 +68,53 @@ def expressions(statement: Statement) -> tuple[Expr, ...]:
     if isinstance(statement, Several):
         return (statement.call,)
     return statement.results if isinstance(statement, Return) else (statement.condition,)
+
+
+def direct(block: Block) -> Block:
+    """The same without second names: of what has one, and of what is only set or returned."""
+    found: list[Statement] = []
+    same: dict[Symbol, Expr] = {}
+    for statement in (_replaced(s, same) for s in block):
+        if isinstance(statement, Assign) and statement.expr.is_Symbol:
+            same[statement.name] = statement.expr
+        else:
+            found.append(statement)
+    last = {s.expr for s in found if isinstance(s, Set)}
+    if found and isinstance(found[-1], Return):
+        last |= set(found[-1].results)
+    once = {s.name: s.expr for s in found if isinstance(s, Assign) and s.name in last
+            and _uses(found, s.name) == 1}  # fmt: skip
+    return tuple(
+        _replaced(s, once) if isinstance(s, (Set, Return)) else s
+        for s in found
+        if not isinstance(s, Assign) or s.name not in once
+    )
+
+
+def _uses(block: Iterable[Statement], name: Symbol) -> int:
+    """How often a name is read, at least; more than once where that is inside of a block."""
+    count = 0
+    for statement in block:
+        if isinstance(statement, (Set, Return)):
+            count += sum(e == name for e in expressions(statement))
+            count += sum(2 for e in expressions(statement) if e != name and name in e.free_symbols)
+        elif name in inputs((statement,)):
+            count += 2
+    return count
+
+
+def _replaced(statement: Statement, known: Mapping[Symbol, Expr]) -> Statement:
+    """With other names, and as direct inside."""
+    if isinstance(statement, Assign):
+        return Assign(statement.name, statement.expr.xreplace(known))
+    if isinstance(statement, Set):
+        return Set(statement.name, statement.expr.xreplace(known))
+    if isinstance(statement, Return):
+        return Return(tuple(r.xreplace(known) for r in statement.results))
+    if isinstance(statement, (Repeat, Several)):
+        return statement.xreplace(known)
+    yes, no = (direct(tuple(_replaced(s, known) for s in b)) for b in (statement.yes, statement.no))
+    return replace(statement, condition=statement.condition.xreplace(known), yes=yes, no=no)
 
 
 def functional(block: Block, numbers: Mapping[Symbol, Expr] = MappingProxyType({})) -> Block:

@@ -20,6 +20,7 @@ from symhaptic.export.blocks import (
     Return,
     Set,
     Statement,
+    direct,
     expressions,
 )
 from symhaptic.export.routine import Routine, names
@@ -33,7 +34,7 @@ def lazy(routine: Routine) -> Block:
     decided are left out.  What is chosen again inside a branch has its own branches there, the
     cheapest question first; what all of them need is done before them.
     """
-    return _Lazy(routine).returned(tuple(e for _, e in routine.results), set(), {})
+    return direct(_Lazy(routine).returned(tuple(e for _, e in routine.results), set(), {}))
 
 
 def guarded(routine: Routine) -> Block:
@@ -58,6 +59,9 @@ def told(block: Block) -> Block:
 
 Facts = dict[Expr, Boolean]
 
+_FEW = 12
+"""Operations that cost no more than a branch."""
+
 
 class _Lazy:
     """Puts steps into the branches that need them."""
@@ -68,6 +72,7 @@ class _Lazy:
         conditions = (c for e in routine.expressions for c in e.atoms(sp.StrictLessThan))
         self.limits = {c for c in conditions if c.rhs.is_number}
         self.order = {name: i for i, step in enumerate(routine.steps) for name in names(step)}
+        self.cheap: dict[Expr, bool] = {}
         # what each step needs directly: of several results, the others too
         self.below = {s: _free(e) & self.order.keys() for s, e in self.known.items()}
         self.below |= {
@@ -103,7 +108,7 @@ class _Lazy:
             several = [self.several[s] for s in left if s in self.several]
             ready = [r for r in several if not r.free_symbols & set(left)]
             if ready:
-                written.append(ready[0])
+                written.append(ready[0].xreplace(facts))
                 left = [s for s in left if s not in names(ready[0])]
                 done |= set(names(ready[0]))
                 continue
@@ -220,7 +225,7 @@ class _Lazy:
         """Whether a choice has work in it: steps of its own, or calls."""
         _, yes, no = parted(expr)
         return any(map(_calls, (yes, no))) or (
-            self._closure((yes,), done) != self._closure((no,), done)
+            self._closure((yes,), done) != self._closure((no,), done) and not self._cheap(expr)
         )
 
     def _branches(self, expr: Expr, there: set[Symbol]) -> bool:
@@ -229,8 +234,23 @@ class _Lazy:
             return False
         _, yes, no = parted(expr)
         own = self._closure((yes, no), there)
-        calls = any(map(_calls, (yes, no)))
-        return bool(own) or calls
+        return any(map(_calls, (yes, no))) or (bool(own) and not self._cheap(expr))
+
+    def _cheap(self, expr: Piecewise) -> bool:
+        """Whether the steps that one side alone needs cost no more than a branch."""
+        if expr not in self.cheap:
+            _, yes, no = parted(expr)
+            own = self._closure((yes,), set()) ^ self._closure((no,), set())
+            self.cheap[expr] = not any(
+                s in self.several or _calls(self.known[s]) for s in own
+            ) and (sum(_operations(self.known[s]) for s in own) <= _FEW)
+        return self.cheap[expr]
+
+
+@cache
+def _operations(expr: Expr) -> int:
+    """How many a step takes."""
+    return int(sp.count_ops(expr))
 
 
 @cache

@@ -31,6 +31,9 @@ CPP_KEYWORDS = KEYWORDS | vocabulary(
 )
 """Those of C++ too, since its programs read the header."""
 
+_SHORT = 88
+"""Characters up to which a declaration and a call share a line."""
+
 STRICT = """#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \\
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
@@ -51,6 +54,11 @@ class C(Target):
 
     name, title, keywords, printer = "c", "C99", CPP_KEYWORDS, _Printer
     modules = standard.C
+    each = (
+        "static const {3} {0}_of[] = {{{1}}};",
+        "for (int at_{0} = 0; at_{0} < {2}; ++at_{0}) {{",
+        "    const {3} {0} = {0}_of[at_{0}];",
+    )
     operations = called(
         "",
         Abs="fabs({0})",
@@ -111,7 +119,9 @@ class C(Target):
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """Through pointers."""
         places = ", ".join(f"&{name}" for name in names)
-        return [f"{self.real} {', '.join(names)};", f"{function}({args}, {places});"]
+        declared, call = f"{self.real} {', '.join(names)};", f"{function}({args}, {places});"
+        together = f"{declared} {call}"
+        return [together] if len(together) < _SHORT else [declared, call]
 
     def _head(self, name: str, routine: Routine) -> str:
         args = [f"{self.real} {self.rename(s.name)}" for s in routine.arguments]

@@ -87,29 +87,59 @@ def _root(do: Steps, parts: tuple[_Quadratic, ...]) -> tuple[Expr, Expr]:
     return do("root", sqrt(positive)), disc
 
 
+def quadratic_roots() -> Routine:
+    """The quotient of the two makes the second one; -1 stands for what is infinite."""
+    do = Steps()
+    c, b, a, root = given = sp.symbols("c b a root")
+    upper = b >= 0
+    q = do("q", -(b + choose(upper, root, -root)) / 2)
+    lead, own = do("lead", choose(sp.Eq(a, 0), 1, a)), do("own", choose(sp.Eq(q, 0), 1, q))
+    one = do("one", choose(sp.Eq(a, 0), -1, q / lead))
+    two = do("two", choose(sp.Eq(q, 0), -1, c / own))
+    found = {"low": choose(upper, one, two), "high": choose(upper, two, one)}
+    return do.routine("QuadraticRoots", "(-b - root)/(2 a) and (-b + root)/(2 a), without "
+                      "cancellation; -1 for what is infinite", given, found)  # fmt: skip
+
+
 def _solved(do: Steps, k: _Quadratic, root: Expr) -> tuple[Expr, Expr]:
-    """(-b - root)/(2 a) and (-b + root)/(2 a) without cancellation; -1 for what is infinite."""
-    upper = k.b >= 0
-    q = do("q", -(k.b + choose(upper, root, -root)) / 2)
-    lead, own = do("lead", choose(sp.Eq(k.a, 0), 1, k.a)), do("own", choose(sp.Eq(q, 0), 1, q))
-    one = do("one", choose(sp.Eq(k.a, 0), -1, q / lead))
-    two = do("two", choose(sp.Eq(q, 0), -1, k.c / own))
-    return do("low", choose(upper, one, two)), do("high", choose(upper, two, one))
+    low, high = do.several(("low", "high"), "QuadraticRoots", k.c, k.b, k.a, root)
+    return low, high
+
+
+def turn_angle() -> Routine:
+    """Where up keeps its sign, which is + for 0."""
+    do = Steps()
+    x, y = sp.symbols("x y")
+    halves = choose(x < 0, choose(y < 0, -1, 1), 0)
+    rest = atan2(choose(x < 0, -y, y), sp.Abs(x))
+    return do.routine("TurnAngle", "the angle of x + j y in half turns, and the rest", (x, y),
+                      {"halves": halves, "rest": rest})  # fmt: skip
 
 
 def _angle(do: Steps, real: Expr, up: Expr) -> _Angle:
-    """Angle of real + j up where up keeps its sign, which is + for 0."""
-    x, y = do("x", real), do("y", up)
-    halves = do("halves", choose(x < 0, choose(y < 0, -1, 1), 0))
-    return _Angle(halves, do("turned", atan2(choose(x < 0, -y, y), sp.Abs(x))))
+    """Angle of real + j up."""
+    return _Angle(*do.several(("halves", "turned"), "TurnAngle", real, up))
 
 
-def _turns(do: Steps, e: Expr, v: _Wall, y: Expr, rest: Expr, off: Expr) -> Expr:
+_Y, _REST, _OFF = sp.symbols("y rest off")
+SLOPE, FAR = sp.symbols("slope far")
+LOOP = alpha, SLOPE, FAR, d, n1, loss, together, apart
+"""What a crossing is told of wall and device."""
+
+
+def turns(y: Expr, rest: Expr, off: Expr, *loop: Expr) -> Expr:
     """The nearest whole number of turns in the phase at a crossing."""
+    return sp.Function("PhaseTurns")(y, rest, off, *loop)
+
+
+def phase_turns() -> Routine:
+    """Of wall and delay beside the device."""
+    do = Steps()
+    y, rest = do("at", Max(_Y, 0)), do("still", Max(_REST, 0))
     sine = do("sine", 2 * sqrt(y * rest))
-    below = _angle(do, -2 * (1 + e) * off, loss * sine)
+    below = _angle(do, -2 * (2 - loss) * _OFF, loss * sine)
     above = _angle(do, together * rest - apart * y, n1 * sine)
-    force = _angle(do, alpha * rest - v.far * y, v.slope * sine)
+    force = _angle(do, alpha * rest - FAR * y, SLOPE * sine)
     far = y > 2
     half = do("half", atan2(sqrt(choose(far, rest, y)), sqrt(choose(far, y, rest))))
     late = do("late", d + 2)
@@ -119,7 +149,27 @@ def _turns(do: Steps, e: Expr, v: _Wall, y: Expr, rest: Expr, off: Expr) -> Expr
     even = do("even", floor(halves / 2))
     left = do("left", halves / 2 - even)
     odd = sp.Eq(left, sp.S.Half)  # the sign of the rest decides, however small it is
-    return do("turns", even + choose(odd, floor(share) + 1, floor(share + left + sp.S.Half)))
+    found = even + choose(odd, floor(share) + 1, floor(share + left + sp.S.Half))
+    return do.routine("PhaseTurns", "the nearest whole number of turns in the phase at a crossing",
+                      (_Y, _REST, _OFF, *LOOP), found)  # fmt: skip
+
+
+def crossing_turns() -> Routine:
+    """From the point of expansion that is nearest."""
+    do = Steps()
+    center, beyond = sp.symbols("center beyond")
+    small = _Y < _REST
+    edge = do("edge", choose(small, _Y, _REST))
+    there = And(_Y > 0, _REST > 0, edge < 4)
+    inside = And(sp.Abs(_OFF) < edge, center + _OFF > 0, beyond - _OFF > 0)
+    inside = do("inside", choose(inside, 1, 0)) > 0
+    at = do("at", choose(inside, center + _OFF, choose(small, _Y, 4 - _REST)))
+    still = do("still", choose(inside, beyond - _OFF, choose(small, 4 - _Y, _REST)))
+    away = do("away", choose(inside, _OFF, choose(small, _Y - center, beyond - _REST)))
+    at, still = do("at", choose(there, at, 2)), do("still", choose(there, still, 2))
+    return do.routine("CrossingTurns", "the turns at a crossing, if there is one",
+                      (_Y, _REST, _OFF, center, beyond, *LOOP),
+                      choose(there, turns(at, still, away, *LOOP), 0))  # fmt: skip
 
 
 def _leads(k: _Quadratic) -> Expr:
@@ -138,19 +188,12 @@ def whole_roots() -> Routine:
     root, disc = _root(do, (near, own, far))
     ys, offs = _solved(do, near, root), _solved(do, own, root)
     rests = _solved(do, far, root)[::-1]
-    total: Expr = sp.S.Zero
-    for sign, y, off, rest in zip((2, -2), ys, offs, rests, strict=True):
-        small = y < rest
-        edge = do("edge", choose(small, y, rest))
-        there = And(y > 0, rest > 0, edge < 4)
-        inside = And(sp.Abs(off) < edge, center + off > 0, beyond - off > 0)
-        at = do("at", choose(inside, center + off, choose(small, y, 4 - rest)))
-        still = do("still", choose(inside, beyond - off, choose(small, 4 - y, rest)))
-        away = do("away", choose(inside, off, choose(small, y - center, beyond - rest)))
-        at, still = do("at", choose(there, at, 2)), do("still", choose(there, still, 2))
-        found = _turns(do, e, v, do("at", Max(at, 0)), do("still", Max(still, 0)), away)
-        found = do("found", choose(there, sign * found, 0))
-        total = do("total", total + found)
+    loop = alpha, v.slope, v.far, d, n1, loss, together, apart
+    one, two = (
+        sp.Function("CrossingTurns")(y, rest, off, center, beyond, *loop)
+        for y, off, rest in zip(ys, offs, rests, strict=True)
+    )
+    total = 2 * (one - two)
     total = do("total", choose(disc >= 0, total, 0))
     side = do("side", choose(v.slope >= 0, 1, -1))
     begin = choose(alpha > 0, 0, side)
@@ -174,5 +217,5 @@ def stable(precision: Precision = DOUBLE) -> Routine:
                       (roots, alpha, beta, gamma, delta), choose(good, 1, 0))  # fmt: skip
 
 
-ROUTINES = (whole_roots,)
+ROUTINES = (quadratic_roots, turn_angle, phase_turns, crossing_turns, whole_roots)
 PRECISE = (stable,)

@@ -28,6 +28,7 @@ class Cpp(Target):
 
     name, title, keywords, printer = "cpp", "C++17", CPP_KEYWORDS, _Printer
     modules = standard.CPP
+    each = ("for (const {3} {0} : {{{1}}}) {{",)
     operations = single = called(
         "std::",
         Abs="std::fabs({0})",

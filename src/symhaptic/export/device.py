@@ -12,17 +12,17 @@ The poles are kept to twice the precision of a float, since exp(-q) magnifies th
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import Expr, cos, exp, sin, sqrt
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export import whole_turns
 from symhaptic.export.device_series import NEAR
 from symhaptic.export.elementary import SIXTH, number_and
-from symhaptic.export.pairs import Fading, fading, fallen, waving
-from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.pairs import Fading, Wave, fading, fallen, root_low, waving
+from symhaptic.export.precision import Precision
 from symhaptic.export.routine import (
     ProductError,
     Routine,
@@ -34,7 +34,7 @@ from symhaptic.export.routine import (
     product,
     quotient,
 )
-from symhaptic.export.whole_turns import Turned, turned
+from symhaptic.export.whole_turns import turned
 from symhaptic.forms.entire import Decay
 from symhaptic.notation import delta, gamma
 
@@ -49,7 +49,7 @@ STIFF = sp.Integer(4)
 
 @dataclass(frozen=True)
 class Motion:
-    """What the functions of gamma and delta share, as names of steps."""
+    """What the functions of gamma and delta share."""
 
     half: Expr
     """delta/2."""
@@ -60,51 +60,67 @@ class Motion:
     """sqrt |w|."""
     root_low: Expr
     """Its rounding error."""
-    some: Expr
-    """The root, or 1 where it is 0."""
     p: Expr
-    whole: Expr
-    """The same, or 1 where it is 0."""
+    """The larger pole, or 1 where it is 0."""
     p_low: Expr
     q: Expr
     q_low: Expr
-    small: Boolean
-    """Whether the power series serve."""
-    soft: Boolean
-    """Whether those of n1 and n0 do, whose closed forms lose nothing earlier."""
+    reach: Expr
+    """The size of the poles, in parts of that up to which the power series serve."""
 
 
-def _cases(m: Motion, small: Boolean, near: Expr, swing: Expr, creep: Expr) -> Expr:
-    """One of three: by the power series, for a swinging device, for a creeping one."""
-    return choose(m.w < 0, choose(small, near, swing), choose(small, near, creep))
+_MOTION = "w", "w_low", "root", "reach"
+_POLES = "p", "p_low", "q", "q_low"
+_KEPT = sp.symbols("half w w_low root")
 
 
 def motion(do: Steps) -> Motion:
     """The steps that find it."""
     half = do("half", delta / 2)
+    w, w_low, root, reach = do.several(_MOTION, "DeviceMotion", gamma, delta)
+    low = do("root_low", root_low(w, w_low, root))
+    p, p_low, q, q_low = do.several(_POLES, "RealPoles", gamma, half, w, w_low, root)
+    return Motion(half, w, w_low, root, low, p, p_low, q, q_low, reach)
+
+
+def device_motion() -> Routine:
+    """What vanishes is a small difference."""
+    do = Steps()
+    half = do("half", delta / 2)
     square = do("square", half * half)
     most, lost = difference(do, square, gamma)
     rest = do("rest", lost + ProductError(half, half))
-    value, low = fast_sum(do, most, rest)
-    size = do("size", sp.Abs(value))
-    root = do("root", sqrt(size))
-    sign_low = do("sign_low", choose(value < 0, -low, low))
-    left = do("left", size - root * root)
-    left = do("left", left - ProductError(root, root))
-    left = do("left", left + sign_low)
-    some = do.nonzero(root)
-    root_low = do("root_low", left / some / 2)
+    w, w_low = fast_sum(do, most, rest)
+    root = do("root", sqrt(sp.Abs(w)))
+    reach = do("reach", choose(w < 0, gamma / STIFF, (half + root) / NEAR))
+    found = w, w_low, root, reach
+    return do.routine("DeviceMotion", "w = delta^2/4 - gamma, what it misses, its root and the "
+                      "size of the poles", (gamma, delta),
+                      dict(zip(_MOTION, found, strict=True)))  # fmt: skip
+
+
+def real_poles() -> Routine:
+    """Their sum is delta, and their product is gamma; 1 in place of a p of 0."""
+    do = Steps()
+    half, w, w_low, root = _KEPT
     p, p_lost = fast_sum(do, half, root)
-    p_low = do("p_low", p_lost + root_low)
+    p_low = do("p_low", p_lost + root_low(w, w_low, root))
     whole = do.nonzero(p)
     q = do("q", gamma / whole)
     off = do("off", gamma - whole * q)
     off = do("off", off - ProductError(whole, q))
     off = do("off", off - q * p_low)
-    q_low = do("q_low", off / whole)
-    reach = do("reach", choose(value < 0, gamma / STIFF, p / NEAR))
-    small, soft = reach < 1, reach < SOFT
-    return Motion(half, value, low, root, root_low, some, p, whole, p_low, q, q_low, small, soft)
+    found = whole, p_low, q, do("q_low", off / whole)
+    return do.routine("RealPoles", "the poles p = half + root and q = gamma/p and what they miss",
+                      (gamma, *_KEPT), dict(zip(_POLES, found, strict=True)))  # fmt: skip
+
+
+def _called(name: str, small: Boolean, *arguments: Expr) -> Expr:
+    """A form near the origin, of 0 elsewhere."""
+    return sp.Function(name)(*(choose(small, argument, 0) for argument in arguments))
+
+
+# -- of poles that creep ------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -120,156 +136,374 @@ def _creeping(do: Steps, m: Motion) -> Creeping:
     return Creeping(fading(do, m.q, m.q_low), fading(do, 2 * m.root, 2 * m.root_low))
 
 
+_SLOW = Fading(*sp.symbols("slow slow_low mean mean_low"))
+_APART = Fading(*sp.symbols("ratio ratio_low even even_low"))
+_P = sp.symbols("p p_low")
+_REACH, _HALF, _W = sp.symbols("reach half w")
+_FADE = sp.symbols("fade fade_low")
+
+
+def _all(f: Fading) -> tuple[Expr, ...]:
+    return f.fall, f.fall_low, f.mean, f.mean_low
+
+
+def rise_creep() -> Routine:
+    """Of a creeping device."""
+    do, s, far = Steps(), _SLOW, _APART
+    pulled, lost = product(do, s.fall, far.mean, far.mean_low)
+    pulled_low = do("pulled_low", lost + s.fall_low * far.mean)
+    top, top_low = difference(do, s.mean, pulled)
+    rest = do("rest", top_low + (s.mean_low - pulled_low))
+    creep, missed = quotient(do, top, _P[0], rest, _P[1])
+    given = _REACH, *_FADE, _HALF, _W, *_P, *_all(s), far.mean, far.mean_low
+    near = _called("RiseNear", _REACH < SOFT, *_FADE, _HALF, _W)
+    return do.routine("RiseCreep", "n1 of a creeping device", given,
+                      choose(_REACH < SOFT, near, creep + missed))  # fmt: skip
+
+
+def fall_creep() -> Routine:
+    """Of a creeping device."""
+    do, s, far = Steps(), _SLOW, _APART
+    pulled, lost = product(do, far.fall, s.mean, s.mean_low)
+    pulled_low = do("pulled_low", lost + far.fall_low * s.mean)
+    top, top_low = difference(do, far.mean, pulled)
+    rest = do("rest", top_low + (far.mean_low - pulled_low))
+    rest, missed = quotient(do, top, _P[0], rest, _P[1])
+    creep, lost = product(do, s.fall, rest, missed)
+    low = do("low", lost + s.fall_low * rest)
+    near = _called("FallNear", _REACH < SOFT, *_FADE, gamma, delta)
+    given = _REACH, *_FADE, gamma, delta, *_P, *_all(s), *_all(far)
+    return do.routine("FallCreep", "n0 of a creeping device", given,
+                      choose(_REACH < SOFT, near, creep + low))  # fmt: skip
+
+
+def fast_fall() -> Routine:
+    """The slower one, and what is between them."""
+    do, s, far = Steps(), _SLOW, _APART
+    fast, low = product(do, s.fall, far.fall, far.fall_low)
+    given = s.fall, s.fall_low, far.fall, far.fall_low
+    return do.routine("FastFall", "exp(-p), of the faster pole, and what it misses", given,
+                      {"fast": fast, "low": low + s.fall_low * far.fall})  # fmt: skip
+
+
+def _faster(do: Steps, s: Fading, far: Fading) -> tuple[Expr, Expr]:
+    given = s.fall, s.fall_low, far.fall, far.fall_low
+    fast, low = do.several(("fast", "fast_low"), "FastFall", *given)
+    return fast, low
+
+
+def together_creep() -> Routine:
+    """Of a creeping device."""
+    do, s, far = Steps(), _SLOW, _APART
+    fast, fast_low = _faster(do, s, far)
+    gone, lost = fast_sum(do, sp.S.One, -fast)
+    moved, moved_low = product(do, s.mean, gone, lost - fast_low)
+    moved_low = do("moved_low", moved_low + s.mean_low * gone)
+    creep, rest = quotient(do, moved, _P[0], moved_low, _P[1])
+    given = _REACH, _HALF, _W, *_P, *_all(s), far.fall, far.fall_low
+    near = _called("TogetherNear", _REACH < 1, _HALF, _W)
+    return do.routine("TogetherCreep", "n1 + n0 of a creeping device", given,
+                      choose(_REACH < 1, near, creep + rest))  # fmt: skip
+
+
+def nyquist_creep() -> Routine:
+    """Of a creeping device."""
+    do, s, far = Steps(), _SLOW, _APART
+    one, one_low = fast_sum(do, sp.S.One, s.fall)
+    fast, fast_low = _faster(do, s, far)
+    two, two_low = fast_sum(do, sp.S.One, fast)
+    found, missed = product(do, one, two, two_low + fast_low)
+    low = do("low", missed + (one_low + s.fall_low) * two)
+    given = s.fall, s.fall_low, far.fall, far.fall_low
+    return do.routine("NyquistCreep", "1 + a + e of a creeping device", given, found + low)
+
+
+def trace_creep() -> Routine:
+    """Of a creeping device."""
+    do, s, far = Steps(), _SLOW, _APART
+    both, rest = fast_sum(do, sp.S.One, far.fall)
+    creep, more = product(do, s.fall, both, rest + far.fall_low)
+    low = do("low", more + s.fall_low * both)
+    given = s.fall, s.fall_low, far.fall, far.fall_low
+    return do.routine("TraceCreep", "a of a creeping device", given, creep + low)
+
+
+def apart_creep() -> Routine:
+    """Of a creeping device."""
+    do, s, far = Steps(), _SLOW, _APART
+    fast = do("fast", s.fall * far.fall)
+    twice = do("twice", 2 * s.fall)
+    pulled, pulled_low = product(do, twice, far.mean, far.mean_low)
+    top, top_low = difference(do, s.mean, pulled)
+    more, more_low = product(do, fast, s.mean, s.mean_low)
+    top = do("top", top + more)
+    rest = do("rest", s.mean_low + more_low - pulled_low)
+    low = do("low", top_low + rest)
+    found = (top + low) / do.nonzero(_P[0] * delta)
+    known = s.fall, s.mean, s.mean_low, far.fall, far.mean, far.mean_low
+    near = _called("ApartNear", _REACH < 1, _HALF, _W)
+    return do.routine("ApartCreep", "(n1 - n0)/delta of a creeping device",
+                      (_REACH, _HALF, _W, delta, _P[0], *known),
+                      choose(_REACH < 1, near, found))  # fmt: skip
+
+
+# -- of poles that swing ------------------------------------------------------------------------
+
+
 @dataclass(frozen=True)
 class Swinging:
-    """exp(-delta/2), cos(root), sin(root)/root and delta/2 times that, with what these miss."""
+    """exp(-delta/2); cos(root), sin(root)/root and what these miss."""
 
     envelope: Expr
-    even: Expr
-    even_low: Expr
-    wave: Expr
-    wave_low: Expr
-    odd: Expr
-    odd_low: Expr
-    stiff: Expr
-    """gamma where the device swings."""
+    wave: Wave
 
 
 def _swinging(do: Steps, m: Motion) -> Swinging:
-    swings = choose(m.soft, 1, choose(m.w < 0, gamma, 1))
-    v = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root, m.root_low)
-    odd, odd_low = product(do, m.half, v.odd, v.odd_low)
-    envelope = do("envelope", exp(-m.half))
-    return Swinging(
-        envelope, v.even, v.even_low, v.odd, v.odd_low, odd, odd_low, do("stiff", swings)
+    wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root)
+    return Swinging(do("envelope", exp(-m.half)), wave)
+
+
+_WAVE = Wave(*sp.symbols("even even_low wave wave_low"))
+_ENVELOPE, _ROOT, _W_LOW, _NEAR, _KNOWN = sp.symbols("envelope root w_low near known")
+_CLOSED = (
+    _REACH, *_FADE, _HALF, _W, _ENVELOPE, _WAVE.even, _WAVE.even_low, _WAVE.odd, _WAVE.odd_low,
+    gamma, _NEAR, _KNOWN,
+)  # fmt: skip
+
+
+def _closed(
+    m: Motion, v: Swinging, turns: tuple[Expr, Expr], fade: tuple[Expr, ...]
+) -> tuple[Expr, ...]:
+    wave = v.wave.even, v.wave.even_low, v.wave.odd, v.wave.odd_low
+    return (m.reach, *fade, m.half, m.w, v.envelope, *wave, gamma, *turns)
+
+
+def _chosen(small: Boolean, near: Expr, far: Expr) -> Expr:
+    """A form near the origin, else what is known near whole turns, else the closed form."""
+    return choose(small, near, choose(_NEAR > 0, _KNOWN, far))
+
+
+def rise_swing() -> Routine:
+    """Of a swinging device."""
+    do, v = Steps(), _WAVE
+    odd, odd_low = product(do, _HALF, v.odd, v.odd_low)
+    both, lost = difference(do, v.even, -odd)
+    left, left_low = product(do, _ENVELOPE, both, lost + (v.even_low + odd_low))
+    top, lost = fast_sum(do, sp.S.One, -left)
+    swing, more = quotient(do, top, do.nonzero(gamma), lost - left_low)
+    found = _chosen(
+        _REACH < SOFT, _called("RiseNear", _REACH < SOFT, *_FADE, _HALF, _W), swing + more
     )
+    return do.routine("RiseSwing", "n1 of a swinging device", _CLOSED, found)
 
 
-def _turned(do: Steps, m: Motion, precision: Precision) -> Turned:
-    return turned(do, m.half, m.w, m.w_low, m.root, m.root_low, precision)
+def fall_swing() -> Routine:
+    """Of a swinging device."""
+    do, v = Steps(), _WAVE
+    odd, odd_low = product(do, _HALF, v.odd, v.odd_low)
+    top, top_low = difference(do, odd, v.even)
+    top, lost = difference(do, top, -_ENVELOPE)
+    rest = do("rest", lost + (top_low + odd_low - v.even_low))
+    top, top_low = product(do, _ENVELOPE, top, rest)
+    swing, missed = quotient(do, top, do.nonzero(gamma), top_low)
+    near = _called("FallNear", _REACH < SOFT, *_FADE, gamma, 2 * _HALF)
+    given = tuple(s for s in _CLOSED if s != _W)
+    return do.routine("FallSwing", "n0 of a swinging device", given,
+                      _chosen(_REACH < SOFT, near, swing + missed))  # fmt: skip
 
 
-def rise(precision: Precision = DOUBLE) -> Routine:
+def half_squares() -> Routine:
+    """Of the half angle's cosine or sine, and what that misses."""
+    do = Steps()
+    given = half, envelope, wave, back = sp.symbols("half envelope wave back")
+    grown = do("grown", -expm1(-half) / 2)
+    first, lost = difference(do, wave, back)
+    square, low = product(do, first, first)
+    low = do("low", low + 2 * first * lost)
+    turned_, turned_low = product(do, envelope, square, low)
+    total, rest = difference(do, turned_, -grown * grown)
+    return do.routine("HalfSquares", "(1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it "
+                      "misses", given, {"total": total, "low": rest + turned_low})  # fmt: skip
+
+
+def _squares(do: Steps, wave: type[sp.Function]) -> tuple[Expr, Expr]:
+    """(1 - exp(-delta/2))^2/4 and exp(-delta/2) times the square of sin or cos of root/2, added."""
+    angle = do("angle", _ROOT / 2)
+    own, other = (sin(angle), cos(angle)) if wave is sin else (cos(angle), -sin(angle))
+    back = do("back", -root_low(_W, _W_LOW, _ROOT) / 2 * other)
+    total, low = do.several(("total", "low"), "HalfSquares", _HALF, _ENVELOPE, own, back)
+    return total, low
+
+
+def together_swing() -> Routine:
+    """Of a swinging device."""
+    do = Steps()
+    total, low = _squares(do, sin)
+    found, missed = quotient(do, total, do.nonzero(gamma), low)
+    near = _called("TogetherNear", _REACH < 1, _HALF, _W)
+    given = _REACH, _HALF, _W, _W_LOW, _ENVELOPE, _ROOT, gamma, _NEAR, _KNOWN
+    return do.routine("TogetherSwing", "n1 + n0 of a swinging device", given,
+                      _chosen(_REACH < 1, near, 4 * (found + missed)))  # fmt: skip
+
+
+def nyquist_swing() -> Routine:
+    """A sum where a > 0, a sum of squares where it is not."""
+    do, v = Steps(), _WAVE
+    total, low = _squares(do, cos)
+    ends, lost = fast_sum(do, sp.S.One, do("e", exp(-2 * _HALF)))
+    turn, turn_low = product(do, 2 * _ENVELOPE, v.even, v.even_low)
+    both, rest = fast_sum(do, ends, turn)
+    rest = do("rest", rest + lost + turn_low)
+    return do.routine("NyquistSwing", "1 + a + e of a swinging device",
+                      (_HALF, _W, _W_LOW, _ENVELOPE, v.even, v.even_low, _ROOT),
+                      choose(turn > 0, both + rest, 4 * (total + low)))  # fmt: skip
+
+
+def trace_swing() -> Routine:
+    """Of a swinging device."""
+    do, v = Steps(), _WAVE
+    turn, lost = product(do, _ENVELOPE, v.even, v.even_low)
+    return do.routine("TraceSwing", "a of a swinging device", (_ENVELOPE, v.even, v.even_low),
+                      2 * (turn + lost))  # fmt: skip
+
+
+def apart_swing() -> Routine:
+    """Of a swinging device."""
+    do, v = Steps(), _WAVE
+    mean = do("mean", Decay(delta))
+    turn, turn_low = product(do, _ENVELOPE, v.odd, v.odd_low)
+    top, rest = difference(do, mean, turn)
+    swing, missed = quotient(do, top, do.nonzero(gamma), rest - turn_low)
+    given = _REACH, _HALF, _W, _ENVELOPE, v.odd, v.odd_low, gamma, delta
+    near = _called("ApartNear", _REACH < 1, _HALF, _W)
+    return do.routine("ApartSwing", "(n1 - n0)/delta of a swinging device", given,
+                      choose(_REACH < 1, near, swing + missed))  # fmt: skip
+
+
+# -- near the origin, and all together ----------------------------------------------------------
+
+
+def slow_fade() -> Routine:
+    """Of a device that is not slow it is asked by nobody."""
+    do = Steps()
+    small = _REACH < SOFT
+    fall, low = fallen(do, choose(small, _HALF, 0))
+    return do.routine("SlowFade", "exp(-half) of a device with slow poles, and what it misses",
+                      (_REACH, _HALF),
+                      {"fade": choose(small, fall, 0), "low": choose(small, low, 0)})  # fmt: skip
+
+
+def rise_near() -> Routine:
+    """From its power series."""
+    do = Steps()
+    given = *_FADE, _HALF, _W
+    found = number_and(do, _FADE[0], sp.S.Half, "RiseSeries", _HALF, _W, low=_FADE[1])
+    return do.routine("RiseNear", "n1 of a device with slow poles", given, found)
+
+
+def fall_near() -> Routine:
+    """From its power series."""
+    do = Steps()
+    fall, low = product(do, _FADE[0], _FADE[0], 2 * _FADE[1])
+    found = number_and(do, fall, sp.S.Half, "FallSeries", gamma, delta, low=low)
+    return do.routine("FallNear", "n0 of a device with slow poles", (*_FADE, gamma, delta), found)
+
+
+def together_near() -> Routine:
+    """From its power series."""
+    do = Steps()
+    given = _HALF, _W
+    found = number_and(do, exp(-_HALF), sp.S.Half, "TogetherSeries", *given)
+    return do.routine("TogetherNear", "n1 + n0 of a device with slow poles", given, 2 * found)
+
+
+def apart_near() -> Routine:
+    """From its power series."""
+    do = Steps()
+    given = _HALF, _W
+    found = number_and(do, exp(-_HALF), SIXTH, "ApartSeries", *given)
+    return do.routine("ApartNear", "(n1 - n0)/delta of a device with slow poles", given, found)
+
+
+def _asked(
+    name: str, small: Boolean, given: tuple[Expr, ...], m: Motion, swing: Expr, creep: Expr
+) -> Expr:
+    """Its series first: of a function alone nothing else is found in vain then."""
+    return choose(small, _called(name, small, *given), choose(m.w < 0, swing, creep))
+
+
+def _turned(do: Steps, m: Motion) -> tuple[Expr, Expr, Expr, Expr]:
+    return turned(do, m.half, m.w, m.w_low, m.root, do("stiff", gamma))
+
+
+def rise() -> Routine:
     """n_1."""
     do = Steps()
     m = motion(do)
-    c = _creeping(do, m)
-    pulled, lost = product(do, c.slow.fall, c.apart.mean, c.apart.mean_low)
-    pulled_low = do("pulled_low", lost + c.slow.fall_low * c.apart.mean)
-    top, top_low = difference(do, c.slow.mean, pulled)
-    creep, missed = quotient(do, top, m.whole, top_low + (c.slow.mean_low - pulled_low), m.p_low)
-    v = _swinging(do, m)
-    both, lost = difference(do, v.even, -v.odd)
-    left, left_low = product(do, v.envelope, both, lost + (v.even_low + v.odd_low))
-    top, lost = fast_sum(do, sp.S.One, -left)
-    swing, more = quotient(do, top, v.stiff, lost - left_low)
-    turns = _turned(do, m, precision)
-    swing = choose(turns.near, whole_turns.risen(do, turns, v.stiff), swing + more)
-    half = do("half", choose(m.soft, m.half, 0))
-    decayed, lost = fallen(do, half)
-    given = half, choose(m.soft, m.w, 0)
-    near = number_and(do, decayed, sp.S.Half, "RiseSeries", *given, low=lost)
+    c, v = _creeping(do, m), _swinging(do, m)
+    near, risen, _, _ = _turned(do, m)
+    fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
+    swing = sp.Function("RiseSwing")(*_closed(m, v, (near, risen), fade))
+    own = m.reach, *fade, m.half, m.w, m.p, m.p_low, *_all(c.slow)
+    own = *own, c.apart.mean, c.apart.mean_low
+    creep = sp.Function("RiseCreep")(*own)
+    found = _asked("RiseNear", m.reach < SOFT, (*fade, m.half, m.w), m, swing, creep)
     return do.routine("Rise", "n1, how far a unit force moves the device in a period",
-                      (gamma, delta),
-                      _cases(m, m.soft, near, swing, creep + missed))  # fmt: skip
+                      (gamma, delta), found)  # fmt: skip
 
 
-def fall(precision: Precision = DOUBLE) -> Routine:
+def fall() -> Routine:
     """n_0."""
     do = Steps()
     m = motion(do)
-    c = _creeping(do, m)
-    pulled, lost = product(do, c.apart.fall, c.slow.mean, c.slow.mean_low)
-    pulled_low = do("pulled_low", lost + c.apart.fall_low * c.slow.mean)
-    top, top_low = difference(do, c.apart.mean, pulled)
-    rest, missed = quotient(do, top, m.whole, top_low + (c.apart.mean_low - pulled_low), m.p_low)
-    creep, lost = product(do, c.slow.fall, rest, missed)
-    creep = do("creep", creep + (lost + c.slow.fall_low * rest))
-    v = _swinging(do, m)
-    top, top_low = difference(do, v.odd, v.even)
-    top, lost = difference(do, top, -v.envelope)
-    top, top_low = product(do, v.envelope, top, lost + (top_low + v.odd_low - v.even_low))
-    swing, missed = quotient(do, top, v.stiff, top_low)
-    turns = _turned(do, m, precision)
-    swing = choose(turns.near, whole_turns.fallen(do, turns, v.stiff), swing + missed)
-    decayed, lost = fallen(do, choose(m.soft, m.half, 0))
-    decayed, lost = product(do, decayed, decayed, 2 * lost)
-    given = choose(m.soft, gamma, 0), choose(m.soft, delta, 0)
-    near = number_and(do, decayed, sp.S.Half, "FallSeries", *given, low=lost)
+    c, v = _creeping(do, m), _swinging(do, m)
+    near, _, sunk, _ = _turned(do, m)
+    fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
+    given = zip(_CLOSED, _closed(m, v, (near, sunk), fade), strict=True)
+    swing = sp.Function("FallSwing")(*(value for s, value in given if s != _W))
+    own = m.reach, *fade, gamma, delta, m.p, m.p_low, *_all(c.slow), *_all(c.apart)
+    creep = sp.Function("FallCreep")(*own)
+    found = _asked("FallNear", m.reach < SOFT, (*fade, gamma, delta), m, swing, creep)
     return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
-                      (gamma, delta), _cases(m, m.soft, near, swing, creep))  # fmt: skip
+                      (gamma, delta), found)  # fmt: skip
 
 
-def together(precision: Precision = DOUBLE) -> Routine:
+def together() -> Routine:
     """n_1 + n_0: a product for a creeping device, a sum of squares for a swinging one."""
     do = Steps()
     m = motion(do)
-    v = _swinging(do, m)
-    total, low = _squares(do, m, v, sin)
-    swing, missed = quotient(do, total, v.stiff, low)
-    turns = _turned(do, m, precision)
-    swing = choose(turns.near, whole_turns.both(do, turns, v.stiff), 4 * (swing + missed))
-    c = _creeping(do, m)
-    fast, fast_low = _faster(do, c)
-    gone, lost = fast_sum(do, sp.S.One, -fast)
-    moved, moved_low = product(do, c.slow.mean, gone, lost - fast_low)
-    moved_low = do("moved_low", moved_low + c.slow.mean_low * gone)
-    creep, rest = quotient(do, moved, m.whole, moved_low, m.p_low)
-    given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
-    near = 2 * number_and(do, exp(-m.half), sp.S.Half, "TogetherSeries", *given)
-    return do.routine("Together", "n1 + n0", (gamma, delta),
-                      _cases(m, m.small, near, swing, creep + rest))  # fmt: skip
-
-
-def _faster(do: Steps, c: Creeping) -> tuple[Expr, Expr]:
-    """exp(-p), of the faster pole."""
-    fast, low = product(do, c.slow.fall, c.apart.fall, c.apart.fall_low)
-    return fast, do("low", low + c.slow.fall_low * c.apart.fall)
-
-
-def _squares(do: Steps, m: Motion, v: Swinging, wave: type[sp.Function]) -> tuple[Expr, Expr]:
-    """(1 - exp(-delta/2))^2/4 and exp(-delta/2) times the square of sin or cos of root/2, added."""
-    grown = do("grown", -expm1(-m.half) / 2)
-    angle = do("angle", m.root / 2)
-    own, other = (sin(angle), cos(angle)) if wave is sin else (cos(angle), -sin(angle))
-    first, lost = difference(do, do("wave", own), do("back", -m.root_low / 2 * other))
-    square, low = product(do, first, first)
-    turned, turned_low = product(do, v.envelope, square, do("low", low + 2 * first * lost))
-    total, rest = difference(do, turned, -grown * grown)
-    return total, do("low", rest + turned_low)
+    c, v = _creeping(do, m), _swinging(do, m)
+    near, _, _, both = _turned(do, m)
+    given = m.reach, m.half, m.w, m.w_low, v.envelope, m.root, gamma, near, both
+    swing = sp.Function("TogetherSwing")(*given)
+    own = m.reach, m.half, m.w, m.p, m.p_low, *_all(c.slow), c.apart.fall, c.apart.fall_low
+    creep = sp.Function("TogetherCreep")(*own)
+    found = _asked("TogetherNear", m.reach < 1, (m.half, m.w), m, swing, creep)
+    return do.routine("Together", "n1 + n0",
+                      (gamma, delta), found)  # fmt: skip
 
 
 def nyquist() -> Routine:
     """1 + a + e: a sum where a > 0, a sum of squares where it is not."""
     do = Steps()
     m = motion(do)
-    v = _swinging(do, m)
-    total, low = _squares(do, m, v, cos)
-    c = _creeping(do, m)
-    ends, lost = fast_sum(do, sp.S.One, do("e", exp(-delta)))
-    turn, turn_low = product(do, do("twice", 2 * v.envelope), v.even, v.even_low)
-    both, rest = fast_sum(do, ends, turn)
-    swing = choose(turn > 0, both + (rest + lost + turn_low), 4 * (total + low))
-    one, one_low = fast_sum(do, sp.S.One, c.slow.fall)
-    fast, fast_low = _faster(do, c)
-    two, two_low = fast_sum(do, sp.S.One, fast)
-    found, missed = product(do, one, two, two_low + fast_low)
-    creep = found + (missed + (one_low + c.slow.fall_low) * two)
-    return do.routine("Nyquist", "1 + a + e", (gamma, delta), choose(m.w < 0, swing, creep))
+    c, v = _creeping(do, m), _swinging(do, m)
+    given = m.half, m.w, m.w_low, v.envelope, v.wave.even, v.wave.even_low, m.root
+    swing = sp.Function("NyquistSwing")(*given)
+    own = c.slow.fall, c.slow.fall_low, c.apart.fall, c.apart.fall_low
+    return do.routine("Nyquist", "1 + a + e", (gamma, delta),
+                      choose(m.w < 0, swing, sp.Function("NyquistCreep")(*own)))  # fmt: skip
 
 
 def swing() -> Routine:
     """a, the sum of the poles of the sampled device."""
     do = Steps()
     m = motion(do)
-    c = _creeping(do, m)
-    v = _swinging(do, m)
-    turn, lost = product(do, v.envelope, v.even, v.even_low)
-    both, rest = fast_sum(do, sp.S.One, c.apart.fall)
-    creep, more = product(do, c.slow.fall, both, rest + c.apart.fall_low)
-    creep = do("creep", creep + (more + c.slow.fall_low * both))
+    c, v = _creeping(do, m), _swinging(do, m)
+    swing = sp.Function("TraceSwing")(v.envelope, v.wave.even, v.wave.even_low)
+    own = c.slow.fall, c.slow.fall_low, c.apart.fall, c.apart.fall_low
     return do.routine("Swing", "a, the sum of the sampled device's poles", (gamma, delta),
-                      choose(m.w < 0, 2 * (turn + lost), creep))  # fmt: skip
+                      choose(m.w < 0, swing, sp.Function("TraceCreep")(*own)))  # fmt: skip
 
 
 def apart() -> Routine:
@@ -279,27 +513,20 @@ def apart() -> Routine:
     """
     do = Steps()
     m = motion(do)
-    c = _creeping(do, m)
-    fast = do("fast", c.slow.fall * c.apart.fall)
-    twice = do("twice", 2 * c.slow.fall)
-    pulled, pulled_low = product(do, twice, c.apart.mean, c.apart.mean_low)
-    top, top_low = difference(do, c.slow.mean, pulled)
-    more, more_low = product(do, fast, c.slow.mean, c.slow.mean_low)
-    top = do("top", top + more)
-    low = do("low", top_low + (c.slow.mean_low + more_low - pulled_low))
-    creep = (top + low) / do.nonzero(m.p * delta)
-    v = _swinging(do, m)
-    mean = do("mean", Decay(delta))
-    turn, turn_low = product(do, v.envelope, v.wave, v.wave_low)
-    top, rest = difference(do, mean, turn)
-    swing, missed = quotient(do, top, v.stiff, rest - turn_low)
-    swing = swing + missed
-    given = choose(m.small, m.half, 0), choose(m.small, m.w, 0)
-    near = number_and(do, exp(-m.half), SIXTH, "ApartSeries", *given)
-    return do.routine(
-        "Apart", "(n1 - n0)/delta", (gamma, delta), _cases(m, m.small, near, swing, creep)
-    )
+    c, v = _creeping(do, m), _swinging(do, m)
+    slow, far = c.slow, c.apart
+    own = slow.fall, slow.mean, slow.mean_low, far.fall, far.mean, far.mean_low
+    creep = sp.Function("ApartCreep")(m.reach, m.half, m.w, delta, m.p, *own)
+    wave = v.envelope, v.wave.odd, v.wave.odd_low, gamma, delta
+    swing = sp.Function("ApartSwing")(m.reach, m.half, m.w, *wave)
+    return do.routine("Apart", "(n1 - n0)/delta", (gamma, delta),
+                      _asked("ApartNear", m.reach < 1, (m.half, m.w), m, swing, creep))  # fmt: skip
 
 
-ROUTINES = (nyquist, swing, apart)
-PRECISE = (rise, fall, together)
+ROUTINES = (
+    device_motion, real_poles, rise_creep, fall_creep, fast_fall, together_creep, nyquist_creep,
+    trace_creep, apart_creep, rise_swing, fall_swing, half_squares, together_swing, nyquist_swing,
+    trace_swing, apart_swing, slow_fade, rise_near, fall_near, together_near, apart_near,
+    rise, fall, together, nyquist, swing, apart,
+)  # fmt: skip
+PRECISE: tuple[Callable[[Precision], Routine], ...] = ()

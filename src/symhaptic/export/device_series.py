@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 
 import sympy as sp
-from sympy import Expr, factorial
+from sympy import Expr, Symbol, factorial
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import DOUBLE, Precision
@@ -52,84 +52,107 @@ def _slow(half: Expr, square: Expr) -> Boolean:
     return sp.And(half < TINY / 2, sp.Abs(square) < TINY**2 / 4)
 
 
+def _powers(
+    do: Steps, slow: Boolean, start: tuple[str, ...], numbers: list[Expr], few: int,
+    step: Callable[[Steps, tuple[Symbol, ...], Expr], Iterable[Expr]],
+) -> tuple[Symbol, ...]:  # fmt: skip
+    """Horner's scheme from the last coefficient on; for slow poles from an earlier one.
+
+    The steps for slow poles are no loop: a processor that mistakes its end stops what it has begun.
+    """
+    far = do.sum(dict.fromkeys(start, sp.S.Zero), step, numbers[: few - 1 : -1])
+    states = tuple(do(name, choose(slow, 0, value)) for name, value in zip(start, far, strict=True))
+    for number in numbers[few - 1 :: -1]:
+        after = step(do, states, number)
+        states = tuple(
+            expr if expr.is_Symbol else do(name, expr)
+            for name, expr in zip(start, after, strict=True)
+        )
+    return states
+
+
 def rise_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at h, sqrt w and -sqrt w, less 1/2."""
     do = Steps()
+    few, all_ = _sizes(precision, _simplex)
+    numbers = [1 / factorial(k + 2) if k else sp.S.Zero for k in range(all_)]
 
-    def added(terms: int) -> Expr:
-        even = [sp.S.Zero] * (terms + 2)
-        total: Expr = sp.S.Zero
-        for k in range(terms - 1, -1, -1):
-            own = 1 / factorial(k + 2) if k else sp.S.Zero
-            even[k] = do(f"e{k}", own + w * even[k + 2])
-            total = do(f"b{k}", even[k] + h * total)
-        return total
+    def step(do: Steps, states: tuple[Symbol, ...], number: Expr) -> Iterable[Expr]:
+        total, one, two = states
+        even = do("even", number + w * two)
+        return even + h * total, even, one
 
-    few, all_ = map(added, _sizes(precision, _simplex))
+    total, *_ = _powers(do, _slow(h, w), ("total", "one", "two"), numbers, few, step)
     return do.routine("RiseSeries", "divided difference of exp at h, sqrt(w), -sqrt(w), less 1/2",
-                      (h, w), choose(_slow(h, w), few, all_))  # fmt: skip
+                      (h, w), total)  # fmt: skip
 
 
 def fall_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at 0, p and q, with p + q = delta and p q = gamma, less 1/2."""
     do = Steps()
+    few, all_ = (size - _CAREFUL for size in _sizes(precision, _simplex))
+    numbers = [1 / factorial(k + _CAREFUL + 2) for k in range(all_)]
 
-    def added(terms: int) -> Expr:
-        one: Expr = sp.S.Zero
-        two: Expr = sp.S.Zero
-        for k in range(terms - 1, _CAREFUL - 1, -1):
-            one, two = do(f"b{k}", 1 / factorial(k + 2) + delta * one - gamma * two), one
-        one_low: Expr = sp.S.Zero
-        two_low: Expr = sp.S.Zero
-        for k in range(_CAREFUL - 1, -1, -1):
-            own = 1 / factorial(k + 2) if k else sp.S.Zero
-            grown, grown_low = product(do, delta, one, one_low)
-            less, less_low = product(do, gamma, two, two_low)
-            total, lost = difference(do, grown, less)
-            total, more = difference(do, total, -own)
-            low = do("low", lost + more + (grown_low - less_low))
-            one, one_low, two, two_low = total, low, one, one_low
-        return one + one_low
+    def step(do: Steps, states: tuple[Symbol, ...], number: Expr) -> Iterable[Expr]:
+        one, two = states
+        return number + delta * one - gamma * two, one
 
-    few, all_ = map(added, _sizes(precision, _simplex))
+    one, two = _powers(do, _slow(delta / 2, gamma), ("one", "two"), numbers, few, step)
+    one_low: Expr = sp.S.Zero
+    two_low: Expr = sp.S.Zero
+    for k in range(_CAREFUL - 1, -1, -1):
+        number = 1 / factorial(k + 2) if k else sp.S.Zero
+        given = gamma, delta, one, one_low, two, two_low, number
+        two, two_low = one, one_low
+        one, one_low = do.several(("one", "one_low"), "FallTerm", *given)
     return do.routine("FallSeries", "divided difference of exp at 0, p and q, less 1/2",
-                      (gamma, delta), choose(_slow(delta / 2, gamma), few, all_))  # fmt: skip
+                      (gamma, delta), one + one_low)  # fmt: skip
+
+
+def fall_term() -> Routine:
+    """The step of Horner's scheme for FallSeries, to twice the precision."""
+    do = Steps()
+    given = sp.symbols("one one_low two two_low number")
+    one, one_low, two, two_low, number = given
+    grown, grown_low = product(do, delta, one, one_low)
+    less, less_low = product(do, gamma, two, two_low)
+    total, lost = difference(do, grown, less)
+    total, more = difference(do, total, -number)
+    rest, both = do("rest", grown_low - less_low), do("both", lost + more)
+    return do.routine("FallTerm", "number + delta one - gamma two and what it misses, of pairs",
+                      (gamma, delta, *given), {"total": total, "low": both + rest})  # fmt: skip
 
 
 def together_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of cosh(sqrt) at h^2 and w, less 1/2."""
     do = Steps()
-    few, all_ = (
-        _mixed(do, [1 / factorial(2 * k + 2) for k in range(terms)])
-        for terms in _sizes(precision, partial(_square, 2))
-    )
+    found = _mixed(do, 2, precision)
     return do.routine("TogetherSeries", "divided difference of cosh(sqrt) at h^2 and w, less 1/2",
-                      (h, w), choose(_slow(h, w), few, all_))  # fmt: skip
+                      (h, w), found)  # fmt: skip
 
 
-def _mixed(do: Steps, coefficients: list[Expr]) -> Expr:
-    """Sum over i and j of (h^2)^j w^i times coefficient i + j, less the first."""
+def _mixed(do: Steps, first: int, precision: Precision) -> Expr:
+    """Sum over i and j, not both 0, of (h^2)^j w^i/(2 (i + j) + first)!."""
+    few, all_ = _sizes(precision, partial(_square, first))
+    numbers = [1 / factorial(2 * k + first) if k else sp.S.Zero for k in range(all_)]
     y = do("y", h * h)
-    inner: Expr = sp.S.Zero
-    total: Expr = sp.S.Zero
-    for k in range(len(coefficients) - 1, -1, -1):
-        inner = do(f"e{k}", (coefficients[k] if k else sp.S.Zero) + w * inner)
-        total = do(f"b{k}", inner + y * total)
-    return total
+
+    def step(do: Steps, states: tuple[Symbol, ...], number: Expr) -> Iterable[Expr]:
+        total, inner = states
+        inner = do("own", number + w * inner)
+        return inner + y * total, inner
+
+    return _powers(do, _slow(h, w), ("total", "inner"), numbers, few, step)[0]
 
 
 def apart_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6."""
     do = Steps()
     _, missed = precision.parts(sp.Rational(1, 6))
-    few, all_ = (
-        _mixed(do, [1 / factorial(2 * k + 3) for k in range(terms)])
-        for terms in _sizes(precision, partial(_square, 3))
-    )
+    found = _mixed(do, 3, precision)
     return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w, less the "
-                      "float next to 1/6", (h, w),
-                      choose(_slow(h, w), few + missed, all_ + missed))  # fmt: skip
+                      "float next to 1/6", (h, w), found + missed)  # fmt: skip
 
 
 PRECISE = (rise_series, fall_series, together_series, apart_series)
-ROUTINES: tuple[Callable[[], Routine], ...] = ()
+ROUTINES = (fall_term,)

@@ -60,7 +60,7 @@ def number_and(
     rest = do("rest", sp.Function(series)(*arguments))
     total, lost = difference(do, rest, -number)
     found, missed = product(do, do("envelope", fall), total, lost)
-    return found + (missed + low * total)
+    return found + (do("low", missed + low * total) if low != 0 else missed)
 
 
 def creep() -> Routine:
@@ -109,7 +109,7 @@ def gap(precision: Precision = DOUBLE) -> Routine:
     sixth, low = precision.parts(sp.Rational(1, 6))  # what the float misses goes into the next term
     terms = precision.terms(lambda k: 6 * sp.Integer(4) ** k / factorial(2 * k + 3))
     for i in range(terms - 1, 0, -1):
-        total = do(f"b{i}", 1 / factorial(2 * i + 3) + square * total)
+        total = 1 / factorial(2 * i + 3) + square * total
     rest = do("rest", square * total + low)
     total = do("total", sixth + rest)
     whole = do("whole", choose(sp.Abs(x) < 2, 2, x))

@@ -33,6 +33,7 @@ _WORDS = Words(
     loop="do count_ = 1, {1}",
     leave=("if ({}) exit",),
     looped="end do",
+    each=("do count_ = 1, {2}", "  {0} = {0}_of(count_)"),
 )
 
 
@@ -125,8 +126,14 @@ class Fortran(Target):
             kinds, tail = [f"    real(wp), intent(out) :: {', '.join(results)}"], "subroutine"
         declared = [f"    real(wp), intent(in) :: {', '.join(args)}"] if args else []
         declared += kinds + ([f"    real(wp) :: {', '.join(locals_)}"] if locals_ else [])
-        if any(isinstance(step, Repeat) for step in routine.steps):
+        loops = [step for step in routine.steps if isinstance(step, Repeat)]
+        if loops:
             declared.append("    integer :: count_")
+        for loop in loops:
+            if loop.number is not None:
+                numbers = ", ".join(map(self.printing().doprint, loop.numbers))
+                listed = f"{self.rename(loop.number.name)}_of({loop.most})"
+                declared.append(f"    real(wp), parameter :: {listed} = [{numbers}]")
         lines = [
             head,
             *declared,
@@ -199,7 +206,8 @@ def _assigned(block: Block) -> set[str]:
         if isinstance(statement, (Assign, Set)):
             found.add(statement.name.name)
         elif isinstance(statement, Repeat):
-            found |= {s.name for s in (*statement.states, *(n for n, _ in statement.steps))}
+            own = {*statement.states, *(n for n, _ in statement.steps), statement.number} - {None}
+            found |= {s.name for s in own}
         elif isinstance(statement, Several):
             found |= {s.name for s in statement.names}
         elif isinstance(statement, (Choice, Join)):

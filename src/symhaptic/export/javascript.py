@@ -25,6 +25,7 @@ class Javascript(Target):
 
     name, title, printer = "javascript", "JavaScript", _Printer
     changing = "let"
+    each = ("for (const {0} of [{1}]) {{",)
     times = "for (let {0} = 0; {0} < {1}; ++{0}) {{"
     words = MappingProxyType({"==": "===", "!=": "!=="})
     keywords = vocabulary(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -9,7 +10,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.export.routine import Routine, Several, Step, expm1, fresh
+from symhaptic.export.routine import Routine, Several, Step, computed, expm1, fresh, names
 from symhaptic.export.target import code_name
 from symhaptic.forms.entire import CosNext, Entire, SinNext
 from symhaptic.forms.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
@@ -72,6 +73,8 @@ def joint(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     arguments = routines[parts[0]].arguments
     taken = {s.name for s in arguments}
     done: dict[Expr, Symbol] = {}
+    calls: dict[Expr, Several] = {}
+    order: list[Step] = []
     found: dict[str, Symbol] = {}
 
     def step(name: str, expr: Expr) -> Symbol:
@@ -79,6 +82,7 @@ def joint(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
             return expr
         if expr not in done:
             done[expr] = fresh(name, taken)
+            order.append((done[expr], expr))
         return done[expr]
 
     def named(expr: Expr) -> Expr:
@@ -94,20 +98,44 @@ def joint(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
             return result(own)
         return step(f"{code_name(own)}_of", call)
 
+    def several(made: Several, known: dict[Symbol, Expr]) -> None:
+        call = made.call.func(*(named(arg.xreplace(known)) for arg in made.call.args))
+        if call not in calls:
+            calls[call] = Several(tuple(fresh(s.name, taken) for s in made.names), call)
+            order.append(calls[call])
+        known |= dict(zip(made.names, calls[call].names, strict=True))
+
     def result(own: str) -> Symbol:
         if own not in found:
-            names: dict[Symbol, Expr] = {}
-            for symbol, expr in routines[own].assignments:
-                names[symbol] = step(symbol.name, named(expr.xreplace(names)))
-            last = routines[own].results[0][1].xreplace(names)
+            known: dict[Symbol, Expr] = {}
+            for made in routines[own].steps:
+                if isinstance(made, Several):
+                    several(made, known)
+                elif isinstance(made, tuple):
+                    known[made[0]] = step(made[0].name, named(made[1].xreplace(known)))
+            last = _of_many(routines[own].results[0][1]).xreplace(known)
             found[own] = step(f"{code_name(own)}_of", named(last))
         return found[own]
 
     results = tuple((code_name(part), result(part)) for part in parts)
+    used = Counter(s for made in order for e in computed(made) for s in e.free_symbols)
+    last = {s: e for e, s in done.items() if isinstance(e, sp.Piecewise) and not used[s]}
+    results = tuple((name, last.get(s, s)) for name, s in results)
+    order = [made for made in order if last.keys().isdisjoint(names(made))]
     about = "; ".join(routines[part].about for part in parts)
-    return Routine(
-        "_".join(parts), about, arguments, tuple((s, e) for e, s in done.items()), results
-    )
+    return Routine("_".join(parts), about, arguments, tuple(order), results)
+
+
+def _of_many(result: Expr) -> Expr:
+    """What is left of a choice between a series and a function that asks for it itself.
+
+    Several functions find more than their series in any case.
+    """
+    if not isinstance(result, sp.Piecewise):
+        return result
+    (_, condition), (other, _), *_ = result.args
+    series = isinstance(condition, sp.StrictLessThan) and condition.lhs == sp.Symbol("reach")
+    return other if series else result
 
 
 def _calls(call: Expr) -> bool:

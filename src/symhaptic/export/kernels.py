@@ -6,13 +6,19 @@ from difflib import unified_diff
 from pathlib import Path
 
 from symhaptic.export import request
+from symhaptic.export.precision import SINGLE
 from symhaptic.export.targets import TARGETS
+from symhaptic.export.ufuncs import ufuncs
 from symhaptic.forms import stable
 from symhaptic.forms.stable import Form
 
 FOLDER = Path(__file__).parents[1] / "kernels"
 
 _HEADER = "# Written by `symhaptic kernels` from the stable forms; do not edit.\n"
+
+_REMARK = "/* Written by `symhaptic kernels` from the stable forms; do not edit. */\n"
+
+_WRITTEN = ("*.py", "*.pyi", "*.c", "*.h")
 
 _ABOUT = '''"""How large is it, bare?  The stable forms as functions of arrays of any library.
 
@@ -27,16 +33,30 @@ def forms() -> list[Form]:
 
 
 def files() -> dict[str, str]:
-    """The files of the folder, by name."""
-    _, made = request.built(TARGETS["numpy"], forms(), vectors=False)
-    return {"__init__.py": _HEADER + _ABOUT} | {n: _HEADER + text for n, text in made.items()}
+    """The files of the folder, by name: for arrays of all libraries, and in C for NumPy's."""
+    every = forms()
+    _, made = request.built(TARGETS["numpy"], every, vectors=False)
+    double, in_c = request.built(TARGETS["c"], every, vectors=False)
+    in_single = TARGETS["c"].at(SINGLE)
+    single, more = request.built(in_single, every, name="haptic_single", vectors=False)
+    made |= in_c | more | ufuncs(double, single)
+    made = {"__init__.py": _ABOUT} | made
+    return {
+        name: (_REMARK if name.endswith((".c", ".h")) else _HEADER) + text
+        for name, text in made.items()
+    }
+
+
+def _there(folder: Path) -> list[Path]:
+    """Those of a folder that are written here."""
+    return [path for pattern in _WRITTEN for path in folder.glob(pattern)]
 
 
 def differences(folder: Path = FOLDER) -> str:
     """A diff from what is there to what would be written; empty if nothing is stale."""
     lines: list[str] = []
     new = files()
-    there = {path.name for path in folder.glob("*.py")}
+    there = {path.name for path in _there(folder)}
     for name in sorted(there | set(new)):
         old = (folder / name).read_text(encoding="utf-8") if name in there else ""
         lines += unified_diff(
@@ -53,6 +73,6 @@ def write(folder: Path = FOLDER) -> None:
         draft = folder / f".{name}-draft"
         draft.write_text(text, encoding="utf-8")
         draft.replace(folder / name)
-    for path in folder.glob("*.py"):
+    for path in _there(folder):
         if path.name not in new:
             path.unlink()

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy import And, Expr, Max, Min, Or, sqrt
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.counting import _turns, _Wall
+from symhaptic.export.counting import _Wall, turns
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.forms.counted import LATE_ARGUMENTS
 
@@ -150,8 +150,8 @@ def piece_turns() -> Routine:
     rest = do("rest", choose(sp.Eq(zone, NEAR), 4 - x, choose(sp.Eq(zone, OWN), beyond - x, x)))
     off = do("off", choose(sp.Eq(zone, NEAR), x - center, choose(sp.Eq(zone, OWN), x, beyond - x)))
     inner = And(y > 0, rest > 0)
-    v = _Wall(slope, sp.S.Zero, far)
-    found = _turns(do, 2 - loss - 1, v, do("at", Max(y, 0)), do("still", Max(rest, 0)), off)
+    loop = alpha, slope, far, d, n1, loss, together, apart
+    found = do("found", turns(y, rest, off, *loop))
     rises = do("rises", choose(at_high > at_low, 1, -1) * choose(sp.Eq(zone, FAR), -1, 1))
     turned = do("turned", choose(inner, -2 * rises * found, 0))
     return do.routine("PieceTurns", "what the crossing on a piece, if there is one, adds",

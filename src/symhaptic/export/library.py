@@ -15,12 +15,15 @@ from symhaptic.export import (
     device,
     device_series,
     elementary,
+    error_free,
     late_counting,
     pairs,
     passive,
     response,
+    search,
     slopes,
     stiffest,
+    whole_turns,
 )
 from symhaptic.export.joint import joint, merged
 from symhaptic.export.precision import DOUBLE, Precision
@@ -88,8 +91,8 @@ def _makers() -> dict[str, tuple[Callable[..., Routine], bool]]:
 
 
 _MODULES = (
-    elementary, pairs, device, device_series, slopes, angle_slopes, counting, late_counting,
-    passive, response, stiffest,
+    error_free, elementary, pairs, whole_turns, device, device_series, slopes, angle_slopes,
+    counting, late_counting, search, passive, response, stiffest,
 )  # fmt: skip
 
 

@@ -29,6 +29,7 @@ _WORDS = Words(
     loop="for count_{0} = 1:{1}",
     leave=("if {}", "  break;", "end"),
     looped="end",
+    each=("for {0} = [{1}]",),
 )
 
 

@@ -7,14 +7,21 @@ the leading terms are added without rounding.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import Expr, cos, exp, factorial, sin
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, fast_sum, product, quotient
+from symhaptic.export.routine import (
+    ProductError,
+    Routine,
+    Steps,
+    choose,
+    fast_sum,
+    product,
+    quotient,
+)
 
 BRIEF = sp.Rational(3, 4)
 """Up to this rate 1 - exp(-rate) is found from its series, beyond it from exp(-rate)."""
@@ -22,7 +29,7 @@ BRIEF = sp.Rational(3, 4)
 SLOW = sp.Rational(3, 2)
 """The same for the squared angle of a wave: cos is still above 1/4."""
 
-x, w = sp.symbols("x w")
+x, w, rate, low = sp.symbols("x w rate low")
 
 
 @dataclass(frozen=True)
@@ -35,40 +42,55 @@ class Fading:
     mean_low: Expr
 
 
-def briefly(do: Steps, given: Expr, low: Expr) -> tuple[Expr, ...]:
+_FADING = "fall", "fall_low", "mean", "mean_low"
+
+
+def briefly(do: Steps, given: Expr, low: Expr) -> Fading:
     """Both of Fading and what they miss, for a rate up to BRIEF."""
-    first, lost = fast_sum(do, sp.S.One, -given / 2)
-    curved = do("curved", given * given * sp.Function("DecaySeries")(given))
+    return Fading(*do.several(_FADING, "BriefFading", given, low))
+
+
+def brief_fading() -> Routine:
+    """From the series of the mean."""
+    do = Steps()
+    first, lost = fast_sum(do, sp.S.One, -rate / 2)
+    curved = do("curved", rate * rate * sp.Function("DecaySeries")(rate))
     mean, more = fast_sum(do, first, curved)
-    mean_low = do("mean_low", (lost + more) - low * (sp.S.Half - given / 3 + given * given / 8))
-    gone, off = product(do, given, mean, mean_low)
+    bent = do("bent", low * (sp.S.Half - rate / 3 + rate * rate / 8))
+    mean_low = do("mean_low", (lost + more) - bent)
+    gone, off = product(do, rate, mean, mean_low)
+    off = do("off", off + low * mean)
     fall, rest = fast_sum(do, sp.S.One, -gone)
-    fall_low = do("fall_low", rest - (off + low * mean))
-    return fall, fall_low, mean, mean_low
+    found = Fading(fall, rest - off, mean, mean_low)
+    return do.routine("BriefFading", "exp(-rate), (1 - exp(-rate))/rate and what they miss, for a "
+                      "rate up to 3/4", (rate, low), vars(found))  # fmt: skip
 
 
 def fallen(do: Steps, rate: Expr) -> tuple[Expr, Expr]:
     """exp(-rate) and what it misses, for a rate up to twice BRIEF: the square of that of half."""
-    fall, low, _, _ = briefly(do, do("given", rate / 2), sp.S.Zero)
-    return product(do, fall, fall, 2 * low)
+    half = briefly(do, rate / 2, sp.S.Zero)
+    return product(do, half.fall, half.fall, 2 * half.fall_low)
 
 
 def fading(do: Steps, rate: Expr, low: Expr) -> Fading:
     """The pair for rate + low."""
-    brief = do("rate", rate) < BRIEF
-    given = do("given", choose(brief, rate, 0))
-    fall, fall_low, mean, mean_low = briefly(do, given, low)
+    return Fading(*do.several(_FADING, "FadingPair", rate, low))
+
+
+def fading_pair() -> Routine:
+    """Beyond its series, from exp."""
+    do = Steps()
+    brief = rate < BRIEF
+    near = briefly(do, do("given", choose(brief, rate, 0)), low)
     sunk = do("sunk", exp(-rate))
     sunk_low = do("sunk_low", -sunk * low)
     top, top_low = fast_sum(do, sp.S.One, -sunk)
     bottom = do("bottom", choose(brief, 1, rate))
-    far, far_low = quotient(do, top, bottom, top_low - sunk_low, low)
-    return Fading(
-        do("fall", choose(brief, fall, sunk)),
-        do("fall_low", choose(brief, fall_low, sunk_low)),
-        do("mean", choose(brief, mean, far)),
-        do("mean_low", choose(brief, mean_low, far_low)),
-    )
+    mean, mean_low = quotient(do, top, bottom, top_low - sunk_low, low)
+    far = Fading(sunk, sunk_low, mean, mean_low)
+    found = {name: choose(brief, value, getattr(far, name)) for name, value in vars(near).items()}
+    return do.routine("FadingPair", "exp(-rate), (1 - exp(-rate))/rate and what they miss",
+                      (rate, low), found)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -81,27 +103,52 @@ class Wave:
     odd_low: Expr
 
 
-def waving(do: Steps, square: Expr, square_low: Expr, angle: Expr, angle_low: Expr) -> Wave:
-    """The pair for angle + angle_low, whose square, taken negative, is square + square_low."""
-    square = do("square", square)
+_WAVE = "even", "even_low", "odd", "odd_low"
+
+
+def root_low(square: Expr, square_low: Expr, root: Expr) -> Expr:
+    """What the root of the size of square + square_low misses."""
+    return sp.Function("RootMiss")(square, square_low, root)
+
+
+def root_miss() -> Routine:
+    """From what is left of the square, which is exact."""
+    do = Steps()
+    square, square_low, root = given = sp.symbols("square square_low root")
+    sign_low = do("sign_low", choose(square < 0, -square_low, square_low))
+    left = do("left", sp.Abs(square) - root * root)
+    left = do("left", left - ProductError(root, root))
+    left = do("left", left + sign_low)
+    return do.routine("RootMiss", "what the root of |square + square_low| misses", given,
+                      left / do.nonzero(root) / 2)  # fmt: skip
+
+
+def waving(do: Steps, square: Expr, square_low: Expr, angle: Expr) -> Wave:
+    """The pair for the root of -square - square_low, of which the float is known."""
+    return Wave(*do.several(_WAVE, "WavingPair", square, square_low, angle))
+
+
+def waving_pair() -> Routine:
+    """Beyond their series, from cos and sin."""
+    do = Steps()
+    square, square_low, angle = given = sp.symbols("square square_low angle")
     slow = square > -SLOW
-    given = do("given", choose(slow, square, 0))
-    first, lost = fast_sum(do, sp.S.One, given / 2)
-    curved = do("curved", given * given * sp.Function("CosSeries")(given))
+    small = do("small", choose(slow, square, 0))
+    first, lost = fast_sum(do, sp.S.One, small / 2)
+    curved = do("curved", small * small * sp.Function("CosSeries")(small))
     even, more = fast_sum(do, first, curved)
-    even_low = do("even_low", lost + more + square_low / 2)
-    bent = do("bent", given * sp.Function("SinSeries")(given))
+    both = do("both", lost + more)
+    bent = do("bent", small * sp.Function("SinSeries")(small))
     odd, rest = fast_sum(do, sp.S.One, bent)
-    odd_low = do("odd_low", rest + square_low / 6)
+    angle_low = do("angle_low", root_low(square, square_low, angle))
+    near = Wave(even, both + square_low / 2, odd, rest + square_low / 6)
     sine, cosine = do("sine", sin(angle)), do("cosine", cos(angle))
     some = do("some", choose(slow, 1, angle))
     ratio, missed = quotient(do, sine, some, angle_low * cosine, angle_low)
-    return Wave(
-        do("even", choose(slow, even, cosine)),
-        do("even_low", choose(slow, even_low, -angle_low * sine)),
-        do("odd", choose(slow, odd, ratio)),
-        do("odd_low", choose(slow, odd_low, missed)),
-    )
+    far = Wave(cosine, -angle_low * sine, ratio, missed)
+    found = {name: choose(slow, value, getattr(far, name)) for name, value in vars(near).items()}
+    return do.routine("WavingPair", "cos(angle), sin(angle)/angle and what they miss, where "
+                      "-square is the square of the angle", given, found)  # fmt: skip
 
 
 def polynomial(do: Steps, at: Expr, coefficients: list[Expr]) -> Expr:
@@ -109,7 +156,7 @@ def polynomial(do: Steps, at: Expr, coefficients: list[Expr]) -> Expr:
     square = do("square", at * at)
     halves: list[Expr] = [sp.S.Zero, sp.S.Zero]
     for k in range(len(coefficients) - 1, -1, -1):
-        halves[k % 2] = do(f"b{k}", coefficients[k] + square * halves[k % 2])
+        halves[k % 2] = coefficients[k] + square * halves[k % 2]
     return halves[0] + at * halves[1]
 
 
@@ -138,4 +185,4 @@ def sin_series(precision: Precision = DOUBLE) -> Routine:
 
 
 PRECISE = (decay_series, cos_series, sin_series)
-ROUTINES: tuple[Callable[[], Routine], ...] = ()
+ROUTINES = (brief_fading, fading_pair, root_miss, waving_pair)

@@ -141,20 +141,24 @@ def touching() -> Routine:
                       (theta, l, epsilon), choose(found < pi / 2, found, sp.nan))  # fmt: skip
 
 
+def passive_slope() -> Routine:
+    """Of the wall whose worst angle it is."""
+    do = Steps()
+    turned = do("turned", sp.Function("Turn")(psi, l, epsilon))
+    one = worst.of_size_one()
+    stiffness, damping = (do("wall", one[s].xreplace({phi: turned})) for s in (alpha, beta))
+    need = do("need", sp.Function("Need")(stiffness, damping, l, epsilon, psi))
+    found = worst.favours(need).xreplace({alpha: stiffness, beta: damping})
+    return do.routine("PassiveSlope", "whether another angle allows more stiffness, at a fraction",
+                      (psi, l, epsilon), -found)  # fmt: skip
+
+
 def passive_angle(precision: Precision = DOUBLE) -> Routine:
     """The angle that is worst for the stiffest passive wall, at a fraction of a period."""
     do = Steps()
-
-    def hinders(inner: Steps, at: Expr) -> Expr:
-        found = inner("turned", sp.Function("Turn")(at, l, epsilon))
-        one = worst.of_size_one()
-        stiffness, damping = (inner("wall", one[s].xreplace({phi: found})) for s in (alpha, beta))
-        need = inner("need", sp.Function("Need")(stiffness, damping, l, epsilon, at))
-        wall = {alpha: stiffness, beta: damping, psi: at}
-        return -worst.favours(need).xreplace(wall)
-
     high = pi / (2 * (l + epsilon + 1))
-    psi_ = crossing(do, hinders, high / 10**6, high, precision.close)
+    slope = sp.Function("PassiveSlope")
+    psi_ = crossing(do, lambda _, at: slope(at, l, epsilon), high / 10**6, high, precision.close)
     return do.routine("PassiveAngle", "the worst angle of the stiffest passive wall, at a fraction",
                       (l, epsilon), 2 * psi_)  # fmt: skip
 
@@ -203,6 +207,7 @@ def some_part() -> Routine:
 
 ROUTINES = (straight,
     between,
+    passive_slope,
     whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
     lead, rated,
 )  # fmt: skip

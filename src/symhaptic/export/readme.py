@@ -17,10 +17,16 @@ from symhaptic.export.library import Library
 from symhaptic.export.precision import Precision
 from symhaptic.export.target import Target, beyond, sizes
 from symhaptic.export.vectors import allowed
-from symhaptic.forms.searched import LatePart, SomePart, WholePart
+from symhaptic.forms.counted import LateRoots, WholeRoots
+from symhaptic.forms.device_forms import ANY
+from symhaptic.forms.entire import written_out
+from symhaptic.forms.response import closed
+from symhaptic.forms.searched import LatePart, Rated, Searched, SomePart, WholePart
 from symhaptic.forms.stable import Form
 from symhaptic.forms.values import ALL
-from symhaptic.notation import SYMBOLS, d, epsilon, l
+from symhaptic.model import loop
+from symhaptic.model.parts import Parts
+from symhaptic.notation import SYMBOLS, beta, d, delta, epsilon, gamma, l
 
 MARK = "Written by `symhaptic export`; do not edit."
 
@@ -149,7 +155,37 @@ def _written(results: Sequence[tuple[str, sp.Expr]]) -> list[str]:
         named = [*steps, *zip((name for name, _ in results), found, strict=True)]
         return [f"    {name} = {expr}" for name, expr in named]
     plain = [line for name, expr in results for line in (f"    {name} = {expr}", "")]
-    return [*plain, *(f"$${sp.latex(sp.Symbol(n))} = {sp.latex(expr)}$$" for n, expr in results)]
+    return [*plain, *_as_in_the_book(results)]
+
+
+def _as_in_the_book(results: Sequence[tuple[str, sp.Expr]]) -> list[str]:
+    """In LaTeX, the entire functions written out; of counted roots the polynomial that has them.
+
+    What is searched for has no formula of its own: the plain text names it.
+    """
+    if any(expr.has(WholeRoots, LateRoots) for _, expr in results):
+        return _polynomial({s for _, expr in results for s in expr.free_symbols})
+    found = []
+    for name, expr in results:
+        whole = written_out(closed(expr.replace(Rated, lambda _, value: value)))
+        text = f"$${sp.latex(sp.Symbol(name))} = {sp.latex(whole)}$$"
+        found += [text] * (len(text) < _WIDE and not whole.has(Searched))
+    return found
+
+
+def _polynomial(symbols: set[sp.Basic]) -> list[str]:
+    """What is asked of its roots; behind a fraction of a period the book has the device's."""
+    if l in symbols:
+        return []
+    beta_, delay = beta in symbols, d in symbols
+    parts = Parts(gamma in symbols, delta in symbols, beta_, delay)
+    characteristic = sp.latex(loop.closing(ANY, parts))
+    return ["The roots are those of the characteristic polynomial, of discretize's numbers,", "",
+            f"$$p(z) = {characteristic}$$"]  # fmt: skip
+
+
+_WIDE = 900
+"""Letters of a formula that is still read."""
 
 
 def _short(expr: sp.Expr) -> bool:

@@ -18,7 +18,9 @@ from symhaptic.export.vectors import text as test_vectors
 from symhaptic.forms import stable
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 from symhaptic.forms.stable import Form, NoForm
+from symhaptic.forms.whole_delays import of_whole_delays
 from symhaptic.model.parts import FULL, Parts, left
+from symhaptic.notation import epsilon
 from symhaptic.notation.suggest import suggested
 
 TITLE = "Passivity and stability of haptic walls"
@@ -59,9 +61,11 @@ def chosen(
     parts: Parts = FULL,
     delay: int | None = None,
     derivatives: Sequence[str] = (),
+    whole_delays: bool = False,
 ) -> list[Form]:
     """The forms of these names, or of these formulas of the paper; all of the scene if none.
 
+    For whole delays alone where that is asked.
     With derivatives by these arguments, where any are named; of all forms, by those that each has.
     """
     if delay is not None and not 0 <= delay <= _LONGEST:
@@ -73,17 +77,28 @@ def chosen(
             f"--delay {delay}: changes nothing for {', '.join(names)}; allowed is it with "
             f"{', '.join(stable.FOR_ONE_DELAY)}"
         )
+    if whole_delays and not parts.delay:
+        raise Refused("--whole-delays: is not allowed with a scene that has no delay")
     periods = (1 if delay is None else delay) if parts.delay else None
     if not names:
         every = list(stable.forms(parts, periods))
+        if whole_delays:
+            every = [of_whole_delays(form) for form in every if epsilon not in form.arguments]
         return _all_differentiated(every, derivatives) if derivatives else every
     found = {}
     for name in dict.fromkeys(names):
         form = _by_name(name, parts, periods)
-        found[form.name] = form
+        found[form.name] = _for_whole_delays(form) if whole_delays else form
     if not derivatives:
         return list(found.values())
     return [_differentiated(form, derivatives) for form in found.values()]
+
+
+def _for_whole_delays(form: Form) -> Form:
+    try:
+        return of_whole_delays(form)
+    except NoForm as lacking:
+        raise Refused(f"--whole-delays: {lacking}") from None
 
 
 def _is_for_one_delay(name: str) -> bool:

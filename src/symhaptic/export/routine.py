@@ -41,9 +41,18 @@ class Repeat:
     steps: tuple[tuple[Symbol, Expr], ...]
     """Done in this order, each time."""
     next: tuple[Symbol, ...]
-    """Of these steps, the ones that become the states."""
+    """Of these steps, or of the states before, the ones that become the states."""
     most: int
     done: Boolean
+    number: Symbol | None = None
+    numbers: tuple[Expr, ...] = ()
+    """Of the sum of a series: what ``number`` is, one each time, until there is none."""
+
+    @property
+    def turned(self) -> tuple[tuple[Symbol, Symbol], ...]:
+        """Each state that changes with what it becomes, none before it has been read."""
+        pairs = zip(self.states[::-1], self.next[::-1], strict=True)
+        return tuple((state, after) for state, after in pairs if state != after)
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
@@ -62,7 +71,7 @@ class Repeat:
     @property
     def free_symbols(self) -> set[Symbol]:
         """What has to be known before."""
-        own = {*self.states, *(name for name, _ in self.steps)}
+        own = {*self.states, *(name for name, _ in self.steps), self.number}
         inner = {s for e in self.expressions[len(self.start) :] for s in e.free_symbols} - own
         return inner | {s for e in self.start for s in e.free_symbols}
 
@@ -176,13 +185,38 @@ class Steps:
         states = tuple(self.fresh(name) for name in start)
         inner = Steps(taken=self.taken)
         made = list(step(inner, states))
-        after = tuple(inner(f"next_{name}", expr) for name, expr in zip(start, made, strict=True))
+        known = [s for step in inner.done for s in names(step)]
+        after = tuple(
+            expr if expr in known or expr in states[:at] else inner(f"next_{name}", expr)
+            for at, (name, expr) in enumerate(zip(start, made, strict=True))
+        )
         steps = tuple(s for s in inner.done if isinstance(s, tuple))
         if len(steps) < len(inner.done):
             raise ValueError("a repetition inside another one has to be a routine of its own")
         first = tuple(sp.sympify(e) for e in start.values())
         self.done.append(Repeat(states, first, steps, after, most, done(states)))
         return states
+
+    def sum(
+        self,
+        start: dict[str, Expr],
+        step: Callable[[Steps, tuple[Symbol, ...], Symbol], Iterable[Expr]],
+        numbers: Iterable[Expr],
+    ) -> tuple[Symbol, ...]:
+        """The same once for each of the numbers, such as coefficients of a series."""
+        number, given = self.fresh("number"), tuple(map(sp.sympify, numbers))
+        states = self.repeat(start, lambda do, states: step(do, states, number),
+                             lambda _: sp.false, len(given))  # fmt: skip
+        loop = self.done[-1]
+        assert isinstance(loop, Repeat)
+        self.done[-1] = replace(loop, number=number, numbers=given)
+        return states
+
+    def several(self, names: Iterable[str], routine: str, *arguments: Expr) -> tuple[Symbol, ...]:
+        """All results of another routine."""
+        found = tuple(self.fresh(name) for name in names)
+        self.done.append(Several(found, sp.Function(routine)(*arguments)))
+        return found
 
     def common(self, *exprs: Expr) -> list[Expr]:
         """The expressions made of steps for what they have in common."""
@@ -196,11 +230,12 @@ class Steps:
         return self("whole", choose(sp.Eq(value, 0), sp.S.One, value))
 
     def routine(
-        self, name: str, about: str, arguments: tuple[Symbol, ...], result: Expr
+        self, name: str, about: str, arguments: tuple[Symbol, ...], result: Expr | dict[str, Expr]
     ) -> Routine:
-        """The routine of these steps."""
-        results = ((name, sp.sympify(result)),)
-        return Routine(name, about, arguments, tuple(self.done), results)
+        """The routine of these steps, of one result or of several with their names."""
+        results = result if isinstance(result, dict) else {name: result}
+        found = tuple((own, sp.sympify(expr)) for own, expr in results.items())
+        return Routine(name, about, arguments, tuple(self.done), found)
 
 
 def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
@@ -210,35 +245,31 @@ def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
 
 def fast_sum(do: Steps, large: Expr, small: Expr) -> tuple[Symbol, Symbol]:
     """Sum and its rounding error, where the first is not the smaller one."""
-    total = do("total", large + small)
-    back = do("back", total - large)
-    return total, do("lost", small - back)
+    return _pair(do, "FastTwoSum", large, small)
 
 
 def difference(do: Steps, left: Expr, right: Expr) -> tuple[Symbol, Symbol]:
     """Difference and its rounding error, whichever is larger."""
-    total = do("total", left - right)
-    back = do("back", total - left)
-    rest = do("rest", total - back)
-    one, two = do("one", left - rest), do("two", -right - back)
-    return total, do("lost", one + two)
+    return _pair(do, "TwoDiff", left, right)
 
 
 def product(do: Steps, one: Expr, two: Expr, low: Expr = sp.S.Zero) -> tuple[Symbol, Symbol]:
     """one (two + low) and what the float misses."""
-    total = do("total", one * two)
-    return total, do("lost", ProductError(one, two) + one * low)
+    if low == 0:
+        return _pair(do, "TwoProd", one, two)
+    return _pair(do, "WideProd", one, two, low)
 
 
 def quotient(
     do: Steps, top: Expr, bottom: Expr, top_low: Expr = sp.S.Zero, bottom_low: Expr = sp.S.Zero
 ) -> tuple[Symbol, Symbol]:
     """(top + top_low)/(bottom + bottom_low) and what the float misses."""
-    total = do("total", top / bottom)
-    left = do("left", top - total * bottom)
-    left = do("left", left - ProductError(total, bottom))
-    left = do("left", left + (top_low - total * bottom_low))
-    return total, do("lost", left / bottom)
+    return _pair(do, "WideQuot", top, bottom, top_low, bottom_low)
+
+
+def _pair(do: Steps, routine: str, *arguments: Expr) -> tuple[Symbol, Symbol]:
+    total, lost = do.several(("total", "lost"), routine, *arguments)
+    return total, lost
 
 
 __all__ = [

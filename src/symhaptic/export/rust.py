@@ -26,6 +26,7 @@ class Rust(Target):
 
     name, title, printer = "rust", "Rust", _Printer
     changing = "let mut"
+    each = ("for {0} in [{1}] {{",)
     times = "for _ in 0..{1} {{"
     choice = "(if {0} {{ {1} }} else {{ {2} }})"
     keywords = vocabulary(

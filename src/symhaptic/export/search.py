@@ -12,7 +12,8 @@ import sympy as sp
 from sympy import And, Expr, Max, Min, Or, Symbol
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.routine import Steps, choose
+from symhaptic.export.precision import Precision
+from symhaptic.export.routine import Routine, Steps, choose
 
 MOST = 120
 """At most so many steps; some ten are usual, and halving alone would need sixty."""
@@ -65,7 +66,21 @@ def _over(states: tuple[Symbol, ...], close: Expr) -> Boolean:
 def _narrowed(
     do: Steps, f: Callable[[Steps, Expr], Expr], states: tuple[Symbol, ...], close: Expr
 ) -> tuple[Expr, ...]:
-    b, fb, a, fa, c, fc = states
+    b, fb, a, fa, _, _ = states
+    new = do("new", sp.Function("NextGuess")(*states, close))
+    value = do("value", f(do, new))
+    same = Or(And(value > 0, fa > 0), And(value < 0, fa < 0))
+    same = do("same", choose(same, 1, 0)) > 0
+    return (
+        choose(same, b, a), choose(same, fb, fa), new, value, choose(same, a, b),
+        choose(same, fa, fb),
+    )  # fmt: skip
+
+
+def next_guess() -> Routine:
+    """Inverse quadratic interpolation where that is safe, else the middle."""
+    do = Steps()
+    b, fb, a, fa, c, fc, close = given = sp.symbols("b fb a fa c fc close")
     span, rise = do("span", c - b), do("rise", fc - fb)
     place = do("place", (a - b) / do.nonzero(span))
     height = do("height", (fa - fb) / do.nonzero(rise))
@@ -80,14 +95,13 @@ def _narrowed(
     other, last = do("other", fa / three), do("last", fb / two)
     ahead, behind = here * there, (c - a) / some * other * last
     guess = do("guess", choose(safe, ahead + behind, sp.S.Half))
-    edge = do("edge", _least(states, close) / sp.Abs(some))
+    edge = do("edge", _least((b, fb, a, fa, c, fc), close) / sp.Abs(some))
     edge = do("edge", Min(edge, sp.S.Half))
     share = do("share", Min(guess, 1 - edge))
     share = do("share", Max(share, edge))
-    new = do("new", a + share * width)
-    value = do("value", f(do, new))
-    same = Or(And(value > 0, fa > 0), And(value < 0, fa < 0))
-    return (
-        choose(same, b, a), choose(same, fb, fa), new, value, choose(same, a, b),
-        choose(same, fa, fb),
-    )  # fmt: skip
+    return do.routine("NextGuess", "the next point of a search between a and b, where f is fa and "
+                      "fb, after c", given, a + share * width)  # fmt: skip
+
+
+ROUTINES = (next_guess,)
+PRECISE: tuple[Callable[[Precision], Routine], ...] = ()

@@ -11,11 +11,11 @@ small poles power series about their mean.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import And, Expr, Max, binomial, cos, exp, factorial, sin
+from sympy import And, Expr, Max, Symbol, binomial, cos, exp, factorial, sin
 
 from symhaptic.export.device import Motion, motion
 from symhaptic.export.device_series import h, w
@@ -68,7 +68,7 @@ def _shared(do: Steps) -> _Shared:
     ratio = do("ratio", ratio - ratio * (2 * m.root_low))
     sine, cosine = do("sine", sin(m.root)), do("cosine", cos(m.root))
     turned = do("turned", cosine - m.root_low * sine)
-    swung = do("swung", (sine + m.root_low * cosine) / m.some)
+    swung = do("swung", (sine + m.root_low * cosine) / do.nonzero(m.root))
     return _Shared(m, gap, fall, ratio, turned, swung, do("envelope", exp(-m.half)))
 
 
@@ -85,7 +85,7 @@ def _kick(do: Steps) -> tuple[Expr, Expr]:
     slow, apart = fading(do, m.q, m.q_low), fading(do, 2 * m.root, 2 * m.root_low)
     creep, lost = product(do, slow.fall, apart.mean, apart.mean_low)
     creep_low = do("creep_low", lost + slow.fall_low * apart.mean)
-    wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root, m.root_low)
+    wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root)
     swing, swing_low = product(do, do("envelope", exp(-m.half)), wave.odd, wave.odd_low)
     swing, swing_low = fast_sum(do, swing, swing_low)
     creep, creep_low = fast_sum(do, creep, creep_low)
@@ -154,8 +154,8 @@ def rise_drop() -> Routine:
     v = _shared(do)
     small, half, mean = _small(do, v, RISE)
     near = v.envelope * sp.Function("DropSeries")(half, mean)
-    top = do("top", (Fade(v.m.q) - v.fall * Creep(v.gap)) / v.m.whole)
-    creep = (top - v.fall * Lag(v.gap)) / v.m.whole
+    top = do("top", (Fade(v.m.q) - v.fall * Creep(v.gap)) / v.m.p)
+    creep = (top - v.fall * Lag(v.gap)) / v.m.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
     swing = (Rise(gamma, delta) - (own + delta * other) / 2) / Max(gamma, STIFF)
     return _two(do, "RiseDrop", "-d n1/d gamma",
@@ -168,8 +168,8 @@ def fall_drop() -> Routine:
     v = _shared(do)
     small, half, mean = _small(do, v, FALL)
     near = v.envelope * sp.Function("DropSeries")(-half, mean)
-    top = do("top", (Fade(v.gap) - v.ratio * Creep(v.m.q)) / v.m.whole)
-    creep = v.fall * (Lag(v.gap) - top) / v.m.whole
+    top = do("top", (Fade(v.gap) - v.ratio * Creep(v.m.q)) / v.m.p)
+    creep = v.fall * (Lag(v.gap) - top) / v.m.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
     swing = (Fall(gamma, delta) - (own - delta * other) / 2) / Max(gamma, STIFF)
     return _two(do, "FallDrop", "-d n0/d gamma",
@@ -193,13 +193,16 @@ def drop_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at h and twice at sqrt w and -sqrt w."""
     do = Steps()
     terms = precision.terms(lambda i: 48 * binomial(i + 4, 4) * RISE**i / factorial(i + 4))
-    once = [sp.S.Zero] * (terms + 2)
-    twice = [sp.S.Zero] * (terms + 2)
-    total: Expr = sp.S.Zero
-    for i in range(terms - 1, -1, -1):
-        once[i] = do(f"e{i}", 1 / factorial(i + 4) + w * once[i + 2])
-        twice[i] = do(f"f{i}", once[i] + w * twice[i + 2])
-        total = do(f"b{i}", twice[i] + h * total)
+
+    def step(do: Steps, states: tuple[Symbol, ...], number: Symbol) -> Iterable[Expr]:
+        total, one, two, first, second = states
+        once = do("once", number + w * two)
+        twice = do("twice", once + w * second)
+        return twice + h * total, once, one, twice, first
+
+    names = "total", "one", "two", "first", "second"
+    numbers = [1 / factorial(i + 4) for i in range(terms - 1, -1, -1)]
+    total, *_ = do.sum(dict.fromkeys(names, sp.S.Zero), step, numbers)
     return do.routine("DropSeries", "divided difference of exp at h, twice at sqrt(w), -sqrt(w)",
                       (h, w), total)  # fmt: skip
 
@@ -211,13 +214,16 @@ def lean_series(precision: Precision = DOUBLE) -> Routine:
         lambda i: 240 * binomial(2 * i + 5, 5) * APART ** (2 * i) / factorial(2 * i + 5)
     )
     square = do("square", h * h)
-    once: Expr = sp.S.Zero
-    twice: Expr = sp.S.Zero
-    total: Expr = sp.S.Zero
-    for i in range(terms - 1, -1, -1):
-        once = do(f"e{i}", 1 / factorial(2 * i + 5) + w * once)
-        twice = do(f"f{i}", once + w * twice)
-        total = do(f"b{i}", twice + square * total)
+
+    def step(do: Steps, states: tuple[Symbol, ...], number: Symbol) -> Iterable[Expr]:
+        total, once, twice = states
+        once = do("own", number + w * once)
+        twice = do("both", once + w * twice)
+        return twice + square * total, once, twice
+
+    numbers = [1 / factorial(2 * i + 5) for i in range(terms - 1, -1, -1)]
+    start = dict.fromkeys(("total", "once", "twice"), sp.S.Zero)
+    total, *_ = do.sum(start, step, numbers)
     return do.routine("LeanSeries", "divided difference of exp at h, -h, twice at sqrt(w), "
                       "-sqrt(w)", (h, w), total)  # fmt: skip
 
@@ -280,7 +286,7 @@ def powers(
     step = symbol if variable == symbol else do("step", variable)
     total: Expr = numbers[-1]
     for i in range(len(numbers) - 2, -1, -1):
-        total = do(f"b{i}", numbers[i] + step * total)
+        total = numbers[i] + step * total
     return do.routine(name, about, (symbol,), total)
 
 

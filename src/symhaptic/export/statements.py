@@ -56,13 +56,16 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
         f"{target.changing or target.real} {name} = {printer.doprint(first)};"
         for name, first in zip(states, loop.start, strict=True)
     ]
-    lines.append(target.times.format(count, loop.most))
-    inner = [f"if ({printer.doprint(loop.done)}) {{ break; }}"]
+    if loop.number is None:
+        lines.append(target.times.format(count, loop.most))
+        inner = [f"if ({printer.doprint(loop.done)}) {{ break; }}"]
+    else:
+        numbers = ", ".join(map(printer.doprint, loop.numbers))
+        given = target.rename(loop.number.name), numbers, loop.most, target.real
+        lines += [line.format(*given) for line in target.each]
+        inner = []
     inner += [f"{declare} {target.rename(n.name)} = {printer.doprint(e)};" for n, e in loop.steps]
-    inner += [
-        f"{name} = {target.rename(after.name)};"
-        for name, after in zip(states, loop.next, strict=True)
-    ]
+    inner += [f"{target.rename(s.name)} = {target.rename(n.name)};" for s, n in loop.turned]
     return [*lines, *(f"    {line}" for line in inner), "}"]
 
 
@@ -80,6 +83,8 @@ class Words:
     leave: tuple[str, ...]
     """With the condition."""
     looped: str
+    each: tuple[str, ...]
+    """Instead of a loop once for each of some numbers: a name, all of them, how many."""
 
 
 def worded(
@@ -112,9 +117,14 @@ def _turned(target: Target, loop: Repeat, words: Words) -> list[str]:
     states = [target.rename(s.name) for s in loop.states]
     begin = zip(states, loop.start, strict=True)
     lines = [f"{name} = {printer.doprint(first)}{words.end}" for name, first in begin]
-    lines.append(words.loop.format(states[0], loop.most))
-    lines += ["  " + line.format(printer.doprint(loop.done)) for line in words.leave]
+    if loop.number is None:
+        lines.append(words.loop.format(states[0], loop.most))
+        lines += ["  " + line.format(printer.doprint(loop.done)) for line in words.leave]
+    else:
+        numbers = ", ".join(map(printer.doprint, loop.numbers))
+        name = target.rename(loop.number.name)
+        lines += [line.format(name, numbers, loop.most) for line in words.each]
     done = [(target.rename(n.name), printer.doprint(e)) for n, e in loop.steps]
-    done += [(name, target.rename(n.name)) for name, n in zip(states, loop.next, strict=True)]
+    done += [(target.rename(s.name), target.rename(n.name)) for s, n in loop.turned]
     lines += [f"  {name} = {value}{words.end}" for name, value in done]
     return [*lines, words.looped]

@@ -123,6 +123,8 @@ class Target:
     """What declares a variable that changes, in a language with braces, if not its type."""
     times = "for (int {0} = 0; {0} < {1}; ++{0}) {{"
     """The head of what is repeated, in such a language."""
+    each: tuple[str, ...] = ()
+    """The same once for each of some numbers: a name, all of them, how many, and the type."""
 
     # -- expressions -------------------------------------------------------------------
 

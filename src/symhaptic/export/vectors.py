@@ -85,7 +85,8 @@ def points(form: Form, precision: Precision = DOUBLE) -> list[tuple[float, ...]]
         found = precision.nearest(special.get(value, value))
         return min(found, precision.below_pi) if symbol == theta else found
 
-    choices = [[near(s, v) for v in _HARD[s]] for s in form.arguments]
+    choices = [[near(s, v) for v in _HARD[s] if s != d or not form.whole or v.is_integer()]
+               for s in form.arguments]  # fmt: skip
     everything = list(product(*choices))
     step = max(1, len(everything) // _MOST) | 1
     found = everything[:: step if len(everything) > _MOST else 1]
@@ -253,7 +254,7 @@ def _outside(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
     """An ordinary point with one argument that may not be, each in its turn."""
     result = float("nan") if form.outside is sp.nan else float(int(form.outside == -1) * -1)
     results = (result, 0.0) * len(form.results)
-    bad = float("nan"), float("inf"), float("-inf"), -1.0
+    bad = float("nan"), float("inf"), float("-inf"), -1.0, *((1.5,) * form.whole)
     for i, (symbol, within) in enumerate(zip(form.arguments, form.within, strict=True)):
         most = precision.longest if symbol == d else precision.largest
         for value in (*bad, 4 * most, -4 * most):

@@ -13,29 +13,33 @@ root^2 - (2 pi k)^2 over root + 2 pi k, with (2 pi)^2 in three floats, as no flo
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import And, Expr, floor, pi
-from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.pairs import BRIEF, SLOW, briefly
+from symhaptic.export.pairs import BRIEF, SLOW, Fading, briefly, root_low
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import Steps, choose, difference, fast_sum, product, quotient
+from symhaptic.export.routine import (
+    Routine,
+    Steps,
+    choose,
+    difference,
+    fast_sum,
+    product,
+    quotient,
+)
+
+half, square, square_low, root, stiff = GIVEN = sp.symbols("half square square_low root stiff")
 
 
 @dataclass(frozen=True)
 class Turned:
     """What both are made of, each as a float and what it misses."""
 
-    near: Boolean
-    """Whether the device swings, and is near whole turns."""
-    half: Expr
-    fall: Expr
-    fall_low: Expr
-    mean: Expr
-    """Decay(h)."""
-    mean_low: Expr
+    fade: Fading
+    """exp(-h) and Decay(h)."""
     lift: Expr
     """c."""
     lift_low: Expr
@@ -44,16 +48,24 @@ class Turned:
     wave_low: Expr
 
 
-def turned(
-    do: Steps, half: Expr, square: Expr, square_low: Expr, root: Expr, root_low: Expr,
-    precision: Precision,
-) -> Turned:  # fmt: skip
-    """The steps that find them, of root^2 = -square - square_low; harmless where it is not near."""
-    swings = And(square < 0, root < 2 ** (precision.bits // 2))  # so far k^2 is exact
-    count = do("count", choose(swings, floor(root / (2 * pi) + sp.S.Half), 0))
-    eta, eta_low = _beyond(do, count, square, square_low, root, root_low, precision)
+_FOUND = "near", "risen", "sunk", "moved"
+
+
+def turned(do: Steps, *given: Expr) -> tuple[Expr, Expr, Expr, Expr]:
+    """1 if a device swings and is near whole turns; n1, n0 and n1 + n0 there, else nothing."""
+    near, risen, sunk, moved = do.several(_FOUND, "WholeTurns", *given)
+    return near, risen, sunk, moved
+
+
+def whole_turns(precision: Precision) -> Routine:
+    """Of root^2 = -square - square_low; what decides is the angle beyond whole turns."""
+    do = Steps()
+    swings = And(root > 3, root < 2 ** (precision.bits // 2), half < BRIEF)  # so far k^2 is exact
+    count = do("count", floor(root / (2 * pi) + sp.S.Half))
+    missed = do("missed", root_low(square, square_low, root))
+    eta, eta_low = _beyond(do, count, missed, precision)
     far = do("far", eta * eta)
-    near = And(count > 0, far < SLOW, half < BRIEF)
+    near = And(count > 0, far < SLOW)
     eta, eta_low = do("eta", choose(near, eta, 0)), do("eta_low", choose(near, eta_low, 0))
     y, y_low = product(do, eta, eta, 2 * eta_low)
     bent = do("bent", y * y * sp.Function("CosSeries")(-y))
@@ -62,18 +74,18 @@ def turned(
     lift_low = do("lift_low", lost + y_low * flat / 2)
     sine, sine_low = product(do, eta, flat, flat_low)
     some = do("some", choose(near, root, 1))
-    wave, wave_low = quotient(do, sine, some, sine_low + eta_low * (1 - lift), root_low)
-    given = do("given", choose(near, half, 0))
-    fall, fall_low, mean, mean_low = briefly(do, given, sp.S.Zero)
-    return Turned(
-        near, given, fall, fall_low, mean, mean_low, lift, lift_low, wave, wave_low
-    )  # fmt: skip
+    wave, wave_low = quotient(do, sine, some, sine_low + eta_low * (1 - lift), missed)
+    t = Turned(briefly(do, half, sp.S.Zero), lift, lift_low, wave, wave_low)
+    some = do.nonzero(stiff)
+    moved = _risen(do, t, half), _fallen(do, t, half), _both(do, t)
+    found = sp.S.One, *(_over(do, *pair, some) for pair in moved)
+    results = {name: choose(swings, choose(near, value, 0), 0)
+               for name, value in zip(_FOUND, found, strict=True)}  # fmt: skip
+    return do.routine("WholeTurns", "whether the device has nearly swung whole turns; n1, n0 and "
+                      "n1 + n0 there", GIVEN, results)  # fmt: skip
 
 
-def _beyond(
-    do: Steps, count: Expr, square: Expr, square_low: Expr, root: Expr, root_low: Expr,
-    precision: Precision,
-) -> tuple[Expr, Expr]:  # fmt: skip
+def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> tuple[Expr, Expr]:
     """Root - 2 pi count."""
     large, middle, small = precision.parts(4 * pi**2, 3)
     turns = do("turns", count * count)
@@ -88,41 +100,45 @@ def _beyond(
     once, once_low = precision.parts(2 * pi)
     way, way_low = product(do, count, once)
     both, lost = difference(do, root, -way)
-    both_low = do("both_low", lost + (way_low + count * once_low) + root_low)
+    both_low = do("both_low", lost + (way_low + count * once_low) + missed)
     return quotient(do, left, do.nonzero(both), low, both_low)
 
 
-def risen(do: Steps, t: Turned, stiff: Expr) -> Expr:
-    """n1."""
-    back, lost = product(do, t.fall, t.wave, t.wave_low)
-    rest, low = difference(do, t.mean, back)
-    low = do("low", low + (t.mean_low - (lost + t.fall_low * t.wave)))
-    moved, moved_low = product(do, t.half, rest, low)
-    lifted, lost = product(do, t.fall, t.lift, t.lift_low)
+def _risen(do: Steps, t: Turned, given: Expr) -> tuple[Expr, Expr]:
+    """n1, times gamma."""
+    back, lost = product(do, t.fade.fall, t.wave, t.wave_low)
+    rest, low = difference(do, t.fade.mean, back)
+    low = do("low", low + (t.fade.mean_low - (lost + t.fade.fall_low * t.wave)))
+    moved, moved_low = product(do, given, rest, low)
+    lifted, lost = product(do, t.fade.fall, t.lift, t.lift_low)
     total, low = difference(do, moved, -lifted)
-    return _over(do, total, low + (moved_low + (lost + t.fall_low * t.lift)), stiff)
+    return total, low + (moved_low + (lost + t.fade.fall_low * t.lift))
 
 
-def fallen(do: Steps, t: Turned, stiff: Expr) -> Expr:
-    """n0."""
-    rest, low = difference(do, t.mean, t.wave)
-    moved, moved_low = product(do, t.half, rest, low + (t.mean_low - t.wave_low))
+def _fallen(do: Steps, t: Turned, given: Expr) -> tuple[Expr, Expr]:
+    """n0, times gamma."""
+    rest, low = difference(do, t.fade.mean, t.wave)
+    moved, moved_low = product(do, given, rest, low + (t.fade.mean_low - t.wave_low))
     total, low = difference(do, t.lift, moved)
     total, low = difference(do, total, -do("low", low + (t.lift_low - moved_low)))
-    kept, lost = product(do, t.fall, total, low)
-    return _over(do, kept, lost + t.fall_low * total, stiff)
+    kept, lost = product(do, t.fade.fall, total, low)
+    return kept, lost + t.fade.fall_low * total
 
 
-def both(do: Steps, t: Turned, stiff: Expr) -> Expr:
-    """n1 + n0: (1 - E)^2 and 2 E c."""
-    gone, lost = fast_sum(do, sp.S.One, -t.fall)
-    gone, gone_low = fast_sum(do, gone, do("low", lost - t.fall_low))
+def _both(do: Steps, t: Turned) -> tuple[Expr, Expr]:
+    """n1 + n0, times gamma: (1 - E)^2 and 2 E c."""
+    gone, lost = fast_sum(do, sp.S.One, -t.fade.fall)
+    gone, gone_low = fast_sum(do, gone, do("low", lost - t.fade.fall_low))
     square, square_low = product(do, gone, gone, 2 * gone_low)
-    lifted, lost = product(do, t.fall, t.lift, t.lift_low)
+    lifted, lost = product(do, t.fade.fall, t.lift, t.lift_low)
     total, low = difference(do, square, -2 * lifted)
-    return _over(do, total, low + (square_low + 2 * (lost + t.fall_low * t.lift)), stiff)
+    return total, low + (square_low + 2 * (lost + t.fade.fall_low * t.lift))
 
 
-def _over(do: Steps, total: Expr, low: Expr, stiff: Expr) -> Expr:
-    found, missed = quotient(do, total, stiff, do("low", low))
+def _over(do: Steps, total: Expr, low: Expr, some: Expr) -> Expr:
+    found, missed = quotient(do, total, some, do("low", low))
     return found + missed
+
+
+ROUTINES: tuple[Callable[[], Routine], ...] = ()
+PRECISE = (whole_turns,)

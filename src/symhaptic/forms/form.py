@@ -48,6 +48,8 @@ class Form:
     """The form without the derivatives that are among the results."""
     outside: sp.Basic = sp.nan
     """What every result is outside the domain: NaN, of a count -1, of a truth value false."""
+    whole: bool = False
+    """Whether it is for whole delays alone."""
 
     @property
     def truth(self) -> bool:
@@ -57,7 +59,9 @@ class Form:
     @property
     def within(self) -> tuple[Boolean, ...]:
         """For each argument, what is true inside its range alone."""
-        return tuple(map(within, self.arguments))
+        found = map(within, self.arguments)
+        return tuple(sp.And(c, sp.Eq(sp.floor(d), d)) if self.whole and c.has(d) else c
+                     for c in found)  # fmt: skip
 
     @cached_property
     def equal(self) -> Pairs:

@@ -278,67 +278,11 @@ def square_root(xp, x):
     return xp.where(positive, xp.sqrt(xp.where(positive, x, 1.0)), 0.0)
 
 
-def cos_series_single(xp, w):
-    """The same in single precision."""
-    square = (w*w)
-    b3 = 1.1470745597729725e-11*square + 2.755731922398589e-07
-    b2 = 2.08767569878681e-09*square + 2.48015873015873e-05
-    b3 = b3*square + 0.001388888888888889
-    b2 = b2*square + 0.041666666666666664
-    return b2 + b3*w
-
-
-def cos_series(xp, w):
-    """(cosh(sqrt(w)) - 1 - w/2)/w^2"""
-    if w.dtype == xp.float32:
-        return cos_series_single(xp, w)
-    square = (w*w)
-    b7 = 8.896791392450574e-22*square + 1.5619206968586225e-16
-    b6 = 4.110317623312165e-19*square + 4.779477332387385e-14
-    b7 = b7*square + 1.1470745597729725e-11
-    b6 = b6*square + 2.08767569878681e-09
-    b7 = b7*square + 2.755731922398589e-07
-    b6 = b6*square + 2.48015873015873e-05
-    b7 = b7*square + 0.001388888888888889
-    b6 = b6*square + 0.041666666666666664
-    return b6 + b7*w
-
-
-def decay_series_single(xp, x):
-    """The same in single precision."""
-    square = (x*x)
-    b7 = 2.08767569878681e-09*square + 2.755731922398589e-07
-    b6 = 2.505210838544172e-08*square + 2.7557319223985893e-06
-    b7 = b7*square + 2.48015873015873e-05
-    b6 = b6*square + 0.0001984126984126984
-    b7 = b7*square + 0.001388888888888889
-    b6 = b6*square + 0.008333333333333333
-    b7 = b7*square + 0.041666666666666664
-    b6 = b6*square + 0.16666666666666666
-    return b6 - b7*x
-
-
-def decay_series(xp, x):
-    """((1 - exp(-x))/x - 1 + x/2)/x^2"""
-    if x.dtype == xp.float32:
-        return decay_series_single(xp, x)
-    square = (x*x)
-    b14 = 8.22063524662433e-18*square + 2.8114572543455206e-15
-    b13 = 1.5619206968586225e-16*square + 4.779477332387385e-14
-    b14 = b14*square + 7.647163731819816e-13
-    b13 = b13*square + 1.1470745597729725e-11
-    b14 = b14*square + 1.6059043836821613e-10
-    b13 = b13*square + 2.08767569878681e-09
-    b14 = b14*square + 2.505210838544172e-08
-    b13 = b13*square + 2.755731922398589e-07
-    b14 = b14*square + 2.7557319223985893e-06
-    b13 = b13*square + 2.48015873015873e-05
-    b14 = b14*square + 0.0001984126984126984
-    b13 = b13*square + 0.001388888888888889
-    b14 = b14*square + 0.008333333333333333
-    b13 = b13*square + 0.041666666666666664
-    b14 = b14*square + 0.16666666666666666
-    return b14 - b13*x
+def fast_two_sum(xp, x, y):
+    """x + y and what it misses, for |x| >= |y|"""
+    total = x + y
+    back = total - x
+    return total, y - back
 
 
 def halves(xp, y):
@@ -369,184 +313,153 @@ def product_error(product, one, two):
     return error
 
 
+def two_diff(xp, x, y):
+    """x - y and what it misses"""
+    total = x - y
+    back = total - x
+    rest = total - back
+    one = x - rest
+    two = -back - y
+    return total, one + two
+
+
+def device_motion(xp, gamma, delta):
+    """w = delta^2/4 - gamma, what it misses, its root and the size of the poles"""
+    half = 0.5*delta
+    square = (half*half)
+    total, lost = two_diff(xp, square, gamma)
+    half_halves = halves(xp, half)
+    rest = lost + product_error(square, half_halves, half_halves)
+    total, lost = fast_two_sum(xp, total, rest)
+    root = square_root(xp, xp.abs(total))
+    return total, lost, root, xp.where(total < 0.0, 0.25*gamma, 0.4444444444444444*half +
+        0.4444444444444444*root)
+
+
+def decay_series_single(xp, x):
+    """The same in single precision."""
+    square = (x*x)
+    return (
+        square*(square*(square*(2.505210838544172e-08*square + 2.7557319223985893e-06) +
+        0.0001984126984126984) + 0.008333333333333333) - x*
+        (square*(square*(square*(2.08767569878681e-09*square + 2.755731922398589e-07) +
+        2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) +
+        0.16666666666666666
+    )
+
+
+def decay_series(xp, x):
+    """((1 - exp(-x))/x - 1 + x/2)/x^2"""
+    if x.dtype == xp.float32:
+        return decay_series_single(xp, x)
+    square = (x*x)
+    return (
+        square*(square*(square*(square*(square*
+        (square*(square*(8.22063524662433e-18*square + 2.8114572543455206e-15) +
+        7.647163731819816e-13) + 1.6059043836821613e-10) + 2.505210838544172e-08) +
+        2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) - x*
+        (square*(square*(square*(square*(square*
+        (square*(1.5619206968586225e-16*square + 4.779477332387385e-14) +
+        1.1470745597729725e-11) + 2.08767569878681e-09) + 2.755731922398589e-07) +
+        2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) +
+        0.16666666666666666
+    )
+
+
+def wide_prod(xp, x, y, y_low):
+    """x (y + y_low) and what it misses"""
+    x_halves = halves(xp, x)
+    y_halves = halves(xp, y)
+    return x*y, x*y_low + product_error(x*y, x_halves, y_halves)
+
+
+def brief_fading(xp, rate, low):
+    """exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4"""
+    total, lost = fast_two_sum(xp, 1.0, -0.5*rate)
+    curved = (rate*rate)*decay_series(xp, rate)
+    total, lost2 = fast_two_sum(xp, total, curved)
+    bent = low*(0.125*(rate*rate) - 0.3333333333333333*rate + 0.5)
+    mean_low = lost - bent + lost2
+    total3, lost2 = wide_prod(xp, rate, total, mean_low)
+    total3, lost = fast_two_sum(xp, 1.0, -total3)
+    off = lost2 + low*total
+    return total3, lost - off, total, mean_low
+
+
+def wide_quot(xp, x, y, x_low, y_low):
+    """(x + x_low)/(y + y_low) and what it misses"""
+    total = x/y
+    left = x - total*y
+    total_halves = halves(xp, total)
+    y_halves = halves(xp, y)
+    left = left - product_error(total*y, total_halves, y_halves)
+    rest = x_low - total*y_low
+    left = left + rest
+    return total, left/y
+
+
+def fading_pair(xp, rate, low):
+    """exp(-rate), (1 - exp(-rate))/rate and what they miss"""
+
+    def yes(low, rate):
+        fall_, fall_low, mean, mean_low = brief_fading(xp, rate, low)
+        return fall_, fall_low, mean, mean_low
+
+    def no(low, rate):
+        sunk = xp.exp(-rate)
+        total, lost = fast_two_sum(xp, 1.0, -sunk)
+        sunk_low = -low*sunk
+        total, lost = wide_quot(xp, total, rate, lost - sunk_low, low)
+        return sunk, sunk_low, total, lost
+
+    return select(xp, rate < 0.75, yes, (low, rate), no, (low, rate))
+
+
+def fall_term(xp, gamma, delta, one, one_low, two, two_low, number):
+    """number + delta one - gamma two and what it misses, of pairs"""
+    total, lost = wide_prod(xp, delta, one, one_low)
+    total2, lost2 = wide_prod(xp, gamma, two, two_low)
+    total2, lost3 = two_diff(xp, total, total2)
+    total2, lost4 = two_diff(xp, total2, -number)
+    rest = lost - lost2
+    both = lost3 + lost4
+    return total2, both + rest
+
+
 def fall_series_single(xp, gamma, delta):
     """The same in single precision."""
 
-    def yes(delta, gamma):
-        b6 = 2.7557319223985893e-06*delta + 2.48015873015873e-05
-        b5 = b6*delta - 2.7557319223985893e-06*gamma + 0.0001984126984126984
-        b6 = b5*delta - b6*gamma + 0.001388888888888889
-        total = b6*delta
-        delta_halves = halves(xp, delta)
-        b6_halves = halves(xp, b6)
-        lost = product_error(total, delta_halves, b6_halves)
-        total2 = b5*gamma
-        gamma_halves = halves(xp, gamma)
-        b5_halves = halves(xp, b5)
-        lost2 = product_error(total2, gamma_halves, b5_halves)
-        total3 = total - total2
-        back = total3 - total
-        rest = total3 - back
-        one = total - rest
-        two = -back - total2
-        lost3 = one + two
-        total2 = total3 + 0.008333333333333333
-        back = total2 - total3
-        rest = total2 - back
-        one = total3 - rest
-        two = 0.008333333333333333 - back
-        lost4 = one + two
-        low = lost - lost2 + lost3 + lost4
-        total3 = delta*total2
-        total2_halves = halves(xp, total2)
-        lost4 = delta*low + product_error(total3, delta_halves, total2_halves)
-        total = b6*gamma
-        lost3 = product_error(total, gamma_halves, b6_halves)
-        total7 = total3 - total
-        back = total7 - total3
-        rest = total7 - back
-        one = total3 - rest
-        two = -back - total
-        lost2 = one + two
-        total = total7 + 0.041666666666666664
-        back = total - total7
-        rest = total - back
-        one = total7 - rest
-        two = 0.041666666666666664 - back
-        lost = one + two
-        low2 = lost4 - lost3 + lost2 + lost
-        total7 = delta*total
-        total_halves = halves(xp, total)
-        lost = delta*low2 + product_error(total7, delta_halves, total_halves)
-        total3 = gamma*total2
-        lost2 = gamma*low + product_error(total3, gamma_halves, total2_halves)
-        total2 = total7 - total3
-        back = total2 - total7
-        rest = total2 - back
-        one = total7 - rest
-        two = -back - total3
-        lost3 = one + two
-        total3 = total2 + 0.16666666666666666
-        back = total3 - total2
-        rest = total3 - back
-        one = total2 - rest
-        two = 0.16666666666666666 - back
-        lost4 = one + two
-        low = lost3 - lost2 + lost4 + lost
-        total2 = delta*total3
-        total3_halves = halves(xp, total3)
-        lost = delta*low + product_error(total2, delta_halves, total3_halves)
-        total3 = gamma*total
-        lost4 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
-        total = total2 - total3
-        back = total - total2
-        rest = total - back
-        one = total2 - rest
-        two = -back - total3
-        lost3 = one + two
-        total3 = total
-        back = total3 - total
-        rest = total3 - back
-        one = total - rest
-        two = -back
-        lost2 = one + two
-        low2 = lost - lost4 + lost3 + lost2
-        return low2 + total3
+    def yes(delta):
+        return 0.0, 0.0
 
     def no(delta, gamma):
-        b17 = 4.110317623312165e-19*delta + 8.22063524662433e-18
-        b16 = b17*delta - 4.110317623312165e-19*gamma + 1.5619206968586225e-16
-        b17 = b16*delta - b17*gamma + 2.8114572543455206e-15
-        b16 = b17*delta - b16*gamma + 4.779477332387385e-14
-        b17 = b16*delta - b17*gamma + 7.647163731819816e-13
-        b16 = b17*delta - b16*gamma + 1.1470745597729725e-11
-        b17 = b16*delta - b17*gamma + 1.6059043836821613e-10
-        b16 = b17*delta - b16*gamma + 2.08767569878681e-09
-        b17 = b16*delta - b17*gamma + 2.505210838544172e-08
-        b16 = b17*delta - b16*gamma + 2.755731922398589e-07
-        b17 = b16*delta - b17*gamma + 2.7557319223985893e-06
-        b16 = b17*delta - b16*gamma + 2.48015873015873e-05
-        b17 = b16*delta - b17*gamma + 0.0001984126984126984
-        b16 = b17*delta - b16*gamma + 0.001388888888888889
-        total17 = b16*delta
-        delta_halves = halves(xp, delta)
-        b16_halves = halves(xp, b16)
-        lost17 = product_error(total17, delta_halves, b16_halves)
-        total18 = b17*gamma
-        gamma_halves = halves(xp, gamma)
-        b17_halves = halves(xp, b17)
-        lost18 = product_error(total18, gamma_halves, b17_halves)
-        total19 = total17 - total18
-        back9 = total19 - total17
-        rest9 = total19 - back9
-        one9 = total17 - rest9
-        two9 = -back9 - total18
-        lost19 = one9 + two9
-        total18 = total19 + 0.008333333333333333
-        back9 = total18 - total19
-        rest9 = total18 - back9
-        one9 = total19 - rest9
-        two9 = 0.008333333333333333 - back9
-        lost20 = one9 + two9
-        low5 = lost17 - lost18 + lost19 + lost20
-        total19 = delta*total18
-        total18_halves = halves(xp, total18)
-        lost20 = delta*low5 + product_error(total19, delta_halves, total18_halves)
-        total17 = b16*gamma
-        lost19 = product_error(total17, gamma_halves, b16_halves)
-        total23 = total19 - total17
-        back9 = total23 - total19
-        rest9 = total23 - back9
-        one9 = total19 - rest9
-        two9 = -back9 - total17
-        lost18 = one9 + two9
-        total17 = total23 + 0.041666666666666664
-        back9 = total17 - total23
-        rest9 = total17 - back9
-        one9 = total23 - rest9
-        two9 = 0.041666666666666664 - back9
-        lost17 = one9 + two9
-        low6 = lost20 - lost19 + lost18 + lost17
-        total23 = delta*total17
-        total17_halves = halves(xp, total17)
-        lost17 = delta*low6 + product_error(total23, delta_halves, total17_halves)
-        total19 = gamma*total18
-        lost18 = gamma*low5 + product_error(total19, gamma_halves, total18_halves)
-        total18 = total23 - total19
-        back9 = total18 - total23
-        rest9 = total18 - back9
-        one9 = total23 - rest9
-        two9 = -back9 - total19
-        lost19 = one9 + two9
-        total19 = total18 + 0.16666666666666666
-        back9 = total19 - total18
-        rest9 = total19 - back9
-        one9 = total18 - rest9
-        two9 = 0.16666666666666666 - back9
-        lost20 = one9 + two9
-        low5 = lost17 - lost18 + lost19 + lost20
-        total18 = delta*total19
-        total19_halves = halves(xp, total19)
-        lost20 = delta*low5 + product_error(total18, delta_halves, total19_halves)
-        total19 = gamma*total17
-        lost19 = gamma*low6 + product_error(total19, gamma_halves, total17_halves)
-        total17 = total18 - total19
-        back9 = total17 - total18
-        rest9 = total17 - back9
-        one9 = total18 - rest9
-        two9 = -back9 - total19
-        lost18 = one9 + two9
-        total19 = total17
-        back9 = total19 - total17
-        rest9 = total19 - back9
-        one9 = total17 - rest9
-        two9 = -back9
-        lost17 = one9 + two9
-        low6 = lost20 - lost19 + lost18 + lost17
-        return low6 + total19
+        one, two = 0.0, 0.0
+        for number in (4.110317623312165e-19, 8.22063524662433e-18, 1.5619206968586225e-16,
+            2.8114572543455206e-15, 4.779477332387385e-14, 7.647163731819816e-13,
+            1.1470745597729725e-11, 1.6059043836821613e-10, 2.08767569878681e-09,
+            2.505210838544172e-08, 2.755731922398589e-07):
+            next_one = delta*one - gamma*two + number
+            one, two = next_one, one
+        one2 = one
+        two2 = two
+        return one2, two2
 
-    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no,
+    one2, two2 = select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta,), no,
         (delta, gamma))
+
+    one3 = delta*one2 - gamma*two2 + 2.7557319223985893e-06
+    one4 = delta*one3 - gamma*one2 + 2.48015873015873e-05
+    one3 = delta*one4 - gamma*one3 + 0.0001984126984126984
+    one4 = delta*one3 - gamma*one4 + 0.001388888888888889
+    one3, one_low = fall_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
+        xp.full_like(delta, 0.0), xp.full_like(delta, 0.008333333333333333))
+    one4, one_low2 = fall_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
+        xp.full_like(delta, 0.041666666666666664))
+    one3, one_low = fall_term(xp, gamma, delta, one4, one_low2, one3, one_low,
+        xp.full_like(delta, 0.16666666666666666))
+    one3, one_low = fall_term(xp, gamma, delta, one3, one_low, one4, one_low2,
+        xp.full_like(delta, 0.0))
+    return one3 + one_low
 
 
 def fall_series(xp, gamma, delta):
@@ -554,253 +467,167 @@ def fall_series(xp, gamma, delta):
     if gamma.dtype == xp.float32:
         return fall_series_single(xp, gamma, delta)
 
-    def yes(delta, gamma):
-        b10 = 1.6059043836821613e-10*delta + 2.08767569878681e-09
-        b9 = b10*delta - 1.6059043836821613e-10*gamma + 2.505210838544172e-08
-        b10 = b9*delta - b10*gamma + 2.755731922398589e-07
-        b9 = b10*delta - b9*gamma + 2.7557319223985893e-06
-        b10 = b9*delta - b10*gamma + 2.48015873015873e-05
-        b9 = b10*delta - b9*gamma + 0.0001984126984126984
-        b10 = b9*delta - b10*gamma + 0.001388888888888889
-        total = b10*delta
-        delta_halves = halves(xp, delta)
-        b10_halves = halves(xp, b10)
-        lost = product_error(total, delta_halves, b10_halves)
-        total2 = b9*gamma
-        gamma_halves = halves(xp, gamma)
-        b9_halves = halves(xp, b9)
-        lost2 = product_error(total2, gamma_halves, b9_halves)
-        total3 = total - total2
-        back = total3 - total
-        rest = total3 - back
-        one = total - rest
-        two = -back - total2
-        lost3 = one + two
-        total2 = total3 + 0.008333333333333333
-        back = total2 - total3
-        rest = total2 - back
-        one = total3 - rest
-        two = 0.008333333333333333 - back
-        lost4 = one + two
-        low = lost - lost2 + lost3 + lost4
-        total3 = delta*total2
-        total2_halves = halves(xp, total2)
-        lost4 = delta*low + product_error(total3, delta_halves, total2_halves)
-        total = b10*gamma
-        lost3 = product_error(total, gamma_halves, b10_halves)
-        total7 = total3 - total
-        back = total7 - total3
-        rest = total7 - back
-        one = total3 - rest
-        two = -back - total
-        lost2 = one + two
-        total = total7 + 0.041666666666666664
-        back = total - total7
-        rest = total - back
-        one = total7 - rest
-        two = 0.041666666666666664 - back
-        lost = one + two
-        low2 = lost4 - lost3 + lost2 + lost
-        total7 = delta*total
-        total_halves = halves(xp, total)
-        lost = delta*low2 + product_error(total7, delta_halves, total_halves)
-        total3 = gamma*total2
-        lost2 = gamma*low + product_error(total3, gamma_halves, total2_halves)
-        total2 = total7 - total3
-        back = total2 - total7
-        rest = total2 - back
-        one = total7 - rest
-        two = -back - total3
-        lost3 = one + two
-        total3 = total2 + 0.16666666666666666
-        back = total3 - total2
-        rest = total3 - back
-        one = total2 - rest
-        two = 0.16666666666666666 - back
-        lost4 = one + two
-        low = lost3 - lost2 + lost4 + lost
-        total2 = delta*total3
-        total3_halves = halves(xp, total3)
-        lost = delta*low + product_error(total2, delta_halves, total3_halves)
-        total3 = gamma*total
-        lost4 = gamma*low2 + product_error(total3, gamma_halves, total_halves)
-        total = total2 - total3
-        back = total - total2
-        rest = total - back
-        one = total2 - rest
-        two = -back - total3
-        lost3 = one + two
-        total3 = total
-        back = total3 - total
-        rest = total3 - back
-        one = total - rest
-        two = -back
-        lost2 = one + two
-        low2 = lost - lost4 + lost3 + lost2
-        return low2 + total3
+    def yes(delta):
+        return 0.0, 0.0
 
     def no(delta, gamma):
-        b25 = 3.279889237069838e-30*delta + 9.183689863795546e-29
-        b24 = b25*delta - 3.279889237069838e-30*gamma + 2.4795962632247976e-27
-        b25 = b24*delta - b25*gamma + 6.446950284384474e-26
-        b24 = b25*delta - b24*gamma + 1.6117375710961184e-24
-        b25 = b24*delta - b25*gamma + 3.868170170630684e-23
-        b24 = b25*delta - b24*gamma + 8.896791392450574e-22
-        b25 = b24*delta - b25*gamma + 1.9572941063391263e-20
-        b24 = b25*delta - b24*gamma + 4.110317623312165e-19
-        b25 = b24*delta - b25*gamma + 8.22063524662433e-18
-        b24 = b25*delta - b24*gamma + 1.5619206968586225e-16
-        b25 = b24*delta - b25*gamma + 2.8114572543455206e-15
-        b24 = b25*delta - b24*gamma + 4.779477332387385e-14
-        b25 = b24*delta - b25*gamma + 7.647163731819816e-13
-        b24 = b25*delta - b24*gamma + 1.1470745597729725e-11
-        b25 = b24*delta - b25*gamma + 1.6059043836821613e-10
-        b24 = b25*delta - b24*gamma + 2.08767569878681e-09
-        b25 = b24*delta - b25*gamma + 2.505210838544172e-08
-        b24 = b25*delta - b24*gamma + 2.755731922398589e-07
-        b25 = b24*delta - b25*gamma + 2.7557319223985893e-06
-        b24 = b25*delta - b24*gamma + 2.48015873015873e-05
-        b25 = b24*delta - b25*gamma + 0.0001984126984126984
-        b24 = b25*delta - b24*gamma + 0.001388888888888889
-        total17 = b24*delta
-        delta_halves = halves(xp, delta)
-        b24_halves = halves(xp, b24)
-        lost17 = product_error(total17, delta_halves, b24_halves)
-        total18 = b25*gamma
-        gamma_halves = halves(xp, gamma)
-        b25_halves = halves(xp, b25)
-        lost18 = product_error(total18, gamma_halves, b25_halves)
-        total19 = total17 - total18
-        back9 = total19 - total17
-        rest9 = total19 - back9
-        one9 = total17 - rest9
-        two9 = -back9 - total18
-        lost19 = one9 + two9
-        total18 = total19 + 0.008333333333333333
-        back9 = total18 - total19
-        rest9 = total18 - back9
-        one9 = total19 - rest9
-        two9 = 0.008333333333333333 - back9
-        lost20 = one9 + two9
-        low5 = lost17 - lost18 + lost19 + lost20
-        total19 = delta*total18
-        total18_halves = halves(xp, total18)
-        lost20 = delta*low5 + product_error(total19, delta_halves, total18_halves)
-        total17 = b24*gamma
-        lost19 = product_error(total17, gamma_halves, b24_halves)
-        total23 = total19 - total17
-        back9 = total23 - total19
-        rest9 = total23 - back9
-        one9 = total19 - rest9
-        two9 = -back9 - total17
-        lost18 = one9 + two9
-        total17 = total23 + 0.041666666666666664
-        back9 = total17 - total23
-        rest9 = total17 - back9
-        one9 = total23 - rest9
-        two9 = 0.041666666666666664 - back9
-        lost17 = one9 + two9
-        low6 = lost20 - lost19 + lost18 + lost17
-        total23 = delta*total17
-        total17_halves = halves(xp, total17)
-        lost17 = delta*low6 + product_error(total23, delta_halves, total17_halves)
-        total19 = gamma*total18
-        lost18 = gamma*low5 + product_error(total19, gamma_halves, total18_halves)
-        total18 = total23 - total19
-        back9 = total18 - total23
-        rest9 = total18 - back9
-        one9 = total23 - rest9
-        two9 = -back9 - total19
-        lost19 = one9 + two9
-        total19 = total18 + 0.16666666666666666
-        back9 = total19 - total18
-        rest9 = total19 - back9
-        one9 = total18 - rest9
-        two9 = 0.16666666666666666 - back9
-        lost20 = one9 + two9
-        low5 = lost17 - lost18 + lost19 + lost20
-        total18 = delta*total19
-        total19_halves = halves(xp, total19)
-        lost20 = delta*low5 + product_error(total18, delta_halves, total19_halves)
-        total19 = gamma*total17
-        lost19 = gamma*low6 + product_error(total19, gamma_halves, total17_halves)
-        total17 = total18 - total19
-        back9 = total17 - total18
-        rest9 = total17 - back9
-        one9 = total18 - rest9
-        two9 = -back9 - total19
-        lost18 = one9 + two9
-        total19 = total17
-        back9 = total19 - total17
-        rest9 = total19 - back9
-        one9 = total17 - rest9
-        two9 = -back9
-        lost17 = one9 + two9
-        low6 = lost20 - lost19 + lost18 + lost17
-        return low6 + total19
+        one, two = 0.0, 0.0
+        for number in (3.279889237069838e-30, 9.183689863795546e-29, 2.4795962632247976e-27,
+            6.446950284384474e-26, 1.6117375710961184e-24, 3.868170170630684e-23,
+            8.896791392450574e-22, 1.9572941063391263e-20, 4.110317623312165e-19,
+            8.22063524662433e-18, 1.5619206968586225e-16, 2.8114572543455206e-15,
+            4.779477332387385e-14, 7.647163731819816e-13, 1.1470745597729725e-11):
+            next_one = delta*one - gamma*two + number
+            one, two = next_one, one
+        one2 = one
+        two2 = two
+        return one2, two2
 
-    return select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta, gamma), no,
+    one2, two2 = select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta,), no,
         (delta, gamma))
+
+    one3 = delta*one2 - gamma*two2 + 1.6059043836821613e-10
+    one4 = delta*one3 - gamma*one2 + 2.08767569878681e-09
+    one3 = delta*one4 - gamma*one3 + 2.505210838544172e-08
+    one4 = delta*one3 - gamma*one4 + 2.755731922398589e-07
+    one3 = delta*one4 - gamma*one3 + 2.7557319223985893e-06
+    one4 = delta*one3 - gamma*one4 + 2.48015873015873e-05
+    one3 = delta*one4 - gamma*one3 + 0.0001984126984126984
+    one4 = delta*one3 - gamma*one4 + 0.001388888888888889
+    one3, one_low = fall_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
+        xp.full_like(delta, 0.0), xp.full_like(delta, 0.008333333333333333))
+    one4, one_low2 = fall_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
+        xp.full_like(delta, 0.041666666666666664))
+    one3, one_low = fall_term(xp, gamma, delta, one4, one_low2, one3, one_low,
+        xp.full_like(delta, 0.16666666666666666))
+    one3, one_low = fall_term(xp, gamma, delta, one3, one_low, one4, one_low2,
+        xp.full_like(delta, 0.0))
+    return one3 + one_low
+
+
+def fall_near(xp, fade_, fade_low, gamma, delta):
+    """n0 of a device with slow poles"""
+    total, lost = wide_prod(xp, fade_, fade_, 2.0*fade_low)
+    rest = fall_series(xp, gamma, delta)
+    total2, lost2 = two_diff(xp, rest, -0.5)
+    total, lost2 = wide_prod(xp, total, total2, lost2)
+    low = lost*total2 + lost2
+    return low + total
+
+
+def fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, slow, slow_low, mean, mean_low,
+    ratio, ratio_low, even, even_low):
+    """n0 of a creeping device"""
+
+    def yes(delta, fade_, fade_low, gamma):
+        return fall_near(xp, fade_, fade_low, gamma, delta)
+
+    def no(even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
+        total, lost = wide_prod(xp, ratio, mean, mean_low)
+        total, lost2 = two_diff(xp, even, total)
+        pulled_low = lost + mean*ratio_low
+        rest = even_low + lost2 - pulled_low
+        total, lost2 = wide_quot(xp, total, p, rest, p_low)
+        total4, lost2 = wide_prod(xp, slow, total, lost2)
+        low = lost2 + slow_low*total
+        return low + total4
+
+    return select(xp, reach < 0.5625, yes, (delta, fade_, fade_low, gamma), no,
+        (even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
+
+
+def fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, wave, wave_low, gamma,
+    near, known):
+    """n0 of a swinging device"""
+
+    def yes(fade_, fade_low, gamma, half):
+        return fall_near(xp, fade_, fade_low, gamma, 2.0*half)
+
+    def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
+
+        def yes(known):
+            return known
+
+        def no(envelope, even, even_low, gamma, half, wave, wave_low):
+            total, lost = wide_prod(xp, half, wave, wave_low)
+            total, lost2 = two_diff(xp, total, even)
+            total, lost3 = two_diff(xp, total, -envelope)
+            rest = lost - even_low + lost2 + lost3
+            total, lost3 = wide_prod(xp, envelope, total, rest)
+            whole = xp.where(gamma == 0.0, 1.0, gamma)
+            total, lost3 = wide_quot(xp, total, whole, lost3, xp.full_like(lost3, 0.0))
+            return lost3 + total
+
+        return select(xp, near > 0.0, yes, (known,), no,
+            (envelope, even, even_low, gamma, half, wave, wave_low))
+
+    return select(xp, reach < 0.5625, yes, (fade_, fade_low, gamma, half), no,
+        (envelope, even, even_low, gamma, half, known, near, wave, wave_low))
+
+
+def root_miss(xp, square, square_low, root):
+    """what the root of |square + square_low| misses"""
+    sign_low = xp.where(square < 0.0, -square_low, square_low)
+    left = xp.abs(square) - (root*root)
+    root_halves = halves(xp, root)
+    left = left - product_error(root*root, root_halves, root_halves)
+    left = left + sign_low
+    whole = xp.where(root == 0.0, 1.0, root)
+    return 0.5*left/whole
+
+
+def real_poles(xp, gamma, half, w, w_low, root):
+    """the poles p = half + root and q = gamma/p and what they miss"""
+    total, lost = fast_two_sum(xp, half, root)
+    p_low = lost + root_miss(xp, w, w_low, root)
+    whole = xp.where(total == 0.0, 1.0, total)
+    q = gamma/whole
+    off = gamma - q*whole
+    whole_halves = halves(xp, whole)
+    q_halves = halves(xp, q)
+    off = off - product_error(whole*q, whole_halves, q_halves)
+    off = off - p_low*q
+    return whole, p_low, q, off/whole
 
 
 def rise_series_single(xp, h, w):
     """The same in single precision."""
 
-    def yes(h, w):
-        b6 = 2.7557319223985893e-06*h + 2.48015873015873e-05
-        e5 = 2.7557319223985893e-06*w + 0.0001984126984126984
-        b6 = b6*h + e5
-        e4 = 2.48015873015873e-05*w + 0.001388888888888889
-        b6 = b6*h + e4
-        e5 = e5*w + 0.008333333333333333
-        b6 = b6*h + e5
-        e4 = e4*w + 0.041666666666666664
-        b6 = b6*h + e4
-        e5 = e5*w + 0.16666666666666666
-        b6 = b6*h + e5
-        e4 = e4*w
-        b6 = b6*h + e4
-        return b6
+    def yes(h):
+        return 0.0, 0.0, 0.0
 
     def no(h, w):
-        b17 = 4.110317623312165e-19*h + 8.22063524662433e-18
-        e16 = 4.110317623312165e-19*w + 1.5619206968586225e-16
-        b17 = b17*h + e16
-        e15 = 8.22063524662433e-18*w + 2.8114572543455206e-15
-        b17 = b17*h + e15
-        e16 = e16*w + 4.779477332387385e-14
-        b17 = b17*h + e16
-        e15 = e15*w + 7.647163731819816e-13
-        b17 = b17*h + e15
-        e16 = e16*w + 1.1470745597729725e-11
-        b17 = b17*h + e16
-        e15 = e15*w + 1.6059043836821613e-10
-        b17 = b17*h + e15
-        e16 = e16*w + 2.08767569878681e-09
-        b17 = b17*h + e16
-        e15 = e15*w + 2.505210838544172e-08
-        b17 = b17*h + e15
-        e16 = e16*w + 2.755731922398589e-07
-        b17 = b17*h + e16
-        e15 = e15*w + 2.7557319223985893e-06
-        b17 = b17*h + e15
-        e16 = e16*w + 2.48015873015873e-05
-        b17 = b17*h + e16
-        e15 = e15*w + 0.0001984126984126984
-        b17 = b17*h + e15
-        e16 = e16*w + 0.001388888888888889
-        b17 = b17*h + e16
-        e15 = e15*w + 0.008333333333333333
-        b17 = b17*h + e15
-        e16 = e16*w + 0.041666666666666664
-        b17 = b17*h + e16
-        e15 = e15*w + 0.16666666666666666
-        b17 = b17*h + e15
-        e16 = e16*w
-        b17 = b17*h + e16
-        return b17
+        total, one, two = 0.0, 0.0, 0.0
+        for number in (4.110317623312165e-19, 8.22063524662433e-18, 1.5619206968586225e-16,
+            2.8114572543455206e-15, 4.779477332387385e-14, 7.647163731819816e-13,
+            1.1470745597729725e-11, 1.6059043836821613e-10, 2.08767569878681e-09,
+            2.505210838544172e-08, 2.755731922398589e-07):
+            even = number + two*w
+            next_total = even + h*total
+            total, one, two = next_total, even, one
+        total2 = total
+        one2 = one
+        two2 = two
+        return total2, one2, two2
 
-    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+    total2, one2, two2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (h, w))
+
+    even2 = two2*w + 2.7557319223985893e-06
+    total3 = even2 + h*total2
+    even3 = one2*w + 2.48015873015873e-05
+    total3 = even3 + h*total3
+    even2 = even2*w + 0.0001984126984126984
+    total3 = even2 + h*total3
+    even3 = even3*w + 0.001388888888888889
+    total3 = even3 + h*total3
+    even2 = even2*w + 0.008333333333333333
+    total3 = even2 + h*total3
+    even3 = even3*w + 0.041666666666666664
+    total3 = even3 + h*total3
+    even2 = even2*w + 0.16666666666666666
+    total3 = even2 + h*total3
+    even3 = even3*w
+    return even3 + h*total3
 
 
 def rise_series(xp, h, w):
@@ -808,95 +635,168 @@ def rise_series(xp, h, w):
     if h.dtype == xp.float32:
         return rise_series_single(xp, h, w)
 
-    def yes(h, w):
-        b10 = 1.6059043836821613e-10*h + 2.08767569878681e-09
-        e9 = 1.6059043836821613e-10*w + 2.505210838544172e-08
-        b10 = b10*h + e9
-        e8 = 2.08767569878681e-09*w + 2.755731922398589e-07
-        b10 = b10*h + e8
-        e9 = e9*w + 2.7557319223985893e-06
-        b10 = b10*h + e9
-        e8 = e8*w + 2.48015873015873e-05
-        b10 = b10*h + e8
-        e9 = e9*w + 0.0001984126984126984
-        b10 = b10*h + e9
-        e8 = e8*w + 0.001388888888888889
-        b10 = b10*h + e8
-        e9 = e9*w + 0.008333333333333333
-        b10 = b10*h + e9
-        e8 = e8*w + 0.041666666666666664
-        b10 = b10*h + e8
-        e9 = e9*w + 0.16666666666666666
-        b10 = b10*h + e9
-        e8 = e8*w
-        b10 = b10*h + e8
-        return b10
+    def yes(h):
+        return 0.0, 0.0, 0.0
 
     def no(h, w):
-        b25 = 3.279889237069838e-30*h + 9.183689863795546e-29
-        e24 = 3.279889237069838e-30*w + 2.4795962632247976e-27
-        b25 = b25*h + e24
-        e23 = 9.183689863795546e-29*w + 6.446950284384474e-26
-        b25 = b25*h + e23
-        e24 = e24*w + 1.6117375710961184e-24
-        b25 = b25*h + e24
-        e23 = e23*w + 3.868170170630684e-23
-        b25 = b25*h + e23
-        e24 = e24*w + 8.896791392450574e-22
-        b25 = b25*h + e24
-        e23 = e23*w + 1.9572941063391263e-20
-        b25 = b25*h + e23
-        e24 = e24*w + 4.110317623312165e-19
-        b25 = b25*h + e24
-        e23 = e23*w + 8.22063524662433e-18
-        b25 = b25*h + e23
-        e24 = e24*w + 1.5619206968586225e-16
-        b25 = b25*h + e24
-        e23 = e23*w + 2.8114572543455206e-15
-        b25 = b25*h + e23
-        e24 = e24*w + 4.779477332387385e-14
-        b25 = b25*h + e24
-        e23 = e23*w + 7.647163731819816e-13
-        b25 = b25*h + e23
-        e24 = e24*w + 1.1470745597729725e-11
-        b25 = b25*h + e24
-        e23 = e23*w + 1.6059043836821613e-10
-        b25 = b25*h + e23
-        e24 = e24*w + 2.08767569878681e-09
-        b25 = b25*h + e24
-        e23 = e23*w + 2.505210838544172e-08
-        b25 = b25*h + e23
-        e24 = e24*w + 2.755731922398589e-07
-        b25 = b25*h + e24
-        e23 = e23*w + 2.7557319223985893e-06
-        b25 = b25*h + e23
-        e24 = e24*w + 2.48015873015873e-05
-        b25 = b25*h + e24
-        e23 = e23*w + 0.0001984126984126984
-        b25 = b25*h + e23
-        e24 = e24*w + 0.001388888888888889
-        b25 = b25*h + e24
-        e23 = e23*w + 0.008333333333333333
-        b25 = b25*h + e23
-        e24 = e24*w + 0.041666666666666664
-        b25 = b25*h + e24
-        e23 = e23*w + 0.16666666666666666
-        b25 = b25*h + e23
-        e24 = e24*w
-        b25 = b25*h + e24
-        return b25
+        total, one, two = 0.0, 0.0, 0.0
+        for number in (3.279889237069838e-30, 9.183689863795546e-29, 2.4795962632247976e-27,
+            6.446950284384474e-26, 1.6117375710961184e-24, 3.868170170630684e-23,
+            8.896791392450574e-22, 1.9572941063391263e-20, 4.110317623312165e-19,
+            8.22063524662433e-18, 1.5619206968586225e-16, 2.8114572543455206e-15,
+            4.779477332387385e-14, 7.647163731819816e-13, 1.1470745597729725e-11):
+            even = number + two*w
+            next_total = even + h*total
+            total, one, two = next_total, even, one
+        total2 = total
+        one2 = one
+        two2 = two
+        return total2, one2, two2
 
-    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+    total2, one2, two2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (h, w))
+
+    even2 = two2*w + 1.6059043836821613e-10
+    total3 = even2 + h*total2
+    even3 = one2*w + 2.08767569878681e-09
+    total3 = even3 + h*total3
+    even2 = even2*w + 2.505210838544172e-08
+    total3 = even2 + h*total3
+    even3 = even3*w + 2.755731922398589e-07
+    total3 = even3 + h*total3
+    even2 = even2*w + 2.7557319223985893e-06
+    total3 = even2 + h*total3
+    even3 = even3*w + 2.48015873015873e-05
+    total3 = even3 + h*total3
+    even2 = even2*w + 0.0001984126984126984
+    total3 = even2 + h*total3
+    even3 = even3*w + 0.001388888888888889
+    total3 = even3 + h*total3
+    even2 = even2*w + 0.008333333333333333
+    total3 = even2 + h*total3
+    even3 = even3*w + 0.041666666666666664
+    total3 = even3 + h*total3
+    even2 = even2*w + 0.16666666666666666
+    total3 = even2 + h*total3
+    even3 = even3*w
+    return even3 + h*total3
+
+
+def rise_near(xp, fade_, fade_low, half, w):
+    """n1 of a device with slow poles"""
+    rest = rise_series(xp, half, w)
+    total, lost = two_diff(xp, rest, -0.5)
+    total2, lost = wide_prod(xp, fade_, total, lost)
+    low = fade_low*total + lost
+    return low + total2
+
+
+def rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, slow, slow_low, mean, mean_low, even,
+    even_low):
+    """n1 of a creeping device"""
+
+    def yes(fade_, fade_low, half, w):
+        return rise_near(xp, fade_, fade_low, half, w)
+
+    def no(even, even_low, mean, mean_low, p, p_low, slow, slow_low):
+        total, lost = wide_prod(xp, slow, even, even_low)
+        total, lost2 = two_diff(xp, mean, total)
+        pulled_low = even*slow_low + lost
+        rest = lost2 + mean_low - pulled_low
+        total, lost2 = wide_quot(xp, total, p, rest, p_low)
+        return lost2 + total
+
+    return select(xp, reach < 0.5625, yes, (fade_, fade_low, half, w), no,
+        (even, even_low, mean, mean_low, p, p_low, slow, slow_low))
+
+
+def rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, wave, wave_low,
+    gamma, near, known):
+    """n1 of a swinging device"""
+
+    def yes(fade_, fade_low, half, w):
+        return rise_near(xp, fade_, fade_low, half, w)
+
+    def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
+
+        def yes(known):
+            return known
+
+        def no(envelope, even, even_low, gamma, half, wave, wave_low):
+            total, lost = wide_prod(xp, half, wave, wave_low)
+            total, lost2 = two_diff(xp, even, -total)
+            total, lost2 = wide_prod(xp, envelope, total, even_low + lost + lost2)
+            total, lost = fast_two_sum(xp, 1.0, -total)
+            whole = xp.where(gamma == 0.0, 1.0, gamma)
+            total, lost = wide_quot(xp, total, whole, lost - lost2, xp.full_like(lost, 0.0))
+            return lost + total
+
+        return select(xp, near > 0.0, yes, (known,), no,
+            (envelope, even, even_low, gamma, half, wave, wave_low))
+
+    return select(xp, reach < 0.5625, yes, (fade_, fade_low, half, w), no,
+        (envelope, even, even_low, gamma, half, known, near, wave, wave_low))
+
+
+def slow_fade(xp, reach, half):
+    """exp(-half) of a device with slow poles, and what it misses"""
+
+    def yes(half):
+        fall_, fall_low, mean, mean_low = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
+        total, lost = wide_prod(xp, fall_, fall_, 2.0*fall_low)
+        return total, lost
+
+    def no(reach):
+        return 0.0, 0.0
+
+    return select(xp, reach < 0.5625, yes, (half,), no, (reach,))
+
+
+def trace_creep(xp, slow, slow_low, ratio, ratio_low):
+    """a of a creeping device"""
+    total, lost = fast_two_sum(xp, 1.0, ratio)
+    total2, lost = wide_prod(xp, slow, total, lost + ratio_low)
+    low = lost + slow_low*total
+    return low + total2
+
+
+def trace_swing(xp, envelope, even, even_low):
+    """a of a swinging device"""
+    total, lost = wide_prod(xp, envelope, even, even_low)
+    return 2.0*lost + 2.0*total
+
+
+def cos_series_single(xp, w):
+    """The same in single precision."""
+    square = (w*w)
+    return (
+        square*(2.08767569878681e-09*square + 2.48015873015873e-05) + w*
+        (square*(1.1470745597729725e-11*square + 2.755731922398589e-07) +
+        0.001388888888888889) + 0.041666666666666664
+    )
+
+
+def cos_series(xp, w):
+    """(cosh(sqrt(w)) - 1 - w/2)/w^2"""
+    if w.dtype == xp.float32:
+        return cos_series_single(xp, w)
+    square = (w*w)
+    return (
+        square*(square*(square*(4.110317623312165e-19*square + 4.779477332387385e-14) +
+        2.08767569878681e-09) + 2.48015873015873e-05) + w*
+        (square*(square*(square*(8.896791392450574e-22*square + 1.5619206968586225e-16) +
+        1.1470745597729725e-11) + 2.755731922398589e-07) + 0.001388888888888889) +
+        0.041666666666666664
+    )
 
 
 def sin_series_single(xp, w):
     """The same in single precision."""
     square = (w*w)
-    b3 = 1.6059043836821613e-10*square + 2.7557319223985893e-06
-    b2 = 2.505210838544172e-08*square + 0.0001984126984126984
-    b3 = b3*square + 0.008333333333333333
-    b2 = b2*square + 0.16666666666666666
-    return b2 + b3*w
+    return (
+        square*(2.505210838544172e-08*square + 0.0001984126984126984) + w*
+        (square*(1.6059043836821613e-10*square + 2.7557319223985893e-06) +
+        0.008333333333333333) + 0.16666666666666666
+    )
 
 
 def sin_series(xp, w):
@@ -904,4997 +804,560 @@ def sin_series(xp, w):
     if w.dtype == xp.float32:
         return sin_series_single(xp, w)
     square = (w*w)
-    b7 = 1.9572941063391263e-20*square + 2.8114572543455206e-15
-    b6 = 8.22063524662433e-18*square + 7.647163731819816e-13
-    b7 = b7*square + 1.6059043836821613e-10
-    b6 = b6*square + 2.505210838544172e-08
-    b7 = b7*square + 2.7557319223985893e-06
-    b6 = b6*square + 0.0001984126984126984
-    b7 = b7*square + 0.008333333333333333
-    b6 = b6*square + 0.16666666666666666
-    return b6 + b7*w
+    return (
+        square*(square*(square*(8.22063524662433e-18*square + 7.647163731819816e-13) +
+        2.505210838544172e-08) + 0.0001984126984126984) + w*
+        (square*(square*(square*(1.9572941063391263e-20*square + 2.8114572543455206e-15) +
+        1.6059043836821613e-10) + 2.7557319223985893e-06) + 0.008333333333333333) +
+        0.16666666666666666
+    )
 
 
-def fall_rise_swing_single(xp, gamma, delta):
+def waving_pair(xp, square, square_low, angle):
+    """cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle"""
+
+    def yes(square, square_low):
+        total, lost = fast_two_sum(xp, 1.0, 0.5*square)
+        curved = (square*square)*cos_series(xp, square)
+        total, lost2 = fast_two_sum(xp, total, curved)
+        both = lost + lost2
+        bent = square*sin_series(xp, square)
+        total3, lost2 = fast_two_sum(xp, 1.0, bent)
+        return total, both + 0.5*square_low, total3, lost2 + 0.16666666666666666*square_low
+
+    def no(angle, square, square_low):
+        angle_low = root_miss(xp, square, square_low, angle)
+        sine = xp.sin(angle)
+        cosine = xp.cos(angle)
+        total4, lost4 = wide_quot(xp, sine, angle, angle_low*cosine, angle_low)
+        return cosine, -angle_low*sine, total4, lost4
+
+    return select(xp, square > -1.5, yes, (square, square_low), no, (angle, square, square_low))
+
+
+def two_prod(xp, x, y):
+    """x y and what it misses"""
+    x_halves = halves(xp, x)
+    y_halves = halves(xp, y)
+    return x*y, product_error(x*y, x_halves, y_halves)
+
+
+def whole_turns_single(xp, half, square, square_low, root, stiff):
     """The same in single precision."""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
 
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
+    def yes(half, root, square, square_low, stiff):
+        count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+        total8, lost8 = two_prod(xp, count, xp.full_like(count, 6.2831854820251465))
+        total8, lost9 = two_diff(xp, root, -total8)
+        missed = root_miss(xp, square, square_low, root)
+        turns = (count*count)
+        total, lost = two_prod(xp, turns, xp.full_like(turns, 39.478416442871094))
+        total2, lost2 = two_prod(xp, turns, xp.full_like(turns, 1.1614863524300745e-06))
+        total, lost3 = two_diff(xp, -square, total)
+        total, lost = two_diff(xp, total, lost)
+        total, lost5 = two_diff(xp, total, total2)
+        total, lost6 = two_diff(xp, total, square_low)
+        low = lost3 - lost2 + lost + lost5 + lost6 + 1.1704736640094811e-14*turns
+        total, lost6 = two_diff(xp, total, -low)
+        both_low = lost8 - 1.7484555314695172e-07*count + lost9 + missed
+        whole = xp.where(total8 == 0.0, 1.0, total8)
+        total, lost6 = wide_quot(xp, total, whole, lost6, both_low)
+        far = (total*total)
 
-        def yes(delta, gamma, half, lost2, total2):
-            square2 = total2
-            envelope = xp.exp(-half)
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back32 = total54 - 1.0
-            lost54 = -back32 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total55 = curved5 + total54
-            back32 = total55 - total54
-            lost55 = curved5 - back32
-            mean_low6 = lost54 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back32 = total55 - 1.0
-            lost54 = -back32 - total54
-            fall_low6 = lost54 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back32 = total54 - rest15
-            rest16 = total54 - back32
-            one14 = rest15 - rest16
-            two14 = 0.5 - back32
-            lost55 = one14 + two14
-            total61 = total55*total54
-            total55_halves = halves(xp, total55)
-            total54_halves = halves(xp, total54)
-            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
-            half2 = half
-            given5 = 0.5*half2
-            total55 = 1.0 - 0.5*given5
-            back32 = total55 - 1.0
-            lost532 = -back32 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total542 = curved5 + total55
-            back32 = total542 - total55
-            lost542 = curved5 - back32
-            mean_low6 = lost532 + lost542
-            total55 = given5*total542
-            given5_halves = halves(xp, given5)
-            total542_halves = halves(xp, total542)
-            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-            total542 = 1.0 - total55
-            back32 = total542 - 1.0
-            lost532 = -back32 - total55
-            fall_low6 = lost532 - lost542
-            total55 = (total542*total542)
-            total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                total542_halves)
-            rest16 = rise_series(xp, half2, total2)
-            total542 = rest16 + 0.5
-            back32 = total542 - rest16
-            rest15 = total542 - back32
-            one14 = rest16 - rest15
-            two14 = 0.5 - back32
-            lost542 = one14 + two14
-            total592 = total55*total542
-            total55_halves = halves(xp, total55)
-            total542_halves = halves(xp, total542)
-            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
+        def yes(half, lost10, missed, root, stiff, total10):
+            fall_, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
+            total26, lost26 = fast_two_sum(xp, 1.0, -fall_)
+            total11, lost11 = wide_prod(xp, total10, total10, 2.0*lost10)
+            total13, lost13 = fast_two_sum(xp, 1.0, -total11*sin_series(xp, -total11))
+            total14, lost13 = wide_prod(xp, total10, total13, lost13)
+            bent = (total11*total11)*cos_series(xp, -total11)
+            total11, lost12 = fast_two_sum(xp, 0.5*total11, -bent)
+            lift_low = 0.5*lost11*total13 + lost12
+            total13, lost12 = wide_prod(xp, fall_, total11, lift_low)
+            total29, lost11 = wide_prod(xp, fall_, total11, lift_low)
+            total14, lost13 = wide_quot(xp, total14, root, lost10*(1.0 - total11) + lost13, missed)
+            total16, lost16 = wide_prod(xp, fall_, total14, lost13)
+            total16, lost17 = two_diff(xp, mean, total16)
+            total21, lost21 = two_diff(xp, mean, total14)
+            total21, lost21 = wide_prod(xp, half, total21, lost21 - lost13 + mean_low)
+            total21, lost13 = two_diff(xp, total11, total21)
+            whole2 = xp.where(stiff == 0.0, 1.0, stiff)
+            low2 = lost17 - fall_low*total14 - lost16 + mean_low
+            total16, lost17 = wide_prod(xp, half, total16, low2)
+            total13, lost16 = two_diff(xp, total16, -total13)
+            low2 = lift_low - lost21 + lost13
+            total21, lost13 = two_diff(xp, total21, -low2)
+            total16, lost13 = wide_prod(xp, fall_, total21, lost13)
+            low2 = lost26 - fall_low
+            total26, lost26 = fast_two_sum(xp, total26, low2)
+            total26, lost26 = wide_prod(xp, total26, total26, 2.0*lost26)
+            total29, lost21 = two_diff(xp, total26, -2.0*total29)
+            low2 = fall_low*total11 + lost17 + lost12 + lost16
+            total13, lost16 = wide_quot(xp, total13, whole2, low2, xp.full_like(low2, 0.0))
+            low2 = fall_low*total21 + lost13
+            total16, lost13 = wide_quot(xp, total16, whole2, low2, xp.full_like(low2, 0.0))
+            low2 = 2.0*fall_low*total11 + lost26 + 2.0*lost11 + lost21
+            total29, lost21 = wide_quot(xp, total29, whole2, low2, xp.full_like(low2, 0.0))
+            return 1.0, lost16 + total13, lost13 + total16, lost21 + total29
 
-            def yes(lost2, square2):
-                given3 = square2
-                total20 = 0.5*given3 + 1.0
-                back13 = total20 - 1.0
-                lost20 = 0.5*given3 - back13
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total21 = curved3 + total20
-                back13 = total21 - total20
-                lost21 = curved3 - back13
-                even_low = 0.5*lost2 + lost20 + lost21
-                even = total21
-                return even, even_low
+        def no(count):
+            return 0.0, 0.0, 0.0, 0.0
 
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
+        return select(xp, (count > 0.0) & (far < 1.5), yes,
+            (half, lost6, missed, root, stiff, total), no, (count,))
 
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
+    def no(half):
+        return 0.0, 0.0, 0.0, 0.0
 
-            total55 = envelope*even
-            envelope_halves = halves(xp, envelope)
-            even_halves = halves(xp, even)
-            lost212 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
-            fall_of = lost54*total54 + lost55 + total61
-            rise_of = lost532*total542 + lost542 + total592
-            swing_of = 2.0*lost212 + 2.0*total55
-            return fall_of, rise_of, swing_of
-
-        def no(gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-
-            def yes(lost2, square2):
-                given3 = square2
-                total20 = 0.5*given3 + 1.0
-                back13 = total20 - 1.0
-                lost20 = 0.5*given3 - back13
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total21 = curved3 + total20
-                back13 = total21 - total20
-                lost21 = curved3 - back13
-                even_low = 0.5*lost2 + lost20 + lost21
-                even = total21
-                return even, even_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
-
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total212 = envelope*even
-            envelope_halves = halves(xp, envelope)
-            even_halves = halves(xp, even)
-            lost212 = envelope*even_low2 + product_error(total212, envelope_halves, even_halves)
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total29 = 39.478416442871094*turns
-            turns_halves = halves(xp, turns)
-            number3_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-            lost29 = product_error(total29, turns_halves, number3_halves)
-            total30 = 1.1614863524300745e-06*turns
-            number4_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-            lost30 = product_error(total30, turns_halves, number4_halves)
-            total31 = -total2 - total29
-            back18 = total2 + total31
-            rest6 = total31 - back18
-            one5 = -rest6 - total2
-            two5 = -back18 - total29
-            lost31 = one5 + two5
-            total29 = total31 - lost29
-            back18 = total29 - total31
-            rest6 = total29 - back18
-            one5 = total31 - rest6
-            two5 = -back18 - lost29
-            lost29 = one5 + two5
-            total31 = total29 - total30
-            back18 = total31 - total29
-            rest6 = total31 - back18
-            one5 = total29 - rest6
-            two5 = -back18 - total30
-            lost33 = one5 + two5
-            total30 = total31 - lost2
-            back18 = total30 - total31
-            rest6 = total30 - back18
-            one5 = total31 - rest6
-            two5 = -back18 - lost2
-            lost34 = one5 + two5
-            low = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
-            total31 = low + total30
-            total29 = 6.2831854820251465*count
-            total37 = root + total29
-            whole3 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole3
-            far = (total38*total38)
-
-            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34,
-                total35, total36, total37, total38, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back22 = total35 - total34
-                rest10 = total35 - back22
-                one9 = total34 - rest10
-                two9 = low - back22
-                lost35 = one9 + two9
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                back22 = total37 - root
-                rest10 = total37 - back22
-                one9 = root - rest10
-                two9 = total36 - back22
-                lost37 = one9 + two9
-                both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                left = total35 - total38*whole3
-                total38_halves = halves(xp, total38)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
-                left = left - both_low*total38 + lost35
-                lost35 = left/whole3
-                eta = total38
-                eta_low = lost35
-                total39 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                cos_series_of2 = cos_series(xp, -total39)
-                bent2 = cos_series_of2*(total39*total39)
-                total40 = 0.5*total39 - bent2
-                back22 = total40 - 0.5*total39
-                lost37 = -back22 - bent2
-                sin_series_of2 = sin_series(xp, -total39)
-                total41 = 1.0 - sin_series_of2*total39
-                back22 = total41 - 1.0
-                lost36 = -back22 - sin_series_of2*total39
-                lift_low = 0.5*lost35*total41 + lost37
-                total39 = eta*total41
-                total41_halves = halves(xp, total41)
-                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                some2 = root
-                total41 = total39/some2
-                left = total39 - some2*total41
-                total41_halves = halves(xp, total41)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total41*some2, total41_halves, some2_halves)
-                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                lost36 = left/some2
-                given4 = half
-                total39 = 1.0 - 0.5*given4
-                back22 = total39 - 1.0
-                lost37 = -back22 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total45 = curved4 + total39
-                back22 = total45 - total39
-                lost35 = curved4 - back22
-                mean_low5 = lost37 + lost35
-                total39 = given4*total45
-                given4_halves = halves(xp, given4)
-                total45_halves = halves(xp, total45)
-                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
-                total47 = 1.0 - total39
-                back22 = total47 - 1.0
-                lost37 = -back22 - total39
-                fall_low5 = lost37 - lost35
-                total39 = total45 - total41
-                back22 = total39 - total45
-                rest10 = total39 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total41
-                lost37 = one9 + two9
-                total49 = given4*total39
-                total39_halves = halves(xp, total39)
-                lost37 = (
-                    given4*(lost37 - lost36 + mean_low5) +
-                    product_error(total49, given4_halves, total39_halves)
-                )
-                total39 = total40 - total49
-                back22 = total39 - total40
-                rest10 = total39 - back22
-                one9 = total40 - rest10
-                two9 = -back22 - total49
-                lost35 = one9 + two9
-                low2 = lift_low - lost37 + lost35
-                total49 = low2 + total39
-                back22 = total49 - total39
-                rest10 = total49 - back22
-                one9 = total39 - rest10
-                two9 = low2 - back22
-                lost35 = one9 + two9
-                total39 = total47*total49
-                total47_halves = halves(xp, total47)
-                total49_halves = halves(xp, total49)
-                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                low2 = fall_low5*total49 + lost35
-                total49 = total39/stiff
-                left = total39 - stiff*total49
-                total49_halves = halves(xp, total49)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                left = left + low2
-                lost35 = left/stiff
-                total39 = total41*total47
-                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                total482 = total45 - total39
-                back22 = total482 - total45
-                rest10 = total482 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total39
-                lost37 = one9 + two9
-                low2 = lost37 - fall_low5*total41 - lost36 + mean_low5
-                total41 = given4*total482
-                total482_halves = halves(xp, total482)
-                lost37 = given4*low2 + product_error(total41, given4_halves, total482_halves)
-                total482 = total40*total47
-                total40_halves = halves(xp, total40)
-                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
-                total47 = total41 + total482
-                back22 = total47 - total41
-                rest10 = total47 - back22
-                one9 = total41 - rest10
-                two9 = total482 - back22
-                lost512 = one9 + two9
-                low2 = fall_low5*total40 + lost37 + lost36 + lost512
-                total40 = total47/stiff
-                left = total47 - stiff*total40
-                total40_halves = halves(xp, total40)
-                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                left = left + low2
-                lost512 = left/stiff
-                fall_of = lost35 + total49
-                rise_of = lost512 + total40
-                swing_of = 2.0*lost212 + 2.0*total212
-                return fall_of, rise_of, swing_of
-
-            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
-                total212):
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total22 = bent + 1.0
-                    back15 = total22 - 1.0
-                    lost22 = bent - back15
-                    odd_low = 0.16666666666666666*lost2 + lost22
-                    odd = total22
-                    return odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total23 = sine/some
-                    left = sine - some*total23
-                    total23_halves = halves(xp, total23)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total23*some, total23_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total23
-                    lost23 = left/some
-                    odd = total23
-                    odd_low2 = lost23
-                    return odd, odd_low2
-
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, root, size))
-
-                total24 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-                total25 = total24 - even
-                back16 = total25 - total24
-                rest4 = total25 - back16
-                one3 = total24 - rest4
-                two3 = -back16 - even
-                lost25 = one3 + two3
-                total26 = envelope + total25
-                back16 = total26 - total25
-                rest4 = total26 - back16
-                one3 = total25 - rest4
-                two3 = envelope - back16
-                lost26 = one3 + two3
-                total25 = envelope*total26
-                envelope_halves = halves(xp, envelope)
-                total26_halves = halves(xp, total26)
-                lost26 = (
-                    envelope*(lost24 - even_low2 + lost25 + lost26) +
-                    product_error(total25, envelope_halves, total26_halves)
-                )
-                total26 = total25/stiff
-                left16 = total25 - stiff*total26
-                total26_halves = halves(xp, total26)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
-                left16 = left16 + lost26
-                lost26 = left16/stiff
-                total25 = even + total24
-                back16 = total25 - even
-                rest4 = total25 - back16
-                one3 = even - rest4
-                two3 = total24 - back16
-                lost25 = one3 + two3
-                total24 = envelope*total25
-                total25_halves = halves(xp, total25)
-                lost25 = (
-                    envelope*(even_low2 + lost24 + lost25) +
-                    product_error(total24, envelope_halves, total25_halves)
-                )
-                total25 = 1.0 - total24
-                back16 = total25 - 1.0
-                lost24 = -back16 - total24
-                total24 = total25/stiff
-                left16 = total25 - stiff*total24
-                total24_halves = halves(xp, total24)
-                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-                left16 = left16 - lost25 + lost24
-                lost24 = left16/stiff
-                fall_of = lost26 + total26
-                rise_of = lost24 + total24
-                swing_of = 2.0*lost212 + 2.0*total212
-                return fall_of, rise_of, swing_of
-
-            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75),
-                yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30,
-                total31, total29, total37, total38, whole3), no,
-                (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
-                total212))
-
-            return fall_of, rise_of, swing_of
-
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
-            (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
-
-        return fall_of, rise_of, swing_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half, lost2, root, size, total2, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back3 = total54 - 1.0
-            lost3 = -back3 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total55 = curved5 + total54
-            back3 = total55 - total54
-            lost55 = curved5 - back3
-            mean_low6 = lost3 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back3 = total55 - 1.0
-            lost3 = -back3 - total54
-            fall_low6 = lost3 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost3 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost3 = 2.0*lost3*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back3 = total54 - rest15
-            rest16 = total54 - back3
-            one14 = rest15 - rest16
-            two14 = 0.5 - back3
-            lost55 = one14 + two14
-            total61 = total55*total54
-            total55_halves = halves(xp, total55)
-            total54_halves = halves(xp, total54)
-            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
-            half2 = half
-            given5 = 0.5*half2
-            total55 = 1.0 - 0.5*given5
-            back3 = total55 - 1.0
-            lost532 = -back3 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total542 = curved5 + total55
-            back3 = total542 - total55
-            lost542 = curved5 - back3
-            mean_low6 = lost532 + lost542
-            total55 = given5*total542
-            given5_halves = halves(xp, given5)
-            total542_halves = halves(xp, total542)
-            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-            total542 = 1.0 - total55
-            back3 = total542 - 1.0
-            lost532 = -back3 - total55
-            fall_low6 = lost532 - lost542
-            total55 = (total542*total542)
-            total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                total542_halves)
-            rest16 = rise_series(xp, half2, total2)
-            total542 = rest16 + 0.5
-            back3 = total542 - rest16
-            rest15 = total542 - back3
-            one14 = rest16 - rest15
-            two14 = 0.5 - back3
-            lost542 = one14 + two14
-            total592 = total55*total542
-            total55_halves = halves(xp, total55)
-            total542_halves = halves(xp, total542)
-            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                return fall_, fall_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                fall_ = sunk
-                fall_low2 = sunk_low
-                return fall_, fall_low2
-
-            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+    return select(xp, (half < 0.75) & (root < 4096.0) & (root > 3.0), yes,
+        (half, root, square, square_low, stiff), no, (half,))
 
 
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
+def whole_turns(xp, half, square, square_low, root, stiff):
+    """whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there"""
+    if half.dtype == xp.float32:
+        return whole_turns_single(xp, half, square, square_low, root, stiff)
 
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
+    def yes(half, root, square, square_low, stiff):
+        count = xp.floor(0.5*root/3.141592653589793 + 0.5)
+        total8, lost8 = two_prod(xp, count, xp.full_like(count, 6.283185307179586))
+        total8, lost9 = two_diff(xp, root, -total8)
+        missed = root_miss(xp, square, square_low, root)
+        turns = (count*count)
+        total, lost = two_prod(xp, turns, xp.full_like(turns, 39.47841760435743))
+        total2, lost2 = two_prod(xp, turns, xp.full_like(turns, 2.5061182034958845e-15))
+        total, lost3 = two_diff(xp, -square, total)
+        total, lost = two_diff(xp, total, lost)
+        total, lost5 = two_diff(xp, total, total2)
+        total, lost6 = two_diff(xp, total, square_low)
+        low = lost3 - lost2 + lost + lost5 + lost6 - 1.4920070805839235e-31*turns
+        total, lost6 = two_diff(xp, total, -low)
+        both_low = 2.4492935982947064e-16*count + lost8 + lost9 + missed
+        whole = xp.where(total8 == 0.0, 1.0, total8)
+        total, lost6 = wide_quot(xp, total, whole, lost6, both_low)
+        far = (total*total)
 
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+        def yes(half, lost10, missed, root, stiff, total10):
+            fall_, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
+            total26, lost26 = fast_two_sum(xp, 1.0, -fall_)
+            total11, lost11 = wide_prod(xp, total10, total10, 2.0*lost10)
+            total13, lost13 = fast_two_sum(xp, 1.0, -total11*sin_series(xp, -total11))
+            total14, lost13 = wide_prod(xp, total10, total13, lost13)
+            bent = (total11*total11)*cos_series(xp, -total11)
+            total11, lost12 = fast_two_sum(xp, 0.5*total11, -bent)
+            lift_low = 0.5*lost11*total13 + lost12
+            total13, lost12 = wide_prod(xp, fall_, total11, lift_low)
+            total29, lost11 = wide_prod(xp, fall_, total11, lift_low)
+            total14, lost13 = wide_quot(xp, total14, root, lost10*(1.0 - total11) + lost13, missed)
+            total16, lost16 = wide_prod(xp, fall_, total14, lost13)
+            total16, lost17 = two_diff(xp, mean, total16)
+            total21, lost21 = two_diff(xp, mean, total14)
+            total21, lost21 = wide_prod(xp, half, total21, lost21 - lost13 + mean_low)
+            total21, lost13 = two_diff(xp, total11, total21)
+            whole2 = xp.where(stiff == 0.0, 1.0, stiff)
+            low2 = lost17 - fall_low*total14 - lost16 + mean_low
+            total16, lost17 = wide_prod(xp, half, total16, low2)
+            total13, lost16 = two_diff(xp, total16, -total13)
+            low2 = lift_low - lost21 + lost13
+            total21, lost13 = two_diff(xp, total21, -low2)
+            total16, lost13 = wide_prod(xp, fall_, total21, lost13)
+            low2 = lost26 - fall_low
+            total26, lost26 = fast_two_sum(xp, total26, low2)
+            total26, lost26 = wide_prod(xp, total26, total26, 2.0*lost26)
+            total29, lost21 = two_diff(xp, total26, -2.0*total29)
+            low2 = fall_low*total11 + lost17 + lost12 + lost16
+            total13, lost16 = wide_quot(xp, total13, whole2, low2, xp.full_like(low2, 0.0))
+            low2 = fall_low*total21 + lost13
+            total16, lost13 = wide_quot(xp, total16, whole2, low2, xp.full_like(low2, 0.0))
+            low2 = 2.0*fall_low*total11 + lost26 + 2.0*lost11 + lost21
+            total29, lost21 = wide_quot(xp, total29, whole2, low2, xp.full_like(low2, 0.0))
+            return 1.0, lost16 + total13, lost13 + total16, lost21 + total29
 
-            total55 = fall2 + 1.0
-            back3 = total55 - 1.0
-            lost222 = fall2 - back3
-            total232 = fall_*total55
-            fall__halves = halves(xp, fall_)
-            total55_halves = halves(xp, total55)
-            lost222 = (
-                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
-            )
-            creep2 = fall_low2*total55 + lost222 + total232
-            fall_of = lost3*total54 + lost55 + total61
-            rise_of = lost532*total542 + lost542 + total592
-            swing_of = creep2
-            return fall_of, rise_of, swing_of
+        def no(count):
+            return 0.0, 0.0, 0.0, 0.0
 
-        def no(gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
+        return select(xp, (count > 0.0) & (far < 1.5), yes,
+            (half, lost6, missed, root, stiff, total), no, (count,))
 
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
+    def no(half):
+        return 0.0, 0.0, 0.0, 0.0
 
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            mean_halves = halves(xp, mean)
-            lost3 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost3
-            total17 = mean2 - total16
-            back3 = total17 - mean2
-            rest3 = total17 - back3
-            one2 = mean2 - rest3
-            two2 = -back3 - total16
-            lost3 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost3 + mean_low4 - p_low*total16 - pulled_low
-            lost3 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost3 = fall_*lost3 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost3 + total17
-            total17 = fall_*mean2
-            mean2_halves = halves(xp, mean2)
-            lost3 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost3
-            total16 = mean - total17
-            back3 = total16 - mean
-            rest3 = total16 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total17
-            lost3 = one2 + two2
-            total17 = total16/whole
-            left = total16 - total17*whole
-            total17_halves = halves(xp, total17)
-            left = left - product_error(total17*whole, total17_halves, whole_halves)
-            left = left + lost3 + mean_low2 - p_low*total17 - pulled_low
-            lost3 = left/whole
-            total16 = fall2 + 1.0
-            back3 = total16 - 1.0
-            lost222 = fall2 - back3
-            total232 = fall_*total16
-            total16_halves = halves(xp, total16)
-            lost222 = (
-                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
-            )
-            creep2 = fall_low2*total16 + lost222 + total232
-            fall_of = creep_
-            rise_of = lost3 + total17
-            swing_of = creep2
-            return fall_of, rise_of, swing_of
-
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
-            (delta, gamma, half, lost2, root, size, total2, total3), no,
-            (gamma, half, lost2, root, size, total3))
-
-        return fall_of, rise_of, swing_of
-
-    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2),
-        no, (delta, gamma, half, lost, total2))
-
-    return fall_of, rise_of, swing_of
+    return select(xp, (half < 0.75) & (root < 67108864.0) & (root > 3.0), yes,
+        (half, root, square, square_low, stiff), no, (half,))
 
 
 def fall_rise_swing(xp, gamma, delta):
     """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
     moves the device in a period; a, the sum of the sampled device's poles
     """
-    if gamma.dtype == xp.float32:
-        return fall_rise_swing_single(xp, gamma, delta)
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, gamma, half, lost2, total2):
-            square2 = total2
-            envelope = xp.exp(-half)
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back32 = total54 - 1.0
-            lost54 = -back32 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total55 = curved5 + total54
-            back32 = total55 - total54
-            lost55 = curved5 - back32
-            mean_low6 = lost54 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back32 = total55 - 1.0
-            lost54 = -back32 - total54
-            fall_low6 = lost54 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back32 = total54 - rest15
-            rest16 = total54 - back32
-            one14 = rest15 - rest16
-            two14 = 0.5 - back32
-            lost55 = one14 + two14
-            total61 = total55*total54
-            total55_halves = halves(xp, total55)
-            total54_halves = halves(xp, total54)
-            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
-            half2 = half
-            given5 = 0.5*half2
-            total55 = 1.0 - 0.5*given5
-            back32 = total55 - 1.0
-            lost532 = -back32 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total542 = curved5 + total55
-            back32 = total542 - total55
-            lost542 = curved5 - back32
-            mean_low6 = lost532 + lost542
-            total55 = given5*total542
-            given5_halves = halves(xp, given5)
-            total542_halves = halves(xp, total542)
-            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-            total542 = 1.0 - total55
-            back32 = total542 - 1.0
-            lost532 = -back32 - total55
-            fall_low6 = lost532 - lost542
-            total55 = (total542*total542)
-            total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                total542_halves)
-            rest16 = rise_series(xp, half2, total2)
-            total542 = rest16 + 0.5
-            back32 = total542 - rest16
-            rest15 = total542 - back32
-            one14 = rest16 - rest15
-            two14 = 0.5 - back32
-            lost542 = one14 + two14
-            total592 = total55*total542
-            total55_halves = halves(xp, total55)
-            total542_halves = halves(xp, total542)
-            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-
-            def yes(lost2, square2):
-                given3 = square2
-                total20 = 0.5*given3 + 1.0
-                back13 = total20 - 1.0
-                lost20 = 0.5*given3 - back13
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total21 = curved3 + total20
-                back13 = total21 - total20
-                lost21 = curved3 - back13
-                even_low = 0.5*lost2 + lost20 + lost21
-                even = total21
-                return even, even_low
-
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
-
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
-
-            total55 = envelope*even
-            envelope_halves = halves(xp, envelope)
-            even_halves = halves(xp, even)
-            lost212 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
-            fall_of = lost54*total54 + lost55 + total61
-            rise_of = lost532*total542 + lost542 + total592
-            swing_of = 2.0*lost212 + 2.0*total55
-            return fall_of, rise_of, swing_of
-
-        def no(gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-
-            def yes(lost2, square2):
-                given3 = square2
-                total20 = 0.5*given3 + 1.0
-                back13 = total20 - 1.0
-                lost20 = 0.5*given3 - back13
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total21 = curved3 + total20
-                back13 = total21 - total20
-                lost21 = curved3 - back13
-                even_low = 0.5*lost2 + lost20 + lost21
-                even = total21
-                return even, even_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
-
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total212 = envelope*even
-            envelope_halves = halves(xp, envelope)
-            even_halves = halves(xp, even)
-            lost212 = envelope*even_low2 + product_error(total212, envelope_halves, even_halves)
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total29 = 39.47841760435743*turns
-            turns_halves = halves(xp, turns)
-            number3_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-            lost29 = product_error(total29, turns_halves, number3_halves)
-            total30 = 2.5061182034958845e-15*turns
-            number4_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-            lost30 = product_error(total30, turns_halves, number4_halves)
-            total31 = -total2 - total29
-            back18 = total2 + total31
-            rest6 = total31 - back18
-            one5 = -rest6 - total2
-            two5 = -back18 - total29
-            lost31 = one5 + two5
-            total29 = total31 - lost29
-            back18 = total29 - total31
-            rest6 = total29 - back18
-            one5 = total31 - rest6
-            two5 = -back18 - lost29
-            lost29 = one5 + two5
-            total31 = total29 - total30
-            back18 = total31 - total29
-            rest6 = total31 - back18
-            one5 = total29 - rest6
-            two5 = -back18 - total30
-            lost33 = one5 + two5
-            total30 = total31 - lost2
-            back18 = total30 - total31
-            rest6 = total30 - back18
-            one5 = total31 - rest6
-            two5 = -back18 - lost2
-            lost34 = one5 + two5
-            low = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
-            total31 = low + total30
-            total29 = 6.283185307179586*count
-            total37 = root + total29
-            whole3 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole3
-            far = (total38*total38)
-
-            def yes(count, half, lost2, lost212, low, root, size, stiff, total212, total34,
-                total35, total36, total37, total38, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back22 = total35 - total34
-                rest10 = total35 - back22
-                one9 = total34 - rest10
-                two9 = low - back22
-                lost35 = one9 + two9
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                back22 = total37 - root
-                rest10 = total37 - back22
-                one9 = root - rest10
-                two9 = total36 - back22
-                lost37 = one9 + two9
-                both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                left = total35 - total38*whole3
-                total38_halves = halves(xp, total38)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
-                left = left - both_low*total38 + lost35
-                lost35 = left/whole3
-                eta = total38
-                eta_low = lost35
-                total39 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                cos_series_of2 = cos_series(xp, -total39)
-                bent2 = cos_series_of2*(total39*total39)
-                total40 = 0.5*total39 - bent2
-                back22 = total40 - 0.5*total39
-                lost37 = -back22 - bent2
-                sin_series_of2 = sin_series(xp, -total39)
-                total41 = 1.0 - sin_series_of2*total39
-                back22 = total41 - 1.0
-                lost36 = -back22 - sin_series_of2*total39
-                lift_low = 0.5*lost35*total41 + lost37
-                total39 = eta*total41
-                total41_halves = halves(xp, total41)
-                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                some2 = root
-                total41 = total39/some2
-                left = total39 - some2*total41
-                total41_halves = halves(xp, total41)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total41*some2, total41_halves, some2_halves)
-                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                lost36 = left/some2
-                given4 = half
-                total39 = 1.0 - 0.5*given4
-                back22 = total39 - 1.0
-                lost37 = -back22 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total45 = curved4 + total39
-                back22 = total45 - total39
-                lost35 = curved4 - back22
-                mean_low5 = lost37 + lost35
-                total39 = given4*total45
-                given4_halves = halves(xp, given4)
-                total45_halves = halves(xp, total45)
-                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
-                total47 = 1.0 - total39
-                back22 = total47 - 1.0
-                lost37 = -back22 - total39
-                fall_low5 = lost37 - lost35
-                total39 = total45 - total41
-                back22 = total39 - total45
-                rest10 = total39 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total41
-                lost37 = one9 + two9
-                total49 = given4*total39
-                total39_halves = halves(xp, total39)
-                lost37 = (
-                    given4*(lost37 - lost36 + mean_low5) +
-                    product_error(total49, given4_halves, total39_halves)
-                )
-                total39 = total40 - total49
-                back22 = total39 - total40
-                rest10 = total39 - back22
-                one9 = total40 - rest10
-                two9 = -back22 - total49
-                lost35 = one9 + two9
-                low2 = lift_low - lost37 + lost35
-                total49 = low2 + total39
-                back22 = total49 - total39
-                rest10 = total49 - back22
-                one9 = total39 - rest10
-                two9 = low2 - back22
-                lost35 = one9 + two9
-                total39 = total47*total49
-                total47_halves = halves(xp, total47)
-                total49_halves = halves(xp, total49)
-                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                low2 = fall_low5*total49 + lost35
-                total49 = total39/stiff
-                left = total39 - stiff*total49
-                total49_halves = halves(xp, total49)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                left = left + low2
-                lost35 = left/stiff
-                total39 = total41*total47
-                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                total482 = total45 - total39
-                back22 = total482 - total45
-                rest10 = total482 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total39
-                lost37 = one9 + two9
-                low2 = lost37 - fall_low5*total41 - lost36 + mean_low5
-                total41 = given4*total482
-                total482_halves = halves(xp, total482)
-                lost37 = given4*low2 + product_error(total41, given4_halves, total482_halves)
-                total482 = total40*total47
-                total40_halves = halves(xp, total40)
-                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
-                total47 = total41 + total482
-                back22 = total47 - total41
-                rest10 = total47 - back22
-                one9 = total41 - rest10
-                two9 = total482 - back22
-                lost512 = one9 + two9
-                low2 = fall_low5*total40 + lost37 + lost36 + lost512
-                total40 = total47/stiff
-                left = total47 - stiff*total40
-                total40_halves = halves(xp, total40)
-                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                left = left + low2
-                lost512 = left/stiff
-                fall_of = lost35 + total49
-                rise_of = lost512 + total40
-                swing_of = 2.0*lost212 + 2.0*total212
-                return fall_of, rise_of, swing_of
-
-            def no(envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
-                total212):
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total22 = bent + 1.0
-                    back15 = total22 - 1.0
-                    lost22 = bent - back15
-                    odd_low = 0.16666666666666666*lost2 + lost22
-                    odd = total22
-                    return odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total23 = sine/some
-                    left = sine - some*total23
-                    total23_halves = halves(xp, total23)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total23*some, total23_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total23
-                    lost23 = left/some
-                    odd = total23
-                    odd_low2 = lost23
-                    return odd, odd_low2
-
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, root, size))
-
-                total24 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-                total25 = total24 - even
-                back16 = total25 - total24
-                rest4 = total25 - back16
-                one3 = total24 - rest4
-                two3 = -back16 - even
-                lost25 = one3 + two3
-                total26 = envelope + total25
-                back16 = total26 - total25
-                rest4 = total26 - back16
-                one3 = total25 - rest4
-                two3 = envelope - back16
-                lost26 = one3 + two3
-                total25 = envelope*total26
-                envelope_halves = halves(xp, envelope)
-                total26_halves = halves(xp, total26)
-                lost26 = (
-                    envelope*(lost24 - even_low2 + lost25 + lost26) +
-                    product_error(total25, envelope_halves, total26_halves)
-                )
-                total26 = total25/stiff
-                left16 = total25 - stiff*total26
-                total26_halves = halves(xp, total26)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total26*stiff, total26_halves, stiff_halves)
-                left16 = left16 + lost26
-                lost26 = left16/stiff
-                total25 = even + total24
-                back16 = total25 - even
-                rest4 = total25 - back16
-                one3 = even - rest4
-                two3 = total24 - back16
-                lost25 = one3 + two3
-                total24 = envelope*total25
-                total25_halves = halves(xp, total25)
-                lost25 = (
-                    envelope*(even_low2 + lost24 + lost25) +
-                    product_error(total24, envelope_halves, total25_halves)
-                )
-                total25 = 1.0 - total24
-                back16 = total25 - 1.0
-                lost24 = -back16 - total24
-                total24 = total25/stiff
-                left16 = total25 - stiff*total24
-                total24_halves = halves(xp, total24)
-                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-                left16 = left16 - lost25 + lost24
-                lost24 = left16/stiff
-                fall_of = lost26 + total26
-                rise_of = lost24 + total24
-                swing_of = 2.0*lost212 + 2.0*total212
-                return fall_of, rise_of, swing_of
-
-            fall_of, rise_of, swing_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75),
-                yes, (count, half, lost2, lost212, low, root, size, stiff, total212, total30,
-                total31, total29, total37, total38, whole3), no,
-                (envelope, even, even_low2, half, lost2, lost212, root, size, square2, stiff,
-                total212))
-
-            return fall_of, rise_of, swing_of
-
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
-            (delta, gamma, half, lost2, total2), no, (gamma, half, lost2, total2))
-
-        return fall_of, rise_of, swing_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half, lost2, root, size, total2, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back3 = total54 - 1.0
-            lost3 = -back3 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total55 = curved5 + total54
-            back3 = total55 - total54
-            lost55 = curved5 - back3
-            mean_low6 = lost3 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back3 = total55 - 1.0
-            lost3 = -back3 - total54
-            fall_low6 = lost3 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost3 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost3 = 2.0*lost3*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back3 = total54 - rest15
-            rest16 = total54 - back3
-            one14 = rest15 - rest16
-            two14 = 0.5 - back3
-            lost55 = one14 + two14
-            total61 = total55*total54
-            total55_halves = halves(xp, total55)
-            total54_halves = halves(xp, total54)
-            lost55 = lost55*total55 + product_error(total61, total55_halves, total54_halves)
-            half2 = half
-            given5 = 0.5*half2
-            total55 = 1.0 - 0.5*given5
-            back3 = total55 - 1.0
-            lost532 = -back3 - 0.5*given5
-            decay_series_of4 = decay_series(xp, given5)
-            curved5 = decay_series_of4*(given5*given5)
-            total542 = curved5 + total55
-            back3 = total542 - total55
-            lost542 = curved5 - back3
-            mean_low6 = lost532 + lost542
-            total55 = given5*total542
-            given5_halves = halves(xp, given5)
-            total542_halves = halves(xp, total542)
-            lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-            total542 = 1.0 - total55
-            back3 = total542 - 1.0
-            lost532 = -back3 - total55
-            fall_low6 = lost532 - lost542
-            total55 = (total542*total542)
-            total542_halves = halves(xp, total542)
-            lost532 = 2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                total542_halves)
-            rest16 = rise_series(xp, half2, total2)
-            total542 = rest16 + 0.5
-            back3 = total542 - rest16
-            rest15 = total542 - back3
-            one14 = rest16 - rest15
-            two14 = 0.5 - back3
-            lost542 = one14 + two14
-            total592 = total55*total542
-            total55_halves = halves(xp, total55)
-            total542_halves = halves(xp, total542)
-            lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                return fall_, fall_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                fall_ = sunk
-                fall_low2 = sunk_low
-                return fall_, fall_low2
-
-            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
-
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            total55 = fall2 + 1.0
-            back3 = total55 - 1.0
-            lost222 = fall2 - back3
-            total232 = fall_*total55
-            fall__halves = halves(xp, fall_)
-            total55_halves = halves(xp, total55)
-            lost222 = (
-                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total55_halves)
-            )
-            creep2 = fall_low2*total55 + lost222 + total232
-            fall_of = lost3*total54 + lost55 + total61
-            rise_of = lost532*total542 + lost542 + total592
-            swing_of = creep2
-            return fall_of, rise_of, swing_of
-
-        def no(gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            mean_halves = halves(xp, mean)
-            lost3 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost3
-            total17 = mean2 - total16
-            back3 = total17 - mean2
-            rest3 = total17 - back3
-            one2 = mean2 - rest3
-            two2 = -back3 - total16
-            lost3 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost3 + mean_low4 - p_low*total16 - pulled_low
-            lost3 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost3 = fall_*lost3 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost3 + total17
-            total17 = fall_*mean2
-            mean2_halves = halves(xp, mean2)
-            lost3 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost3
-            total16 = mean - total17
-            back3 = total16 - mean
-            rest3 = total16 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total17
-            lost3 = one2 + two2
-            total17 = total16/whole
-            left = total16 - total17*whole
-            total17_halves = halves(xp, total17)
-            left = left - product_error(total17*whole, total17_halves, whole_halves)
-            left = left + lost3 + mean_low2 - p_low*total17 - pulled_low
-            lost3 = left/whole
-            total16 = fall2 + 1.0
-            back3 = total16 - 1.0
-            lost222 = fall2 - back3
-            total232 = fall_*total16
-            total16_halves = halves(xp, total16)
-            lost222 = (
-                fall_*(fall_low4 + lost222) + product_error(total232, fall__halves, total16_halves)
-            )
-            creep2 = fall_low2*total16 + lost222 + total232
-            fall_of = creep_
-            rise_of = lost3 + total17
-            swing_of = creep2
-            return fall_of, rise_of, swing_of
-
-        fall_of, rise_of, swing_of = select(xp, reach < 0.5625, yes,
-            (delta, gamma, half, lost2, root, size, total2, total3), no,
-            (gamma, half, lost2, root, size, total3))
-
-        return fall_of, rise_of, swing_of
-
-    fall_of, rise_of, swing_of = select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2),
-        no, (delta, gamma, half, lost, total2))
-
-    return fall_of, rise_of, swing_of
-
-
-def fall_single(xp, gamma, delta):
-    """The same in single precision."""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-
-    def yes(delta, gamma, half, rest2, total, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, gamma, half):
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back32 = total54 - 1.0
-            lost54 = -back32 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total55 = curved5 + total54
-            back32 = total55 - total54
-            lost55 = curved5 - back32
-            mean_low6 = lost54 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back32 = total55 - 1.0
-            lost54 = -back32 - total54
-            fall_low6 = lost54 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back32 = total54 - rest15
-            rest16 = total54 - back32
-            one14 = rest15 - rest16
-            two14 = 0.5 - back32
-            lost55 = one14 + two14
-            envelope2 = total55
-            total55 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
-            return lost54*total54 + lost55 + total55
-
-        def no(gamma, half, rest2, total, total2):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total29 = 39.478416442871094*turns
-            turns_halves = halves(xp, turns)
-            number1_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-            lost29 = product_error(total29, turns_halves, number1_halves)
-            total30 = 1.1614863524300745e-06*turns
-            number2_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-            lost30 = product_error(total30, turns_halves, number2_halves)
-            total31 = -total2 - total29
-            back2 = total2 + total31
-            rest6 = total31 - back2
-            one5 = -rest6 - total2
-            two5 = -back2 - total29
-            lost31 = one5 + two5
-            total29 = total31 - lost29
-            back2 = total29 - total31
-            rest6 = total29 - back2
-            one5 = total31 - rest6
-            two5 = -back2 - lost29
-            lost29 = one5 + two5
-            total31 = total29 - total30
-            back2 = total31 - total29
-            rest6 = total31 - back2
-            one5 = total29 - rest6
-            two5 = -back2 - total30
-            lost33 = one5 + two5
-            total30 = total31 - lost2
-            back2 = total30 - total31
-            rest6 = total30 - back2
-            one5 = total31 - rest6
-            two5 = -back2 - lost2
-            lost34 = one5 + two5
-            low = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
-            total31 = low + total30
-            total29 = 6.2831854820251465*count
-            total37 = root + total29
-            whole3 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole3
-            far = (total38*total38)
-
-            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37,
-                total38, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                stiff = gamma
-                back22 = total35 - total34
-                rest10 = total35 - back22
-                one9 = total34 - rest10
-                two9 = low - back22
-                lost35 = one9 + two9
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                back22 = total37 - root
-                rest10 = total37 - back22
-                one9 = root - rest10
-                two9 = total36 - back22
-                lost37 = one9 + two9
-                both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                left = total35 - total38*whole3
-                total38_halves = halves(xp, total38)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
-                left = left - both_low*total38 + lost35
-                lost35 = left/whole3
-                eta = total38
-                eta_low = lost35
-                total39 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                bent2 = (total39*total39)*cos_series(xp, -total39)
-                total40 = 0.5*total39 - bent2
-                back22 = total40 - 0.5*total39
-                lost37 = -back22 - bent2
-                total41 = 1.0 - total39*sin_series(xp, -total39)
-                back22 = total41 - 1.0
-                lost36 = -back22 - total39*sin_series(xp, -total39)
-                lift_low = 0.5*lost35*total41 + lost37
-                total39 = eta*total41
-                total41_halves = halves(xp, total41)
-                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                some2 = root
-                total41 = total39/some2
-                left = total39 - some2*total41
-                total41_halves = halves(xp, total41)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total41*some2, total41_halves, some2_halves)
-                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                lost36 = left/some2
-                given4 = half
-                total39 = 1.0 - 0.5*given4
-                back22 = total39 - 1.0
-                lost37 = -back22 - 0.5*given4
-                curved4 = (given4*given4)*decay_series(xp, given4)
-                total45 = curved4 + total39
-                back22 = total45 - total39
-                lost35 = curved4 - back22
-                mean_low5 = lost37 + lost35
-                total39 = given4*total45
-                given4_halves = halves(xp, given4)
-                total45_halves = halves(xp, total45)
-                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
-                total47 = 1.0 - total39
-                back22 = total47 - 1.0
-                lost37 = -back22 - total39
-                fall_low5 = lost37 - lost35
-                total39 = total45 - total41
-                back22 = total39 - total45
-                rest10 = total39 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total41
-                lost37 = one9 + two9
-                total41 = given4*total39
-                total39_halves = halves(xp, total39)
-                lost37 = (
-                    given4*(lost37 - lost36 + mean_low5) +
-                    product_error(total41, given4_halves, total39_halves)
-                )
-                total39 = total40 - total41
-                back22 = total39 - total40
-                rest10 = total39 - back22
-                one9 = total40 - rest10
-                two9 = -back22 - total41
-                lost36 = one9 + two9
-                low2 = lift_low - lost37 + lost36
-                total41 = low2 + total39
-                back22 = total41 - total39
-                rest10 = total41 - back22
-                one9 = total39 - rest10
-                two9 = low2 - back22
-                lost36 = one9 + two9
-                total39 = total47*total41
-                total47_halves = halves(xp, total47)
-                total41_halves = halves(xp, total41)
-                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                low2 = fall_low5*total41 + lost36
-                total41 = total39/stiff
-                left = total39 - stiff*total41
-                total41_halves = halves(xp, total41)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total41*stiff, total41_halves, stiff_halves)
-                left = left + low2
-                lost36 = left/stiff
-                return lost36 + total41
-
-            def no(gamma, half, lost2, root, size, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total20 = 0.5*given3 + 1.0
-                    back13 = total20 - 1.0
-                    lost20 = 0.5*given3 - back13
-                    curved3 = (given3*given3)*cos_series(xp, given3)
-                    total21 = curved3 + total20
-                    back13 = total21 - total20
-                    lost21 = curved3 - back13
-                    even_low = 0.5*lost2 + lost20 + lost21
-                    bent = given3*sin_series(xp, given3)
-                    total20 = bent + 1.0
-                    back13 = total20 - 1.0
-                    lost21 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost21
-                    even = total21
-                    odd = total20
-                    return even, even_low, odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total23 = sine/some
-                    left = sine - some*total23
-                    total23_halves = halves(xp, total23)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total23*some, total23_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total23
-                    lost23 = left/some
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    odd = total23
-                    odd_low2 = lost23
-                    return even, even_low2, odd, odd_low2
-
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
-                    no, (lost2, root, size))
-
-                total24 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-                total25 = total24 - even
-                back16 = total25 - total24
-                rest4 = total25 - back16
-                one3 = total24 - rest4
-                two3 = -back16 - even
-                lost25 = one3 + two3
-                total24 = envelope + total25
-                back16 = total24 - total25
-                rest4 = total24 - back16
-                one3 = total25 - rest4
-                two3 = envelope - back16
-                lost26 = one3 + two3
-                total25 = envelope*total24
-                envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost26 = (
-                    envelope*(lost24 - even_low2 + lost25 + lost26) +
-                    product_error(total25, envelope_halves, total24_halves)
-                )
-                total24 = total25/stiff
-                left16 = total25 - stiff*total24
-                total24_halves = halves(xp, total24)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-                left16 = left16 + lost26
-                lost26 = left16/stiff
-                return lost26 + total24
-
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37,
-                total38, whole3), no, (gamma, half, lost2, root, size, total2))
-
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
-            (gamma, half, rest2, total, total2))
-
-    def no(delta, gamma, half, rest2, total, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half):
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back32 = total54 - 1.0
-            lost54 = -back32 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total55 = curved5 + total54
-            back32 = total55 - total54
-            lost55 = curved5 - back32
-            mean_low6 = lost54 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back32 = total55 - 1.0
-            lost54 = -back32 - total54
-            fall_low6 = lost54 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back32 = total54 - rest15
-            rest16 = total54 - back32
-            one14 = rest15 - rest16
-            two14 = 0.5 - back32
-            lost55 = one14 + two14
-            envelope2 = total55
-            total55 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
-            return lost54*total54 + lost55 + total55
-
-        def no(gamma, half, rest2, root, size, total, total2, total3):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back2 = total3 - half
-            lost2 = root - back2
-            p_low = lost2 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate = q
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                curved = (given*given)*decay_series(xp, given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            mean_halves = halves(xp, mean)
-            lost2 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost2
-            total17 = mean2 - total16
-            back2 = total17 - mean2
-            rest3 = total17 - back2
-            one2 = mean2 - rest3
-            two2 = -back2 - total16
-            lost2 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost2 + mean_low4 - p_low*total16 - pulled_low
-            lost2 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost2 = fall_*lost2 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost2 + total17
-            return creep_
-
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
-            (gamma, half, rest2, root, size, total, total2, total3))
-
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no,
-        (delta, gamma, half, rest, total, total2))
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, gamma, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        half = 0.5*delta
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        envelope = xp.exp(-half)
+        return fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
+            gamma, near, sunk), rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even,
+            even_low, odd, odd_low, gamma, near, risen), trace_swing(xp, envelope, even, even_low)
+
+    def no(delta, gamma, reach, root, w, w_low):
+        half = 0.5*delta
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        return (
+            fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
+            mean_low, fall2, fall_low2, mean2, mean_low2),
+            rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+            mean_low, mean2, mean_low2), trace_creep(xp, fall_, fall_low, fall2, fall_low2)
+        )
+
+    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
 def fall(xp, gamma, delta):
     """n0, the same device with its time reversed, times exp(-delta)"""
-    if gamma.dtype == xp.float32:
-        return fall_single(xp, gamma, delta)
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
 
-    def yes(delta, gamma, half, rest2, total, total2):
-        reach = 0.25*gamma
+    def yes(delta, gamma, reach):
+        half = 0.5*delta
+        fade_, fade_low = slow_fade(xp, reach, half)
+        return fall_near(xp, fade_, fade_low, gamma, delta)
 
-        def yes(delta, gamma, half):
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back32 = total54 - 1.0
-            lost54 = -back32 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total55 = curved5 + total54
-            back32 = total55 - total54
-            lost55 = curved5 - back32
-            mean_low6 = lost54 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back32 = total55 - 1.0
-            lost54 = -back32 - total54
-            fall_low6 = lost54 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back32 = total54 - rest15
-            rest16 = total54 - back32
-            one14 = rest15 - rest16
-            two14 = 0.5 - back32
-            lost55 = one14 + two14
-            envelope2 = total55
-            total55 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
-            return lost54*total54 + lost55 + total55
+    def no(delta, gamma, reach, root, w, w_low):
 
-        def no(gamma, half, rest2, total, total2):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            size = xp.abs(total2)
-            root = square_root(xp, size)
+        def yes(delta, gamma, reach, root, w, w_low):
+            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+            half = 0.5*delta
+            fade_, fade_low = slow_fade(xp, reach, half)
+            envelope = xp.exp(-half)
+            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+            return fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
+                odd_low, gamma, near, sunk)
 
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
+        def no(delta, gamma, reach, root, w, w_low):
+            half = 0.5*delta
+            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+            fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+            fade_, fade_low = slow_fade(xp, reach, half)
+            root_low = root_miss(xp, w, w_low, root)
+            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+            return fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low,
+                mean, mean_low, fall2, fall_low2, mean2, mean_low2)
 
-            def no(root):
-                return 0.0
+        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+            (delta, gamma, reach, root, w, w_low))
 
-            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total29 = 39.47841760435743*turns
-            turns_halves = halves(xp, turns)
-            number1_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-            lost29 = product_error(total29, turns_halves, number1_halves)
-            total30 = 2.5061182034958845e-15*turns
-            number2_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-            lost30 = product_error(total30, turns_halves, number2_halves)
-            total31 = -total2 - total29
-            back2 = total2 + total31
-            rest6 = total31 - back2
-            one5 = -rest6 - total2
-            two5 = -back2 - total29
-            lost31 = one5 + two5
-            total29 = total31 - lost29
-            back2 = total29 - total31
-            rest6 = total29 - back2
-            one5 = total31 - rest6
-            two5 = -back2 - lost29
-            lost29 = one5 + two5
-            total31 = total29 - total30
-            back2 = total31 - total29
-            rest6 = total31 - back2
-            one5 = total29 - rest6
-            two5 = -back2 - total30
-            lost33 = one5 + two5
-            total30 = total31 - lost2
-            back2 = total30 - total31
-            rest6 = total30 - back2
-            one5 = total31 - rest6
-            two5 = -back2 - lost2
-            lost34 = one5 + two5
-            low = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
-            total31 = low + total30
-            total29 = 6.283185307179586*count
-            total37 = root + total29
-            whole3 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole3
-            far = (total38*total38)
-
-            def yes(count, gamma, half, lost2, low, root, size, total34, total35, total36, total37,
-                total38, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                stiff = gamma
-                back22 = total35 - total34
-                rest10 = total35 - back22
-                one9 = total34 - rest10
-                two9 = low - back22
-                lost35 = one9 + two9
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                back22 = total37 - root
-                rest10 = total37 - back22
-                one9 = root - rest10
-                two9 = total36 - back22
-                lost37 = one9 + two9
-                both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                left = total35 - total38*whole3
-                total38_halves = halves(xp, total38)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total38*whole3, total38_halves, whole3_halves)
-                left = left - both_low*total38 + lost35
-                lost35 = left/whole3
-                eta = total38
-                eta_low = lost35
-                total39 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                bent2 = (total39*total39)*cos_series(xp, -total39)
-                total40 = 0.5*total39 - bent2
-                back22 = total40 - 0.5*total39
-                lost37 = -back22 - bent2
-                total41 = 1.0 - total39*sin_series(xp, -total39)
-                back22 = total41 - 1.0
-                lost36 = -back22 - total39*sin_series(xp, -total39)
-                lift_low = 0.5*lost35*total41 + lost37
-                total39 = eta*total41
-                total41_halves = halves(xp, total41)
-                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                some2 = root
-                total41 = total39/some2
-                left = total39 - some2*total41
-                total41_halves = halves(xp, total41)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total41*some2, total41_halves, some2_halves)
-                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                lost36 = left/some2
-                given4 = half
-                total39 = 1.0 - 0.5*given4
-                back22 = total39 - 1.0
-                lost37 = -back22 - 0.5*given4
-                curved4 = (given4*given4)*decay_series(xp, given4)
-                total45 = curved4 + total39
-                back22 = total45 - total39
-                lost35 = curved4 - back22
-                mean_low5 = lost37 + lost35
-                total39 = given4*total45
-                given4_halves = halves(xp, given4)
-                total45_halves = halves(xp, total45)
-                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
-                total47 = 1.0 - total39
-                back22 = total47 - 1.0
-                lost37 = -back22 - total39
-                fall_low5 = lost37 - lost35
-                total39 = total45 - total41
-                back22 = total39 - total45
-                rest10 = total39 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total41
-                lost37 = one9 + two9
-                total41 = given4*total39
-                total39_halves = halves(xp, total39)
-                lost37 = (
-                    given4*(lost37 - lost36 + mean_low5) +
-                    product_error(total41, given4_halves, total39_halves)
-                )
-                total39 = total40 - total41
-                back22 = total39 - total40
-                rest10 = total39 - back22
-                one9 = total40 - rest10
-                two9 = -back22 - total41
-                lost36 = one9 + two9
-                low2 = lift_low - lost37 + lost36
-                total41 = low2 + total39
-                back22 = total41 - total39
-                rest10 = total41 - back22
-                one9 = total39 - rest10
-                two9 = low2 - back22
-                lost36 = one9 + two9
-                total39 = total47*total41
-                total47_halves = halves(xp, total47)
-                total41_halves = halves(xp, total41)
-                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                low2 = fall_low5*total41 + lost36
-                total41 = total39/stiff
-                left = total39 - stiff*total41
-                total41_halves = halves(xp, total41)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total41*stiff, total41_halves, stiff_halves)
-                left = left + low2
-                lost36 = left/stiff
-                return lost36 + total41
-
-            def no(gamma, half, lost2, root, size, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total20 = 0.5*given3 + 1.0
-                    back13 = total20 - 1.0
-                    lost20 = 0.5*given3 - back13
-                    curved3 = (given3*given3)*cos_series(xp, given3)
-                    total21 = curved3 + total20
-                    back13 = total21 - total20
-                    lost21 = curved3 - back13
-                    even_low = 0.5*lost2 + lost20 + lost21
-                    bent = given3*sin_series(xp, given3)
-                    total20 = bent + 1.0
-                    back13 = total20 - 1.0
-                    lost21 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost21
-                    even = total21
-                    odd = total20
-                    return even, even_low, odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total23 = sine/some
-                    left = sine - some*total23
-                    total23_halves = halves(xp, total23)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total23*some, total23_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total23
-                    lost23 = left/some
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    odd = total23
-                    odd_low2 = lost23
-                    return even, even_low2, odd, odd_low2
-
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
-                    no, (lost2, root, size))
-
-                total24 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost24 = half*odd_low2 + product_error(total24, half_halves, odd_halves)
-                total25 = total24 - even
-                back16 = total25 - total24
-                rest4 = total25 - back16
-                one3 = total24 - rest4
-                two3 = -back16 - even
-                lost25 = one3 + two3
-                total24 = envelope + total25
-                back16 = total24 - total25
-                rest4 = total24 - back16
-                one3 = total25 - rest4
-                two3 = envelope - back16
-                lost26 = one3 + two3
-                total25 = envelope*total24
-                envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost26 = (
-                    envelope*(lost24 - even_low2 + lost25 + lost26) +
-                    product_error(total25, envelope_halves, total24_halves)
-                )
-                total24 = total25/stiff
-                left16 = total25 - stiff*total24
-                total24_halves = halves(xp, total24)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total24*stiff, total24_halves, stiff_halves)
-                left16 = left16 + lost26
-                lost26 = left16/stiff
-                return lost26 + total24
-
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, gamma, half, lost2, low, root, size, total30, total31, total29, total37,
-                total38, whole3), no, (gamma, half, lost2, root, size, total2))
-
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
-            (gamma, half, rest2, total, total2))
-
-    def no(delta, gamma, half, rest2, total, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half):
-            given5 = 0.5*half
-            total54 = 1.0 - 0.5*given5
-            back32 = total54 - 1.0
-            lost54 = -back32 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total55 = curved5 + total54
-            back32 = total55 - total54
-            lost55 = curved5 - back32
-            mean_low6 = lost54 + lost55
-            total54 = given5*total55
-            given5_halves = halves(xp, given5)
-            total55_halves = halves(xp, total55)
-            lost55 = given5*mean_low6 + product_error(total54, given5_halves, total55_halves)
-            total55 = 1.0 - total54
-            back32 = total55 - 1.0
-            lost54 = -back32 - total54
-            fall_low6 = lost54 - lost55
-            total54 = (total55*total55)
-            total55_halves = halves(xp, total55)
-            lost54 = 2.0*fall_low6*total55 + product_error(total54, total55_halves, total55_halves)
-            total55 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost54 = 2.0*lost54*total54 + product_error(total55, total54_halves, total54_halves)
-            rest15 = fall_series(xp, gamma, delta)
-            total54 = rest15 + 0.5
-            back32 = total54 - rest15
-            rest16 = total54 - back32
-            one14 = rest15 - rest16
-            two14 = 0.5 - back32
-            lost55 = one14 + two14
-            envelope2 = total55
-            total55 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost55 = envelope2*lost55 + product_error(total55, envelope2_halves, total54_halves)
-            return lost54*total54 + lost55 + total55
-
-        def no(gamma, half, rest2, root, size, total, total2, total3):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back2 = total3 - half
-            lost2 = root - back2
-            p_low = lost2 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate = q
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                curved = (given*given)*decay_series(xp, given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            mean_halves = halves(xp, mean)
-            lost2 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost2
-            total17 = mean2 - total16
-            back2 = total17 - mean2
-            rest3 = total17 - back2
-            one2 = mean2 - rest3
-            two2 = -back2 - total16
-            lost2 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost2 + mean_low4 - p_low*total16 - pulled_low
-            lost2 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost2 = fall_*lost2 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost2 + total17
-            return creep_
-
-        return select(xp, reach < 0.5625, yes, (delta, gamma, half), no,
-            (gamma, half, rest2, root, size, total, total2, total3))
-
-    return select(xp, total2 < 0.0, yes, (delta, gamma, half, rest, total, total2), no,
-        (delta, gamma, half, rest, total, total2))
-
-
-def rise_single(xp, gamma, delta):
-    """The same in single precision."""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-
-    def yes(gamma, half, rest2, total, total2):
-        reach = 0.25*gamma
-
-        def yes(half, total2):
-            half2 = half
-            given5 = 0.5*half2
-            total53 = 1.0 - 0.5*given5
-            back31 = total53 - 1.0
-            lost53 = -back31 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total54 = curved5 + total53
-            back31 = total54 - total53
-            lost54 = curved5 - back31
-            mean_low6 = lost53 + lost54
-            total53 = given5*total54
-            given5_halves = halves(xp, given5)
-            total54_halves = halves(xp, total54)
-            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
-            total54 = 1.0 - total53
-            back31 = total54 - 1.0
-            lost53 = -back31 - total53
-            fall_low6 = lost53 - lost54
-            total53 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
-            rest13 = rise_series(xp, half2, total2)
-            total54 = rest13 + 0.5
-            back31 = total54 - rest13
-            rest14 = total54 - back31
-            one12 = rest13 - rest14
-            two12 = 0.5 - back31
-            lost54 = one12 + two12
-            envelope2 = total53
-            total53 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
-            return lost53*total54 + lost54 + total53
-
-        def no(gamma, half, rest2, total, total2):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total28 = 39.478416442871094*turns
-            turns_halves = halves(xp, turns)
-            number1_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-            lost28 = product_error(total28, turns_halves, number1_halves)
-            total29 = 1.1614863524300745e-06*turns
-            number2_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-            lost29 = product_error(total29, turns_halves, number2_halves)
-            total30 = -total2 - total28
-            back2 = total2 + total30
-            rest5 = total30 - back2
-            one4 = -rest5 - total2
-            two4 = -back2 - total28
-            lost30 = one4 + two4
-            total28 = total30 - lost28
-            back2 = total28 - total30
-            rest5 = total28 - back2
-            one4 = total30 - rest5
-            two4 = -back2 - lost28
-            lost28 = one4 + two4
-            total30 = total28 - total29
-            back2 = total30 - total28
-            rest5 = total30 - back2
-            one4 = total28 - rest5
-            two4 = -back2 - total29
-            lost32 = one4 + two4
-            total29 = total30 - lost2
-            back2 = total29 - total30
-            rest5 = total29 - back2
-            one4 = total30 - rest5
-            two4 = -back2 - lost2
-            lost33 = one4 + two4
-            low = lost30 - lost29 + lost28 + lost32 + lost33 + 1.1704736640094811e-14*turns
-            total30 = low + total29
-            total28 = 6.2831854820251465*count
-            total36 = root + total28
-            whole3 = xp.where(total36 == 0.0, 1.0, total36)
-            total37 = total30/whole3
-            far = (total37*total37)
-
-            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36,
-                total37, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                stiff = gamma
-                back22 = total34 - total33
-                rest9 = total34 - back22
-                one8 = total33 - rest9
-                two8 = low - back22
-                lost34 = one8 + two8
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                lost35 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                back22 = total36 - root
-                rest9 = total36 - back22
-                one8 = root - rest9
-                two8 = total35 - back22
-                lost36 = one8 + two8
-                both_low = lost35 - 1.7484555314695172e-07*count + lost36 + root_low
-                left = total34 - total37*whole3
-                total37_halves = halves(xp, total37)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total37*whole3, total37_halves, whole3_halves)
-                left = left - both_low*total37 + lost34
-                lost34 = left/whole3
-                eta = total37
-                eta_low = lost34
-                total38 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost34 = 2.0*eta*eta_low + product_error(total38, eta_halves, eta_halves)
-                bent2 = (total38*total38)*cos_series(xp, -total38)
-                total39 = 0.5*total38 - bent2
-                back22 = total39 - 0.5*total38
-                lost36 = -back22 - bent2
-                total40 = 1.0 - total38*sin_series(xp, -total38)
-                back22 = total40 - 1.0
-                lost35 = -back22 - total38*sin_series(xp, -total38)
-                lift_low = 0.5*lost34*total40 + lost36
-                total38 = eta*total40
-                total40_halves = halves(xp, total40)
-                lost35 = eta*lost35 + product_error(total38, eta_halves, total40_halves)
-                some2 = root
-                total40 = total38/some2
-                left = total38 - some2*total40
-                total40_halves = halves(xp, total40)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total40*some2, total40_halves, some2_halves)
-                left = eta_low*(1.0 - total39) + left + lost35 - root_low*total40
-                lost35 = left/some2
-                given4 = half
-                total38 = 1.0 - 0.5*given4
-                back22 = total38 - 1.0
-                lost36 = -back22 - 0.5*given4
-                curved4 = (given4*given4)*decay_series(xp, given4)
-                total44 = curved4 + total38
-                back22 = total44 - total38
-                lost34 = curved4 - back22
-                mean_low5 = lost36 + lost34
-                total38 = given4*total44
-                given4_halves = halves(xp, given4)
-                total44_halves = halves(xp, total44)
-                lost34 = given4*mean_low5 + product_error(total38, given4_halves, total44_halves)
-                total46 = 1.0 - total38
-                back22 = total46 - 1.0
-                lost36 = -back22 - total38
-                fall_low5 = lost36 - lost34
-                total38 = total40*total46
-                total46_halves = halves(xp, total46)
-                lost35 = lost35*total46 + product_error(total38, total46_halves, total40_halves)
-                total48 = total44 - total38
-                back22 = total48 - total44
-                rest9 = total48 - back22
-                one8 = total44 - rest9
-                two8 = -back22 - total38
-                lost36 = one8 + two8
-                low2 = lost36 - fall_low5*total40 - lost35 + mean_low5
-                total40 = given4*total48
-                total48_halves = halves(xp, total48)
-                lost36 = given4*low2 + product_error(total40, given4_halves, total48_halves)
-                total48 = total39*total46
-                total39_halves = halves(xp, total39)
-                lost35 = lift_low*total46 + product_error(total48, total46_halves, total39_halves)
-                total46 = total40 + total48
-                back22 = total46 - total40
-                rest9 = total46 - back22
-                one8 = total40 - rest9
-                two8 = total48 - back22
-                lost34 = one8 + two8
-                low2 = fall_low5*total39 + lost36 + lost35 + lost34
-                total39 = total46/stiff
-                left = total46 - stiff*total39
-                total39_halves = halves(xp, total39)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total39*stiff, total39_halves, stiff_halves)
-                left = left + low2
-                lost34 = left/stiff
-                return lost34 + total39
-
-            def no(gamma, half, lost2, root, size, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    curved3 = (given3*given3)*cos_series(xp, given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    bent = given3*sin_series(xp, given3)
-                    total19 = bent + 1.0
-                    back13 = total19 - 1.0
-                    lost20 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost20
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    odd = total22
-                    odd_low2 = lost22
-                    return even, even_low2, odd, odd_low2
-
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
-                    no, (lost2, root, size))
-
-                total23 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                total24 = even + total23
-                back16 = total24 - even
-                rest4 = total24 - back16
-                one3 = even - rest4
-                two3 = total23 - back16
-                lost24 = one3 + two3
-                total23 = envelope*total24
-                envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost24 = (
-                    envelope*(even_low2 + lost23 + lost24) +
-                    product_error(total23, envelope_halves, total24_halves)
-                )
-                total24 = 1.0 - total23
-                back16 = total24 - 1.0
-                lost23 = -back16 - total23
-                total23 = total24/stiff
-                left16 = total24 - stiff*total23
-                total23_halves = halves(xp, total23)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-                left16 = left16 - lost24 + lost23
-                lost23 = left16/stiff
-                return lost23 + total23
-
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36,
-                total37, whole3), no, (gamma, half, lost2, root, size, total2))
-
-        return select(xp, reach < 0.5625, yes, (half, total2), no,
-            (gamma, half, rest2, total, total2))
-
-    def no(gamma, half, rest2, total, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(half, total2):
-            half2 = half
-            given5 = 0.5*half2
-            total53 = 1.0 - 0.5*given5
-            back31 = total53 - 1.0
-            lost53 = -back31 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total54 = curved5 + total53
-            back31 = total54 - total53
-            lost54 = curved5 - back31
-            mean_low6 = lost53 + lost54
-            total53 = given5*total54
-            given5_halves = halves(xp, given5)
-            total54_halves = halves(xp, total54)
-            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
-            total54 = 1.0 - total53
-            back31 = total54 - 1.0
-            lost53 = -back31 - total53
-            fall_low6 = lost53 - lost54
-            total53 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
-            rest13 = rise_series(xp, half2, total2)
-            total54 = rest13 + 0.5
-            back31 = total54 - rest13
-            rest14 = total54 - back31
-            one12 = rest13 - rest14
-            two12 = 0.5 - back31
-            lost54 = one12 + two12
-            envelope2 = total53
-            total53 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
-            return lost53*total54 + lost54 + total53
-
-        def no(gamma, half, rest2, root, size, total, total2, total3):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back2 = total3 - half
-            lost2 = root - back2
-            p_low = lost2 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate = q
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                curved = (given*given)*decay_series(xp, given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                mean2 = total11
-                return mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                mean2 = total15
-                mean_low4 = lost14
-                return mean2, mean_low4
-
-            mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            total16 = fall_*mean2
-            fall__halves = halves(xp, fall_)
-            mean2_halves = halves(xp, mean2)
-            lost2 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost2
-            total17 = mean - total16
-            back2 = total17 - mean
-            rest3 = total17 - back2
-            one2 = mean - rest3
-            two2 = -back2 - total16
-            lost2 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost2 + mean_low2 - p_low*total16 - pulled_low
-            lost2 = left/whole
-            return lost2 + total16
-
-        return select(xp, reach < 0.5625, yes, (half, total2), no,
-            (gamma, half, rest2, root, size, total, total2, total3))
-
-    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no,
-        (gamma, half, rest, total, total2))
+    return select(xp, reach < 0.5625, yes, (delta, gamma, reach), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
 def rise(xp, gamma, delta):
     """n1, how far a unit force moves the device in a period"""
-    if gamma.dtype == xp.float32:
-        return rise_single(xp, gamma, delta)
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
 
-    def yes(gamma, half, rest2, total, total2):
-        reach = 0.25*gamma
+    def yes(delta, reach, w):
+        half = 0.5*delta
+        fade_, fade_low = slow_fade(xp, reach, half)
+        return rise_near(xp, fade_, fade_low, half, w)
 
-        def yes(half, total2):
-            half2 = half
-            given5 = 0.5*half2
-            total53 = 1.0 - 0.5*given5
-            back31 = total53 - 1.0
-            lost53 = -back31 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total54 = curved5 + total53
-            back31 = total54 - total53
-            lost54 = curved5 - back31
-            mean_low6 = lost53 + lost54
-            total53 = given5*total54
-            given5_halves = halves(xp, given5)
-            total54_halves = halves(xp, total54)
-            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
-            total54 = 1.0 - total53
-            back31 = total54 - 1.0
-            lost53 = -back31 - total53
-            fall_low6 = lost53 - lost54
-            total53 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
-            rest13 = rise_series(xp, half2, total2)
-            total54 = rest13 + 0.5
-            back31 = total54 - rest13
-            rest14 = total54 - back31
-            one12 = rest13 - rest14
-            two12 = 0.5 - back31
-            lost54 = one12 + two12
-            envelope2 = total53
-            total53 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
-            return lost53*total54 + lost54 + total53
+    def no(delta, gamma, reach, root, w, w_low):
 
-        def no(gamma, half, rest2, total, total2):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            size = xp.abs(total2)
-            root = square_root(xp, size)
+        def yes(delta, gamma, reach, root, w, w_low):
+            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+            half = 0.5*delta
+            fade_, fade_low = slow_fade(xp, reach, half)
+            envelope = xp.exp(-half)
+            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+            return rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+                odd_low, gamma, near, risen)
 
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
+        def no(delta, gamma, reach, root, w, w_low):
+            half = 0.5*delta
+            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+            fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+            fade_, fade_low = slow_fade(xp, reach, half)
+            root_low = root_miss(xp, w, w_low, root)
+            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+            return rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+                mean_low, mean2, mean_low2)
 
-            def no(root):
-                return 0.0
+        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+            (delta, gamma, reach, root, w, w_low))
 
-            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total28 = 39.47841760435743*turns
-            turns_halves = halves(xp, turns)
-            number1_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-            lost28 = product_error(total28, turns_halves, number1_halves)
-            total29 = 2.5061182034958845e-15*turns
-            number2_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-            lost29 = product_error(total29, turns_halves, number2_halves)
-            total30 = -total2 - total28
-            back2 = total2 + total30
-            rest5 = total30 - back2
-            one4 = -rest5 - total2
-            two4 = -back2 - total28
-            lost30 = one4 + two4
-            total28 = total30 - lost28
-            back2 = total28 - total30
-            rest5 = total28 - back2
-            one4 = total30 - rest5
-            two4 = -back2 - lost28
-            lost28 = one4 + two4
-            total30 = total28 - total29
-            back2 = total30 - total28
-            rest5 = total30 - back2
-            one4 = total28 - rest5
-            two4 = -back2 - total29
-            lost32 = one4 + two4
-            total29 = total30 - lost2
-            back2 = total29 - total30
-            rest5 = total29 - back2
-            one4 = total30 - rest5
-            two4 = -back2 - lost2
-            lost33 = one4 + two4
-            low = lost30 - lost29 + lost28 + lost32 + lost33 - 1.4920070805839235e-31*turns
-            total30 = low + total29
-            total28 = 6.283185307179586*count
-            total36 = root + total28
-            whole3 = xp.where(total36 == 0.0, 1.0, total36)
-            total37 = total30/whole3
-            far = (total37*total37)
-
-            def yes(count, gamma, half, lost2, low, root, size, total33, total34, total35, total36,
-                total37, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                stiff = gamma
-                back22 = total34 - total33
-                rest9 = total34 - back22
-                one8 = total33 - rest9
-                two8 = low - back22
-                lost34 = one8 + two8
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                lost35 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                back22 = total36 - root
-                rest9 = total36 - back22
-                one8 = root - rest9
-                two8 = total35 - back22
-                lost36 = one8 + two8
-                both_low = 2.4492935982947064e-16*count + lost35 + lost36 + root_low
-                left = total34 - total37*whole3
-                total37_halves = halves(xp, total37)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total37*whole3, total37_halves, whole3_halves)
-                left = left - both_low*total37 + lost34
-                lost34 = left/whole3
-                eta = total37
-                eta_low = lost34
-                total38 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost34 = 2.0*eta*eta_low + product_error(total38, eta_halves, eta_halves)
-                bent2 = (total38*total38)*cos_series(xp, -total38)
-                total39 = 0.5*total38 - bent2
-                back22 = total39 - 0.5*total38
-                lost36 = -back22 - bent2
-                total40 = 1.0 - total38*sin_series(xp, -total38)
-                back22 = total40 - 1.0
-                lost35 = -back22 - total38*sin_series(xp, -total38)
-                lift_low = 0.5*lost34*total40 + lost36
-                total38 = eta*total40
-                total40_halves = halves(xp, total40)
-                lost35 = eta*lost35 + product_error(total38, eta_halves, total40_halves)
-                some2 = root
-                total40 = total38/some2
-                left = total38 - some2*total40
-                total40_halves = halves(xp, total40)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total40*some2, total40_halves, some2_halves)
-                left = eta_low*(1.0 - total39) + left + lost35 - root_low*total40
-                lost35 = left/some2
-                given4 = half
-                total38 = 1.0 - 0.5*given4
-                back22 = total38 - 1.0
-                lost36 = -back22 - 0.5*given4
-                curved4 = (given4*given4)*decay_series(xp, given4)
-                total44 = curved4 + total38
-                back22 = total44 - total38
-                lost34 = curved4 - back22
-                mean_low5 = lost36 + lost34
-                total38 = given4*total44
-                given4_halves = halves(xp, given4)
-                total44_halves = halves(xp, total44)
-                lost34 = given4*mean_low5 + product_error(total38, given4_halves, total44_halves)
-                total46 = 1.0 - total38
-                back22 = total46 - 1.0
-                lost36 = -back22 - total38
-                fall_low5 = lost36 - lost34
-                total38 = total40*total46
-                total46_halves = halves(xp, total46)
-                lost35 = lost35*total46 + product_error(total38, total46_halves, total40_halves)
-                total48 = total44 - total38
-                back22 = total48 - total44
-                rest9 = total48 - back22
-                one8 = total44 - rest9
-                two8 = -back22 - total38
-                lost36 = one8 + two8
-                low2 = lost36 - fall_low5*total40 - lost35 + mean_low5
-                total40 = given4*total48
-                total48_halves = halves(xp, total48)
-                lost36 = given4*low2 + product_error(total40, given4_halves, total48_halves)
-                total48 = total39*total46
-                total39_halves = halves(xp, total39)
-                lost35 = lift_low*total46 + product_error(total48, total46_halves, total39_halves)
-                total46 = total40 + total48
-                back22 = total46 - total40
-                rest9 = total46 - back22
-                one8 = total40 - rest9
-                two8 = total48 - back22
-                lost34 = one8 + two8
-                low2 = fall_low5*total39 + lost36 + lost35 + lost34
-                total39 = total46/stiff
-                left = total46 - stiff*total39
-                total39_halves = halves(xp, total39)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total39*stiff, total39_halves, stiff_halves)
-                left = left + low2
-                lost34 = left/stiff
-                return lost34 + total39
-
-            def no(gamma, half, lost2, root, size, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    curved3 = (given3*given3)*cos_series(xp, given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    bent = given3*sin_series(xp, given3)
-                    total19 = bent + 1.0
-                    back13 = total19 - 1.0
-                    lost20 = bent - back13
-                    odd_low = 0.16666666666666666*lost2 + lost20
-                    even = total20
-                    odd = total19
-                    return even, even_low, odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    odd = total22
-                    odd_low2 = lost22
-                    return even, even_low2, odd, odd_low2
-
-                even, even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2),
-                    no, (lost2, root, size))
-
-                total23 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                total24 = even + total23
-                back16 = total24 - even
-                rest4 = total24 - back16
-                one3 = even - rest4
-                two3 = total23 - back16
-                lost24 = one3 + two3
-                total23 = envelope*total24
-                envelope_halves = halves(xp, envelope)
-                total24_halves = halves(xp, total24)
-                lost24 = (
-                    envelope*(even_low2 + lost23 + lost24) +
-                    product_error(total23, envelope_halves, total24_halves)
-                )
-                total24 = 1.0 - total23
-                back16 = total24 - 1.0
-                lost23 = -back16 - total23
-                total23 = total24/stiff
-                left16 = total24 - stiff*total23
-                total23_halves = halves(xp, total23)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-                left16 = left16 - lost24 + lost23
-                lost23 = left16/stiff
-                return lost23 + total23
-
-            return select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, gamma, half, lost2, low, root, size, total29, total30, total28, total36,
-                total37, whole3), no, (gamma, half, lost2, root, size, total2))
-
-        return select(xp, reach < 0.5625, yes, (half, total2), no,
-            (gamma, half, rest2, total, total2))
-
-    def no(gamma, half, rest2, total, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(half, total2):
-            half2 = half
-            given5 = 0.5*half2
-            total53 = 1.0 - 0.5*given5
-            back31 = total53 - 1.0
-            lost53 = -back31 - 0.5*given5
-            curved5 = (given5*given5)*decay_series(xp, given5)
-            total54 = curved5 + total53
-            back31 = total54 - total53
-            lost54 = curved5 - back31
-            mean_low6 = lost53 + lost54
-            total53 = given5*total54
-            given5_halves = halves(xp, given5)
-            total54_halves = halves(xp, total54)
-            lost54 = given5*mean_low6 + product_error(total53, given5_halves, total54_halves)
-            total54 = 1.0 - total53
-            back31 = total54 - 1.0
-            lost53 = -back31 - total53
-            fall_low6 = lost53 - lost54
-            total53 = (total54*total54)
-            total54_halves = halves(xp, total54)
-            lost53 = 2.0*fall_low6*total54 + product_error(total53, total54_halves, total54_halves)
-            rest13 = rise_series(xp, half2, total2)
-            total54 = rest13 + 0.5
-            back31 = total54 - rest13
-            rest14 = total54 - back31
-            one12 = rest13 - rest14
-            two12 = 0.5 - back31
-            lost54 = one12 + two12
-            envelope2 = total53
-            total53 = envelope2*total54
-            envelope2_halves = halves(xp, envelope2)
-            total54_halves = halves(xp, total54)
-            lost54 = envelope2*lost54 + product_error(total53, envelope2_halves, total54_halves)
-            return lost53*total54 + lost54 + total53
-
-        def no(gamma, half, rest2, root, size, total, total2, total3):
-            back2 = total2 - total
-            lost2 = rest2 - back2
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back2 = total3 - half
-            lost2 = root - back2
-            p_low = lost2 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate = q
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                curved = (given*given)*decay_series(xp, given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, rate < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
+    return select(xp, reach < 0.5625, yes, (delta, reach, w), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                curved2 = (given2*given2)*decay_series(xp, given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                mean2 = total11
-                return mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                mean2 = total15
-                mean_low4 = lost14
-                return mean2, mean_low4
-
-            mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            total16 = fall_*mean2
-            fall__halves = halves(xp, fall_)
-            mean2_halves = halves(xp, mean2)
-            lost2 = fall_*mean_low4 + product_error(total16, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost2
-            total17 = mean - total16
-            back2 = total17 - mean
-            rest3 = total17 - back2
-            one2 = mean - rest3
-            two2 = -back2 - total16
-            lost2 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost2 + mean_low2 - p_low*total16 - pulled_low
-            lost2 = left/whole
-            return lost2 + total16
-
-        return select(xp, reach < 0.5625, yes, (half, total2), no,
-            (gamma, half, rest2, root, size, total, total2, total3))
-
-    return select(xp, total2 < 0.0, yes, (gamma, half, rest, total, total2), no,
-        (gamma, half, rest, total, total2))
+def fast_fall(xp, slow, slow_low, ratio, ratio_low):
+    """exp(-p), of the faster pole, and what it misses"""
+    total, lost = wide_prod(xp, slow, ratio, ratio_low)
+    return total, lost + ratio*slow_low
 
 
 def together_series_single(xp, h, w):
     """The same in single precision."""
+    y = (h*h)
 
-    def yes(h, w):
-        y = (h*h)
-        e2 = 2.48015873015873e-05*w + 0.001388888888888889
-        b2 = e2 + 2.48015873015873e-05*y
-        e2 = e2*w + 0.041666666666666664
-        b2 = b2*y + e2
-        e2 = e2*w
-        b2 = b2*y + e2
-        return b2
+    def yes(h):
+        return 0.0, 0.0
 
-    def no(h, w):
-        y2 = (h*h)
-        e8 = 4.110317623312165e-19*w + 1.5619206968586225e-16
-        b8 = e8 + 4.110317623312165e-19*y2
-        e8 = e8*w + 4.779477332387385e-14
-        b8 = b8*y2 + e8
-        e8 = e8*w + 1.1470745597729725e-11
-        b8 = b8*y2 + e8
-        e8 = e8*w + 2.08767569878681e-09
-        b8 = b8*y2 + e8
-        e8 = e8*w + 2.755731922398589e-07
-        b8 = b8*y2 + e8
-        e8 = e8*w + 2.48015873015873e-05
-        b8 = b8*y2 + e8
-        e8 = e8*w + 0.001388888888888889
-        b8 = b8*y2 + e8
-        e8 = e8*w + 0.041666666666666664
-        b8 = b8*y2 + e8
-        e8 = e8*w
-        b8 = b8*y2 + e8
-        return b8
+    def no(w, y):
+        total, inner = 0.0, 0.0
+        for number in (4.110317623312165e-19, 1.5619206968586225e-16, 4.779477332387385e-14,
+            1.1470745597729725e-11, 2.08767569878681e-09, 2.755731922398589e-07):
+            own = inner*w + number
+            next_total = own + total*y
+            total, inner = next_total, own
+        total2 = total
+        inner2 = inner
+        return total2, inner2
 
-    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
+
+    own2 = inner2*w + 2.48015873015873e-05
+    total3 = own2 + total2*y
+    own2 = own2*w + 0.001388888888888889
+    total3 = own2 + total3*y
+    own2 = own2*w + 0.041666666666666664
+    total3 = own2 + total3*y
+    own2 = own2*w
+    return own2 + total3*y
 
 
 def together_series(xp, h, w):
     """divided difference of cosh(sqrt) at h^2 and w, less 1/2"""
     if h.dtype == xp.float32:
         return together_series_single(xp, h, w)
+    y = (h*h)
 
-    def yes(h, w):
-        y = (h*h)
-        e4 = 2.08767569878681e-09*w + 2.755731922398589e-07
-        b4 = e4 + 2.08767569878681e-09*y
-        e4 = e4*w + 2.48015873015873e-05
-        b4 = b4*y + e4
-        e4 = e4*w + 0.001388888888888889
-        b4 = b4*y + e4
-        e4 = e4*w + 0.041666666666666664
-        b4 = b4*y + e4
-        e4 = e4*w
-        b4 = b4*y + e4
-        return b4
+    def yes(h):
+        return 0.0, 0.0
 
-    def no(h, w):
-        y2 = (h*h)
-        e12 = 3.279889237069838e-30*w + 2.4795962632247976e-27
-        b12 = e12 + 3.279889237069838e-30*y2
-        e12 = e12*w + 1.6117375710961184e-24
-        b12 = b12*y2 + e12
-        e12 = e12*w + 8.896791392450574e-22
-        b12 = b12*y2 + e12
-        e12 = e12*w + 4.110317623312165e-19
-        b12 = b12*y2 + e12
-        e12 = e12*w + 1.5619206968586225e-16
-        b12 = b12*y2 + e12
-        e12 = e12*w + 4.779477332387385e-14
-        b12 = b12*y2 + e12
-        e12 = e12*w + 1.1470745597729725e-11
-        b12 = b12*y2 + e12
-        e12 = e12*w + 2.08767569878681e-09
-        b12 = b12*y2 + e12
-        e12 = e12*w + 2.755731922398589e-07
-        b12 = b12*y2 + e12
-        e12 = e12*w + 2.48015873015873e-05
-        b12 = b12*y2 + e12
-        e12 = e12*w + 0.001388888888888889
-        b12 = b12*y2 + e12
-        e12 = e12*w + 0.041666666666666664
-        b12 = b12*y2 + e12
-        e12 = e12*w
-        b12 = b12*y2 + e12
-        return b12
+    def no(w, y):
+        total, inner = 0.0, 0.0
+        for number in (3.279889237069838e-30, 2.4795962632247976e-27, 1.6117375710961184e-24,
+            8.896791392450574e-22, 4.110317623312165e-19, 1.5619206968586225e-16,
+            4.779477332387385e-14, 1.1470745597729725e-11):
+            own = inner*w + number
+            next_total = own + total*y
+            total, inner = next_total, own
+        total2 = total
+        inner2 = inner
+        return total2, inner2
 
-    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
+
+    own2 = inner2*w + 2.08767569878681e-09
+    total3 = own2 + total2*y
+    own2 = own2*w + 2.755731922398589e-07
+    total3 = own2 + total3*y
+    own2 = own2*w + 2.48015873015873e-05
+    total3 = own2 + total3*y
+    own2 = own2*w + 0.001388888888888889
+    total3 = own2 + total3*y
+    own2 = own2*w + 0.041666666666666664
+    total3 = own2 + total3*y
+    own2 = own2*w
+    return own2 + total3*y
 
 
-def swing_together_single(xp, gamma, delta):
-    """The same in single precision."""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-
-    def yes(gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(half, lost2, total2):
-            square2 = total2
-            envelope = xp.exp(-half)
-            rest12 = together_series(xp, half, total2)
-            total55 = rest12 + 0.5
-            back33 = total55 - rest12
-            rest13 = total55 - back33
-            one11 = rest12 - rest13
-            two11 = 0.5 - back33
-            lost55 = one11 + two11
-            total56 = envelope*total55
-            envelope_halves = halves(xp, envelope)
-            total55_halves = halves(xp, total55)
-            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total55_halves)
-
-            def yes(lost2, square2):
-                given3 = square2
-                total16 = 0.5*given3 + 1.0
-                back12 = total16 - 1.0
-                lost16 = 0.5*given3 - back12
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total17 = curved3 + total16
-                back12 = total17 - total16
-                lost17 = curved3 - back12
-                even_low = lost16 + lost17 + 0.5*lost2
-                even = total17
-                return even, even_low
-
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
-
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
-
-            total55 = envelope*even
-            even_halves = halves(xp, even)
-            lost21 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
-            swing_of = 2.0*lost21 + 2.0*total55
-            together_of = 2.0*lost55 + 2.0*total56
-            return swing_of, together_of
-
-        def no(gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-
-            def yes(lost2, square2):
-                given3 = square2
-                total16 = 0.5*given3 + 1.0
-                back12 = total16 - 1.0
-                lost16 = 0.5*given3 - back12
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total17 = curved3 + total16
-                back12 = total17 - total16
-                lost17 = curved3 - back12
-                even_low = lost16 + lost17 + 0.5*lost2
-                even = total17
-                return even, even_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
-
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total21 = envelope*even
-            envelope_halves = halves(xp, envelope)
-            even_halves = halves(xp, even)
-            lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total142 = 39.478416442871094*turns
-            turns_halves = halves(xp, turns)
-            number3_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-            lost142 = product_error(total142, turns_halves, number3_halves)
-            total152 = 1.1614863524300745e-06*turns
-            number4_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-            lost152 = product_error(total152, turns_halves, number4_halves)
-            total162 = -total142 - total2
-            back102 = total162 + total2
-            rest5 = total162 - back102
-            one4 = -rest5 - total2
-            two4 = -back102 - total142
-            lost162 = one4 + two4
-            total142 = total162 - lost142
-            back102 = total142 - total162
-            rest5 = total142 - back102
-            one4 = total162 - rest5
-            two4 = -back102 - lost142
-            lost142 = one4 + two4
-            total162 = total142 - total152
-            back102 = total162 - total142
-            rest5 = total162 - back102
-            one4 = total142 - rest5
-            two4 = -back102 - total152
-            lost182 = one4 + two4
-            total152 = total162 - lost2
-            back102 = total152 - total162
-            rest5 = total152 - back102
-            one4 = total162 - rest5
-            two4 = -back102 - lost2
-            lost192 = one4 + two4
-            low3 = lost162 - lost152 + lost142 + lost182 + lost192 + 1.1704736640094811e-14*turns
-            total162 = low3 + total152
-            total142 = 6.2831854820251465*count
-            total222 = root + total142
-            whole3 = xp.where(total222 == 0.0, 1.0, total222)
-            total232 = total162/whole3
-            far = (total232*total232)
-
-            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202,
-                total21, total212, total222, total232, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back142 = total202 - total192
-                rest9 = total202 - back142
-                one8 = total192 - rest9
-                two8 = low3 - back142
-                lost202 = one8 + two8
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                lost212 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                back142 = total222 - root
-                rest9 = total222 - back142
-                one8 = root - rest9
-                two8 = total212 - back142
-                lost222 = one8 + two8
-                both_low = lost212 - 1.7484555314695172e-07*count + lost222 + root_low
-                left = total202 - total232*whole3
-                total232_halves = halves(xp, total232)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total232*whole3, total232_halves, whole3_halves)
-                left = left - both_low*total232 + lost202
-                lost202 = left/whole3
-                eta = total232
-                eta_low = lost202
-                total24 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost202 = 2.0*eta*eta_low + product_error(total24, eta_halves, eta_halves)
-                cos_series_of2 = cos_series(xp, -total24)
-                bent2 = cos_series_of2*(total24*total24)
-                total25 = 0.5*total24 - bent2
-                back142 = total25 - 0.5*total24
-                lost222 = -back142 - bent2
-                sin_series_of2 = sin_series(xp, -total24)
-                total24 = 1.0 - sin_series_of2*total24
-                lift_low = 0.5*lost202*total24 + lost222
-                given22 = half
-                total24 = 1.0 - 0.5*given22
-                back142 = total24 - 1.0
-                lost222 = -back142 - 0.5*given22
-                decay_series_of3 = decay_series(xp, given22)
-                curved22 = decay_series_of3*(given22*given22)
-                total30 = curved22 + total24
-                back142 = total30 - total24
-                lost202 = curved22 - back142
-                mean_low5 = lost222 + lost202
-                total24 = given22*total30
-                given22_halves = halves(xp, given22)
-                total30_halves = halves(xp, total30)
-                lost202 = given22*mean_low5 + product_error(total24, given22_halves, total30_halves)
-                total30 = 1.0 - total24
-                back142 = total30 - 1.0
-                lost222 = -back142 - total24
-                fall_low5 = lost222 - lost202
-                total24 = 1.0 - total30
-                back142 = total24 - 1.0
-                lost222 = -back142 - total30
-                low4 = lost222 - fall_low5
-                total34 = low4 + total24
-                back142 = total34 - total24
-                lost222 = low4 - back142
-                total24 = (total34*total34)
-                total34_halves = halves(xp, total34)
-                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves,
-                    total34_halves)
-                total34 = total25*total30
-                total30_halves = halves(xp, total30)
-                total25_halves = halves(xp, total25)
-                lost202 = lift_low*total30 + product_error(total34, total30_halves, total25_halves)
-                total30 = total24 + 2.0*total34
-                back142 = total30 - total24
-                rest9 = total30 - back142
-                one8 = total24 - rest9
-                two8 = 2.0*total34 - back142
-                lost212 = one8 + two8
-                low4 = 2.0*fall_low5*total25 + lost222 + 2.0*lost202 + lost212
-                total25 = total30/stiff
-                left = total30 - stiff*total25
-                total25_halves = halves(xp, total25)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total25*stiff, total25_halves, stiff_halves)
-                left = left + low4
-                lost212 = left/stiff
-                swing_of = 2.0*lost21 + 2.0*total21
-                together_of = lost212 + total25
-                return swing_of, together_of
-
-            def no(envelope, half, lost2, lost21, root, size, stiff, total21):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                expm1_of = xp.expm1(-half)
-                grown = -0.5*expm1_of
-                angle = 0.5*root
-                wave = xp.sin(angle)
-                cos_of = xp.cos(angle)
-                back72 = -0.5*cos_of*root_low
-                total92 = wave - back72
-                back82 = total92 - wave
-                rest3 = total92 - back82
-                one2 = wave - rest3
-                two2 = -back72 - back82
-                lost92 = one2 + two2
-                total102 = (total92*total92)
-                total92_halves = halves(xp, total92)
-                lost102 = product_error(total102, total92_halves, total92_halves)
-                low = lost102 + 2.0*lost92*total92
-                total92 = envelope*total102
-                envelope_halves = halves(xp, envelope)
-                total102_halves = halves(xp, total102)
-                lost92 = envelope*low + product_error(total92, envelope_halves, total102_halves)
-                total102 = (grown*grown) + total92
-                back82 = total102 - total92
-                rest3 = total102 - back82
-                one2 = total92 - rest3
-                two2 = (grown*grown) - back82
-                lost102 = one2 + two2
-                low = lost92 + lost102
-                total92 = total102/stiff
-                left = total102 - stiff*total92
-                total92_halves = halves(xp, total92)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total92*stiff, total92_halves, stiff_halves)
-                left = left + low
-                lost102 = left/stiff
-                swing_of = 2.0*lost21 + 2.0*total21
-                together_of = 4.0*lost102 + 4.0*total92
-                return swing_of, together_of
-
-            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21,
-                total142, total222, total232, whole3), no,
-                (envelope, half, lost2, lost21, root, size, stiff, total21))
-
-            return swing_of, together_of
-
-        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no,
-            (gamma, half, lost2, total2))
-
-        return swing_of, together_of
-
-    def no(gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(gamma, half, lost2, root, size, total2, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            envelope = xp.exp(-half)
-            rest12 = together_series(xp, half, total2)
-            total55 = rest12 + 0.5
-            back3 = total55 - rest12
-            rest13 = total55 - back3
-            one11 = rest12 - rest13
-            two11 = 0.5 - back3
-            lost3 = one11 + two11
-            total56 = envelope*total55
-            envelope_halves = halves(xp, envelope)
-            total55_halves = halves(xp, total55)
-            lost3 = envelope*lost3 + product_error(total56, envelope_halves, total55_halves)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                return fall_, fall_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                fall_ = sunk
-                fall_low2 = sunk_low
-                return fall_, fall_low2
-
-            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
+def together_near(xp, half, w):
+    """n1 + n0 of a device with slow poles"""
+    rest = together_series(xp, half, w)
+    total, lost = two_diff(xp, rest, -0.5)
+    envelope = xp.exp(-half)
+    total, lost = wide_prod(xp, envelope, total, lost)
+    return 2.0*lost + 2.0*total
 
 
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
+def together_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low):
+    """n1 + n0 of a creeping device"""
 
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
+    def yes(half, w):
+        return together_near(xp, half, w)
 
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+    def no(mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
+        fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
+        total, lost = fast_two_sum(xp, 1.0, -fast)
+        total2, lost = wide_prod(xp, mean, total, lost - fast_low)
+        moved_low = lost + mean_low*total
+        total2, lost = wide_quot(xp, total2, p, moved_low, p_low)
+        return lost + total2
 
-            total55 = fall2 + 1.0
-            back3 = total55 - 1.0
-            lost22 = fall2 - back3
-            total23 = fall_*total55
-            fall__halves = halves(xp, fall_)
-            total55_halves = halves(xp, total55)
-            lost22 = (
-                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
-            )
-            creep_ = fall_low2*total55 + lost22 + total23
-            swing_of = creep_
-            together_of = 2.0*lost3 + 2.0*total56
-            return swing_of, together_of
-
-        def no(gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
+    return select(xp, reach < 1.0, yes, (half, w), no,
+        (mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
 
 
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
+def half_squares(xp, half, envelope, wave, back):
+    """(1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses"""
+    total, lost = two_diff(xp, wave, back)
+    total2, lost2 = two_prod(xp, total, total)
+    grown = -0.5*xp.expm1(-half)
+    low = 2.0*lost*total + lost2
+    total2, lost2 = wide_prod(xp, envelope, total2, low)
+    total2, lost = two_diff(xp, total2, -(grown*grown))
+    return total2, lost2 + lost
 
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
 
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
+def together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, known):
+    """n1 + n0 of a swinging device"""
 
-            total22 = fall2 + 1.0
-            back3 = total22 - 1.0
-            lost3 = fall2 - back3
-            total23 = fall_*total22
-            fall__halves = halves(xp, fall_)
-            total22_halves = halves(xp, total22)
-            lost3 = fall_*(fall_low4 + lost3) + product_error(total23, fall__halves, total22_halves)
-            creep_ = fall_low2*total22 + lost3 + total23
-            total23 = fall_*fall2
-            fall2_halves = halves(xp, fall2)
-            lost3 = fall_*fall_low4 + product_error(total23, fall__halves, fall2_halves)
-            low6 = fall2*fall_low2 + lost3
-            total22 = 1.0 - total23
-            back3 = total22 - 1.0
-            lost3 = -back3 - total23
-            total23 = mean*total22
-            mean_halves = halves(xp, mean)
-            total22_halves = halves(xp, total22)
-            lost3 = mean*(lost3 - low6) + product_error(total23, mean_halves, total22_halves)
-            moved_low = lost3 + mean_low2*total22
-            total22 = total23/whole
-            left = total23 - total22*whole
-            total22_halves = halves(xp, total22)
-            left = left - product_error(total22*whole, total22_halves, whole_halves)
-            left = left + moved_low - p_low*total22
-            lost3 = left/whole
-            swing_of = creep_
-            together_of = lost3 + total22
-            return swing_of, together_of
+    def yes(half, w):
+        return together_near(xp, half, w)
 
-        swing_of, together_of = select(xp, reach < 1.0, yes,
-            (gamma, half, lost2, root, size, total2, total3), no,
-            (gamma, half, lost2, root, size, total3))
+    def no(envelope, gamma, half, known, near, root, w, w_low):
 
-        return swing_of, together_of
+        def yes(known):
+            return known
 
-    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no,
-        (gamma, half, lost, total2))
+        def no(envelope, gamma, half, root, w, w_low):
+            angle = 0.5*root
+            back = -0.5*root_miss(xp, w, w_low, root)*xp.cos(angle)
+            total, low = half_squares(xp, half, envelope, xp.sin(angle), back)
+            whole = xp.where(gamma == 0.0, 1.0, gamma)
+            total, lost = wide_quot(xp, total, whole, low, xp.full_like(low, 0.0))
+            return 4.0*lost + 4.0*total
 
-    return swing_of, together_of
+        return select(xp, near > 0.0, yes, (known,), no, (envelope, gamma, half, root, w, w_low))
+
+    return select(xp, reach < 1.0, yes, (half, w), no,
+        (envelope, gamma, half, known, near, root, w, w_low))
 
 
 def swing_together(xp, gamma, delta):
     """a, the sum of the sampled device's poles; n1 + n0"""
-    if gamma.dtype == xp.float32:
-        return swing_together_single(xp, gamma, delta)
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
 
-    def yes(gamma, half, lost2, total2):
-        reach = 0.25*gamma
+    def yes(delta, gamma, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        half = 0.5*delta
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        envelope = xp.exp(-half)
+        return (
+            trace_swing(xp, envelope, even, even_low),
+            together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, moved)
+        )
 
-        def yes(half, lost2, total2):
-            square2 = total2
-            envelope = xp.exp(-half)
-            rest12 = together_series(xp, half, total2)
-            total55 = rest12 + 0.5
-            back33 = total55 - rest12
-            rest13 = total55 - back33
-            one11 = rest12 - rest13
-            two11 = 0.5 - back33
-            lost55 = one11 + two11
-            total56 = envelope*total55
-            envelope_halves = halves(xp, envelope)
-            total55_halves = halves(xp, total55)
-            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total55_halves)
+    def no(delta, gamma, reach, root, w, w_low):
+        half = 0.5*delta
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        return (
+            trace_creep(xp, fall_, fall_low, fall2, fall_low2),
+            together_creep(xp, reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
+            fall2, fall_low2)
+        )
 
-            def yes(lost2, square2):
-                given3 = square2
-                total16 = 0.5*given3 + 1.0
-                back12 = total16 - 1.0
-                lost16 = 0.5*given3 - back12
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total17 = curved3 + total16
-                back12 = total17 - total16
-                lost17 = curved3 - back12
-                even_low = lost16 + lost17 + 0.5*lost2
-                even = total17
-                return even, even_low
-
-            def no(lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
-
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
-
-            total55 = envelope*even
-            even_halves = halves(xp, even)
-            lost21 = envelope*even_low2 + product_error(total55, envelope_halves, even_halves)
-            swing_of = 2.0*lost21 + 2.0*total55
-            together_of = 2.0*lost55 + 2.0*total56
-            return swing_of, together_of
-
-        def no(gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-
-            def yes(lost2, square2):
-                given3 = square2
-                total16 = 0.5*given3 + 1.0
-                back12 = total16 - 1.0
-                lost16 = 0.5*given3 - back12
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total17 = curved3 + total16
-                back12 = total17 - total16
-                lost17 = curved3 - back12
-                even_low = lost16 + lost17 + 0.5*lost2
-                even = total17
-                return even, even_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                even = cosine
-                even_low2 = -root_low*sine
-                return even, even_low2
-
-            even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total21 = envelope*even
-            envelope_halves = halves(xp, envelope)
-            even_halves = halves(xp, even)
-            lost21 = envelope*even_low2 + product_error(total21, envelope_halves, even_halves)
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total142 = 39.47841760435743*turns
-            turns_halves = halves(xp, turns)
-            number3_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-            lost142 = product_error(total142, turns_halves, number3_halves)
-            total152 = 2.5061182034958845e-15*turns
-            number4_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-            lost152 = product_error(total152, turns_halves, number4_halves)
-            total162 = -total142 - total2
-            back102 = total162 + total2
-            rest5 = total162 - back102
-            one4 = -rest5 - total2
-            two4 = -back102 - total142
-            lost162 = one4 + two4
-            total142 = total162 - lost142
-            back102 = total142 - total162
-            rest5 = total142 - back102
-            one4 = total162 - rest5
-            two4 = -back102 - lost142
-            lost142 = one4 + two4
-            total162 = total142 - total152
-            back102 = total162 - total142
-            rest5 = total162 - back102
-            one4 = total142 - rest5
-            two4 = -back102 - total152
-            lost182 = one4 + two4
-            total152 = total162 - lost2
-            back102 = total152 - total162
-            rest5 = total152 - back102
-            one4 = total162 - rest5
-            two4 = -back102 - lost2
-            lost192 = one4 + two4
-            low3 = lost162 - lost152 + lost142 + lost182 + lost192 - 1.4920070805839235e-31*turns
-            total162 = low3 + total152
-            total142 = 6.283185307179586*count
-            total222 = root + total142
-            whole3 = xp.where(total222 == 0.0, 1.0, total222)
-            total232 = total162/whole3
-            far = (total232*total232)
-
-            def yes(count, half, lost2, lost21, low3, root, size, stiff, total192, total202,
-                total21, total212, total222, total232, whole3):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back142 = total202 - total192
-                rest9 = total202 - back142
-                one8 = total192 - rest9
-                two8 = low3 - back142
-                lost202 = one8 + two8
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                lost212 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                back142 = total222 - root
-                rest9 = total222 - back142
-                one8 = root - rest9
-                two8 = total212 - back142
-                lost222 = one8 + two8
-                both_low = 2.4492935982947064e-16*count + lost212 + lost222 + root_low
-                left = total202 - total232*whole3
-                total232_halves = halves(xp, total232)
-                whole3_halves = halves(xp, whole3)
-                left = left - product_error(total232*whole3, total232_halves, whole3_halves)
-                left = left - both_low*total232 + lost202
-                lost202 = left/whole3
-                eta = total232
-                eta_low = lost202
-                total24 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost202 = 2.0*eta*eta_low + product_error(total24, eta_halves, eta_halves)
-                cos_series_of2 = cos_series(xp, -total24)
-                bent2 = cos_series_of2*(total24*total24)
-                total25 = 0.5*total24 - bent2
-                back142 = total25 - 0.5*total24
-                lost222 = -back142 - bent2
-                sin_series_of2 = sin_series(xp, -total24)
-                total24 = 1.0 - sin_series_of2*total24
-                lift_low = 0.5*lost202*total24 + lost222
-                given22 = half
-                total24 = 1.0 - 0.5*given22
-                back142 = total24 - 1.0
-                lost222 = -back142 - 0.5*given22
-                decay_series_of3 = decay_series(xp, given22)
-                curved22 = decay_series_of3*(given22*given22)
-                total30 = curved22 + total24
-                back142 = total30 - total24
-                lost202 = curved22 - back142
-                mean_low5 = lost222 + lost202
-                total24 = given22*total30
-                given22_halves = halves(xp, given22)
-                total30_halves = halves(xp, total30)
-                lost202 = given22*mean_low5 + product_error(total24, given22_halves, total30_halves)
-                total30 = 1.0 - total24
-                back142 = total30 - 1.0
-                lost222 = -back142 - total24
-                fall_low5 = lost222 - lost202
-                total24 = 1.0 - total30
-                back142 = total24 - 1.0
-                lost222 = -back142 - total30
-                low4 = lost222 - fall_low5
-                total34 = low4 + total24
-                back142 = total34 - total24
-                lost222 = low4 - back142
-                total24 = (total34*total34)
-                total34_halves = halves(xp, total34)
-                lost222 = 2.0*lost222*total34 + product_error(total24, total34_halves,
-                    total34_halves)
-                total34 = total25*total30
-                total30_halves = halves(xp, total30)
-                total25_halves = halves(xp, total25)
-                lost202 = lift_low*total30 + product_error(total34, total30_halves, total25_halves)
-                total30 = total24 + 2.0*total34
-                back142 = total30 - total24
-                rest9 = total30 - back142
-                one8 = total24 - rest9
-                two8 = 2.0*total34 - back142
-                lost212 = one8 + two8
-                low4 = 2.0*fall_low5*total25 + lost222 + 2.0*lost202 + lost212
-                total25 = total30/stiff
-                left = total30 - stiff*total25
-                total25_halves = halves(xp, total25)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total25*stiff, total25_halves, stiff_halves)
-                left = left + low4
-                lost212 = left/stiff
-                swing_of = 2.0*lost21 + 2.0*total21
-                together_of = lost212 + total25
-                return swing_of, together_of
-
-            def no(envelope, half, lost2, lost21, root, size, stiff, total21):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                expm1_of = xp.expm1(-half)
-                grown = -0.5*expm1_of
-                angle = 0.5*root
-                wave = xp.sin(angle)
-                cos_of = xp.cos(angle)
-                back72 = -0.5*cos_of*root_low
-                total92 = wave - back72
-                back82 = total92 - wave
-                rest3 = total92 - back82
-                one2 = wave - rest3
-                two2 = -back72 - back82
-                lost92 = one2 + two2
-                total102 = (total92*total92)
-                total92_halves = halves(xp, total92)
-                lost102 = product_error(total102, total92_halves, total92_halves)
-                low = lost102 + 2.0*lost92*total92
-                total92 = envelope*total102
-                envelope_halves = halves(xp, envelope)
-                total102_halves = halves(xp, total102)
-                lost92 = envelope*low + product_error(total92, envelope_halves, total102_halves)
-                total102 = (grown*grown) + total92
-                back82 = total102 - total92
-                rest3 = total102 - back82
-                one2 = total92 - rest3
-                two2 = (grown*grown) - back82
-                lost102 = one2 + two2
-                low = lost92 + lost102
-                total92 = total102/stiff
-                left = total102 - stiff*total92
-                total92_halves = halves(xp, total92)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total92*stiff, total92_halves, stiff_halves)
-                left = left + low
-                lost102 = left/stiff
-                swing_of = 2.0*lost21 + 2.0*total21
-                together_of = 4.0*lost102 + 4.0*total92
-                return swing_of, together_of
-
-            swing_of, together_of = select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, half, lost2, lost21, low3, root, size, stiff, total152, total162, total21,
-                total142, total222, total232, whole3), no,
-                (envelope, half, lost2, lost21, root, size, stiff, total21))
-
-            return swing_of, together_of
-
-        swing_of, together_of = select(xp, reach < 1.0, yes, (half, lost2, total2), no,
-            (gamma, half, lost2, total2))
-
-        return swing_of, together_of
-
-    def no(gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(gamma, half, lost2, root, size, total2, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            envelope = xp.exp(-half)
-            rest12 = together_series(xp, half, total2)
-            total55 = rest12 + 0.5
-            back3 = total55 - rest12
-            rest13 = total55 - back3
-            one11 = rest12 - rest13
-            two11 = 0.5 - back3
-            lost3 = one11 + two11
-            total56 = envelope*total55
-            envelope_halves = halves(xp, envelope)
-            total55_halves = halves(xp, total55)
-            lost3 = envelope*lost3 + product_error(total56, envelope_halves, total55_halves)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                return fall_, fall_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                fall_ = sunk
-                fall_low2 = sunk_low
-                return fall_, fall_low2
-
-            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
-
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            total55 = fall2 + 1.0
-            back3 = total55 - 1.0
-            lost22 = fall2 - back3
-            total23 = fall_*total55
-            fall__halves = halves(xp, fall_)
-            total55_halves = halves(xp, total55)
-            lost22 = (
-                fall_*(fall_low4 + lost22) + product_error(total23, fall__halves, total55_halves)
-            )
-            creep_ = fall_low2*total55 + lost22 + total23
-            swing_of = creep_
-            together_of = 2.0*lost3 + 2.0*total56
-            return swing_of, together_of
-
-        def no(gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
-
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            total22 = fall2 + 1.0
-            back3 = total22 - 1.0
-            lost3 = fall2 - back3
-            total23 = fall_*total22
-            fall__halves = halves(xp, fall_)
-            total22_halves = halves(xp, total22)
-            lost3 = fall_*(fall_low4 + lost3) + product_error(total23, fall__halves, total22_halves)
-            creep_ = fall_low2*total22 + lost3 + total23
-            total23 = fall_*fall2
-            fall2_halves = halves(xp, fall2)
-            lost3 = fall_*fall_low4 + product_error(total23, fall__halves, fall2_halves)
-            low6 = fall2*fall_low2 + lost3
-            total22 = 1.0 - total23
-            back3 = total22 - 1.0
-            lost3 = -back3 - total23
-            total23 = mean*total22
-            mean_halves = halves(xp, mean)
-            total22_halves = halves(xp, total22)
-            lost3 = mean*(lost3 - low6) + product_error(total23, mean_halves, total22_halves)
-            moved_low = lost3 + mean_low2*total22
-            total22 = total23/whole
-            left = total23 - total22*whole
-            total22_halves = halves(xp, total22)
-            left = left - product_error(total22*whole, total22_halves, whole_halves)
-            left = left + moved_low - p_low*total22
-            lost3 = left/whole
-            swing_of = creep_
-            together_of = lost3 + total22
-            return swing_of, together_of
-
-        swing_of, together_of = select(xp, reach < 1.0, yes,
-            (gamma, half, lost2, root, size, total2, total3), no,
-            (gamma, half, lost2, root, size, total3))
-
-        return swing_of, together_of
-
-    swing_of, together_of = select(xp, total2 < 0.0, yes, (gamma, half, lost, total2), no,
-        (gamma, half, lost, total2))
-
-    return swing_of, together_of
+    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
 def apart_series_single(xp, h, w):
     """The same in single precision."""
+    y = (h*h)
 
-    def yes(h, w):
-        y = (h*h)
-        e2 = 2.7557319223985893e-06*w + 0.0001984126984126984
-        b2 = e2 + 2.7557319223985893e-06*y
-        e2 = e2*w + 0.008333333333333333
-        b2 = b2*y + e2
-        e2 = e2*w
-        b2 = b2*y + e2
-        return b2 - 4.967053879312289e-09
+    def yes(h):
+        return 0.0, 0.0
 
-    def no(h, w):
-        y2 = (h*h)
-        e7 = 8.22063524662433e-18*w + 2.8114572543455206e-15
-        b7 = e7 + 8.22063524662433e-18*y2
-        e7 = e7*w + 7.647163731819816e-13
-        b7 = b7*y2 + e7
-        e7 = e7*w + 1.6059043836821613e-10
-        b7 = b7*y2 + e7
-        e7 = e7*w + 2.505210838544172e-08
-        b7 = b7*y2 + e7
-        e7 = e7*w + 2.7557319223985893e-06
-        b7 = b7*y2 + e7
-        e7 = e7*w + 0.0001984126984126984
-        b7 = b7*y2 + e7
-        e7 = e7*w + 0.008333333333333333
-        b7 = b7*y2 + e7
-        e7 = e7*w
-        b7 = b7*y2 + e7
-        return b7 - 4.967053879312289e-09
+    def no(w, y):
+        total, inner = 0.0, 0.0
+        for number in (8.22063524662433e-18, 2.8114572543455206e-15, 7.647163731819816e-13,
+            1.6059043836821613e-10, 2.505210838544172e-08):
+            own = inner*w + number
+            next_total = own + total*y
+            total, inner = next_total, own
+        total2 = total
+        inner2 = inner
+        return total2, inner2
 
-    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
+
+    own2 = inner2*w + 2.7557319223985893e-06
+    total3 = own2 + total2*y
+    own2 = own2*w + 0.0001984126984126984
+    total3 = own2 + total3*y
+    own2 = own2*w + 0.008333333333333333
+    total3 = own2 + total3*y
+    own2 = own2*w
+    total3 = own2 + total3*y
+    return total3 - 4.967053879312289e-09
 
 
 def apart_series(xp, h, w):
     """divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6"""
     if h.dtype == xp.float32:
         return apart_series_single(xp, h, w)
+    y = (h*h)
 
-    def yes(h, w):
-        y = (h*h)
-        e4 = 1.6059043836821613e-10*w + 2.505210838544172e-08
-        b4 = e4 + 1.6059043836821613e-10*y
-        e4 = e4*w + 2.7557319223985893e-06
-        b4 = b4*y + e4
-        e4 = e4*w + 0.0001984126984126984
-        b4 = b4*y + e4
-        e4 = e4*w + 0.008333333333333333
-        b4 = b4*y + e4
-        e4 = e4*w
-        b4 = b4*y + e4
-        return b4 + 9.25185853854297e-18
+    def yes(h):
+        return 0.0, 0.0
 
-    def no(h, w):
-        y2 = (h*h)
-        e11 = 9.183689863795546e-29*w + 6.446950284384474e-26
-        b11 = e11 + 9.183689863795546e-29*y2
-        e11 = e11*w + 3.868170170630684e-23
-        b11 = b11*y2 + e11
-        e11 = e11*w + 1.9572941063391263e-20
-        b11 = b11*y2 + e11
-        e11 = e11*w + 8.22063524662433e-18
-        b11 = b11*y2 + e11
-        e11 = e11*w + 2.8114572543455206e-15
-        b11 = b11*y2 + e11
-        e11 = e11*w + 7.647163731819816e-13
-        b11 = b11*y2 + e11
-        e11 = e11*w + 1.6059043836821613e-10
-        b11 = b11*y2 + e11
-        e11 = e11*w + 2.505210838544172e-08
-        b11 = b11*y2 + e11
-        e11 = e11*w + 2.7557319223985893e-06
-        b11 = b11*y2 + e11
-        e11 = e11*w + 0.0001984126984126984
-        b11 = b11*y2 + e11
-        e11 = e11*w + 0.008333333333333333
-        b11 = b11*y2 + e11
-        e11 = e11*w
-        b11 = b11*y2 + e11
-        return b11 + 9.25185853854297e-18
+    def no(w, y):
+        total, inner = 0.0, 0.0
+        for number in (9.183689863795546e-29, 6.446950284384474e-26, 3.868170170630684e-23,
+            1.9572941063391263e-20, 8.22063524662433e-18, 2.8114572543455206e-15,
+            7.647163731819816e-13):
+            own = inner*w + number
+            next_total = own + total*y
+            total, inner = next_total, own
+        total2 = total
+        inner2 = inner
+        return total2, inner2
 
-    return select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h, w), no, (h, w))
+    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
+
+    own2 = inner2*w + 1.6059043836821613e-10
+    total3 = own2 + total2*y
+    own2 = own2*w + 2.505210838544172e-08
+    total3 = own2 + total3*y
+    own2 = own2*w + 2.7557319223985893e-06
+    total3 = own2 + total3*y
+    own2 = own2*w + 0.0001984126984126984
+    total3 = own2 + total3*y
+    own2 = own2*w + 0.008333333333333333
+    total3 = own2 + total3*y
+    own2 = own2*w
+    total3 = own2 + total3*y
+    return total3 + 9.25185853854297e-18
+
+
+def apart_near(xp, half, w):
+    """(n1 - n0)/delta of a device with slow poles"""
+    rest = apart_series(xp, half, w)
+    total, lost = two_diff(xp, rest, -0.16666666666666666)
+    envelope = xp.exp(-half)
+    total, lost = wide_prod(xp, envelope, total, lost)
+    return lost + total
+
+
+def apart_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, ratio, even, even_low):
+    """(n1 - n0)/delta of a creeping device"""
+
+    def yes(half, w):
+        return apart_near(xp, half, w)
+
+    def no(delta, even, even_low, mean, mean_low, p, ratio, slow):
+        fast = ratio*slow
+        total3, lost3 = wide_prod(xp, fast, mean, mean_low)
+        twice = 2.0*slow
+        total, lost = wide_prod(xp, twice, even, even_low)
+        total, lost2 = two_diff(xp, mean, total)
+        top = total + total3
+        rest = lost3 - lost + mean_low
+        low = lost2 + rest
+        whole = xp.where(delta*p == 0.0, 1.0, delta*p)
+        return (low + top)/whole
+
+    return select(xp, reach < 1.0, yes, (half, w), no,
+        (delta, even, even_low, mean, mean_low, p, ratio, slow))
 
 
 def decay(xp, x):
@@ -5904,1490 +1367,26 @@ def decay(xp, x):
         return 1.0
 
     def no(x):
-        whole = x
-        return -xp.expm1(-x)/whole
+        return -xp.expm1(-x)/x
 
     return select(xp, x == 0.0, yes, (x,), no, (x,))
 
 
-def apart_fall_kick_kick_low_rise_single(xp, gamma, delta):
-    """The same in single precision."""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, gamma, half, lost2, reach, total2):
-
-            def yes(delta, gamma, half, lost2, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back17 = total27 - 1.0
-                lost54 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back17 = total55 - total27
-                lost55 = curved5 - back17
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back17 = total55 - 1.0
-                lost54 = -back17 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back17 = total27 - rest6
-                rest5 = total27 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back17 = total55 - 1.0
-                lost532 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back17 = total542 - total55
-                lost542 = curved5 - back17
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back17 = total542 - 1.0
-                lost532 = -back17 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back17 = total542 - rest5
-                rest6 = total542 - back17
-                one4 = rest5 - rest6
-                two4 = 0.5 - back17
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total21 = bent + 1.0
-                    back15 = total21 - 1.0
-                    lost21 = bent - back15
-                    odd_low = 0.16666666666666666*lost2 + lost21
-                    odd = total21
-                    return odd, odd_low
-
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
-                    odd = total22
-                    odd_low2 = lost22
-                    return odd, odd_low2
-
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, total2))
-
-                total55 = envelope*odd
-                odd_halves = halves(xp, odd)
-                lost24 = envelope*odd_low2 + product_error(total55, envelope_halves, odd_halves)
-                total222 = lost24 + total55
-                back17 = total222 - total55
-                lost24 = lost24 - back17
-                apart_of = lost27 + total28
-                fall_of = lost54*total27 + lost55 + total61
-                kick_of = total222
-                kick_low_of = lost24
-                rise_of = lost532*total542 + lost542 + total592
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            def no(gamma, half, lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total21 = bent + 1.0
-                    back15 = total21 - 1.0
-                    lost21 = bent - back15
-                    odd_low = 0.16666666666666666*lost2 + lost21
-                    odd = total21
-                    return odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
-                    odd = total22
-                    odd_low2 = lost22
-                    return odd, odd_low2
-
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, root, size))
-
-                total27 = envelope*odd
-                odd_halves = halves(xp, odd)
-                lost24 = envelope*odd_low2 + product_error(total27, envelope_halves, odd_halves)
-                total222 = lost24 + total27
-                back17 = total222 - total27
-                lost24 = lost24 - back17
-
-                def yes(root):
-                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                    return count
-
-                def no(root):
-                    return 0.0
-
-                count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-                turns = (count*count)
-                total27 = 39.478416442871094*turns
-                turns_halves = halves(xp, turns)
-                number4_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-                lost29 = product_error(total27, turns_halves, number4_halves)
-                total30 = 1.1614863524300745e-06*turns
-                number5_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-                lost30 = product_error(total30, turns_halves, number5_halves)
-                total31 = -total2 - total27
-                back17 = total2 + total31
-                rest6 = total31 - back17
-                one4 = -rest6 - total2
-                two4 = -back17 - total27
-                lost31 = one4 + two4
-                total27 = total31 - lost29
-                back17 = total27 - total31
-                rest6 = total27 - back17
-                one4 = total31 - rest6
-                two4 = -back17 - lost29
-                lost29 = one4 + two4
-                total31 = total27 - total30
-                back17 = total31 - total27
-                rest6 = total31 - back17
-                one4 = total27 - rest6
-                two4 = -back17 - total30
-                lost33 = one4 + two4
-                total30 = total31 - lost2
-                back17 = total30 - total31
-                rest6 = total30 - back17
-                one4 = total31 - rest6
-                two4 = -back17 - lost2
-                lost34 = one4 + two4
-                low2 = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
-                total31 = low2 + total30
-                total27 = 6.2831854820251465*count
-                total37 = root + total27
-                whole32 = xp.where(total37 == 0.0, 1.0, total37)
-                total38 = total31/whole32
-                far = (total38*total38)
-
-                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222,
-                    total28, total34, total35, total36, total37, total38, whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    back22 = total35 - total34
-                    rest10 = total35 - back22
-                    one9 = total34 - rest10
-                    two9 = low2 - back22
-                    lost35 = one9 + two9
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                    lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                    back22 = total37 - root
-                    rest10 = total37 - back22
-                    one9 = root - rest10
-                    two9 = total36 - back22
-                    lost37 = one9 + two9
-                    both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                    left = total35 - total38*whole32
-                    total38_halves = halves(xp, total38)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                    left = left - both_low*total38 + lost35
-                    lost35 = left/whole32
-                    eta = total38
-                    eta_low = lost35
-                    total39 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total39)
-                    bent2 = cos_series_of2*(total39*total39)
-                    total40 = 0.5*total39 - bent2
-                    back22 = total40 - 0.5*total39
-                    lost37 = -back22 - bent2
-                    sin_series_of2 = sin_series(xp, -total39)
-                    total41 = 1.0 - sin_series_of2*total39
-                    back22 = total41 - 1.0
-                    lost36 = -back22 - sin_series_of2*total39
-                    lift_low = 0.5*lost35*total41 + lost37
-                    total39 = eta*total41
-                    total41_halves = halves(xp, total41)
-                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                    some2 = root
-                    total41 = total39/some2
-                    left = total39 - some2*total41
-                    total41_halves = halves(xp, total41)
-                    some2_halves = halves(xp, some2)
-                    left = left - product_error(total41*some2, total41_halves, some2_halves)
-                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                    lost36 = left/some2
-                    given4 = half
-                    total39 = 1.0 - 0.5*given4
-                    back22 = total39 - 1.0
-                    lost37 = -back22 - 0.5*given4
-                    decay_series_of3 = decay_series(xp, given4)
-                    curved4 = decay_series_of3*(given4*given4)
-                    total45 = curved4 + total39
-                    back22 = total45 - total39
-                    lost35 = curved4 - back22
-                    mean_low5 = lost37 + lost35
-                    total39 = given4*total45
-                    given4_halves = halves(xp, given4)
-                    total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                        total45_halves)
-                    total47 = 1.0 - total39
-                    back22 = total47 - 1.0
-                    lost37 = -back22 - total39
-                    fall_low5 = lost37 - lost35
-                    total39 = total45 - total41
-                    back22 = total39 - total45
-                    rest10 = total39 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total41
-                    lost37 = one9 + two9
-                    total49 = given4*total39
-                    total39_halves = halves(xp, total39)
-                    lost37 = (
-                        given4*(lost37 - lost36 + mean_low5) +
-                        product_error(total49, given4_halves, total39_halves)
-                    )
-                    total39 = total40 - total49
-                    back22 = total39 - total40
-                    rest10 = total39 - back22
-                    one9 = total40 - rest10
-                    two9 = -back22 - total49
-                    lost35 = one9 + two9
-                    low22 = lift_low - lost37 + lost35
-                    total49 = low22 + total39
-                    back22 = total49 - total39
-                    rest10 = total49 - back22
-                    one9 = total39 - rest10
-                    two9 = low22 - back22
-                    lost35 = one9 + two9
-                    total39 = total47*total49
-                    total47_halves = halves(xp, total47)
-                    total49_halves = halves(xp, total49)
-                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                    low22 = fall_low5*total49 + lost35
-                    total49 = total39/stiff
-                    left = total39 - stiff*total49
-                    total49_halves = halves(xp, total49)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                    left = left + low22
-                    lost35 = left/stiff
-                    total39 = total41*total47
-                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                    total482 = total45 - total39
-                    back22 = total482 - total45
-                    rest10 = total482 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total39
-                    lost37 = one9 + two9
-                    low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
-                    total41 = given4*total482
-                    total482_halves = halves(xp, total482)
-                    lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
-                    total482 = total40*total47
-                    total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                        total40_halves)
-                    total47 = total41 + total482
-                    back22 = total47 - total41
-                    rest10 = total47 - back22
-                    one9 = total41 - rest10
-                    two9 = total482 - back22
-                    lost512 = one9 + two9
-                    low22 = fall_low5*total40 + lost37 + lost36 + lost512
-                    total40 = total47/stiff
-                    left = total47 - stiff*total40
-                    total40_halves = halves(xp, total40)
-                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                    left = left + low22
-                    lost512 = left/stiff
-                    apart_of = lost28 + total28
-                    fall_of = lost35 + total49
-                    kick_of = total222
-                    kick_low_of = lost222
-                    rise_of = lost512 + total40
-                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2,
-                    stiff, total222, total28):
-                    total23 = half*odd
-                    half_halves = halves(xp, half)
-                    odd_halves = halves(xp, odd)
-                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        even = total20
-                        return even, even_low
-
-                    def no(lost2, root, size):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        sine = xp.sin(root)
-                        cosine = xp.cos(root)
-                        even = cosine
-                        even_low2 = -root_low*sine
-                        return even, even_low2
-
-                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (lost2, root, size))
-
-                    total252 = total23 - even
-                    back162 = total252 - total23
-                    rest42 = total252 - back162
-                    one32 = total23 - rest42
-                    two32 = -back162 - even
-                    lost252 = one32 + two32
-                    total262 = envelope + total252
-                    back162 = total262 - total252
-                    rest42 = total262 - back162
-                    one32 = total252 - rest42
-                    two32 = envelope - back162
-                    lost262 = one32 + two32
-                    total252 = envelope*total262
-                    envelope_halves = halves(xp, envelope)
-                    total262_halves = halves(xp, total262)
-                    lost262 = (
-                        envelope*(lost23 - even_low2 + lost252 + lost262) +
-                        product_error(total252, envelope_halves, total262_halves)
-                    )
-                    total262 = total252/stiff
-                    left16 = total252 - stiff*total262
-                    total262_halves = halves(xp, total262)
-                    stiff_halves = halves(xp, stiff)
-                    left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
-                    left16 = left16 + lost262
-                    lost262 = left16/stiff
-                    total252 = even + total23
-                    back162 = total252 - even
-                    rest42 = total252 - back162
-                    one32 = even - rest42
-                    two32 = total23 - back162
-                    lost252 = one32 + two32
-                    total23 = envelope*total252
-                    total252_halves = halves(xp, total252)
-                    lost252 = (
-                        envelope*(even_low2 + lost23 + lost252) +
-                        product_error(total23, envelope_halves, total252_halves)
-                    )
-                    total252 = 1.0 - total23
-                    back162 = total252 - 1.0
-                    lost23 = -back162 - total23
-                    total23 = total252/stiff
-                    left16 = total252 - stiff*total23
-                    total23_halves = halves(xp, total23)
-                    left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-                    left16 = left16 - lost252 + lost23
-                    lost23 = left16/stiff
-                    apart_of = lost28 + total28
-                    fall_of = lost262 + total262
-                    kick_of = total222
-                    kick_low_of = lost222
-                    rise_of = lost23 + total23
-                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-                apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222,
-                    total28, total30, total31, total27, total37, total38, whole32), no,
-                    (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2,
-                    stiff, total222, total28))
-                )
-
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
-                (gamma, half, lost2, total2))
-            )
-
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        def no(delta, gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-            mean3 = decay(xp, delta)
-
-            def yes(lost2, square2):
-                given3 = square2
-                sin_series_of = sin_series(xp, given3)
-                bent = given3*sin_series_of
-                total21 = bent + 1.0
-                back15 = total21 - 1.0
-                lost21 = bent - back15
-                odd_low = 0.16666666666666666*lost2 + lost21
-                odd = total21
-                return odd, odd_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total22 = sine/some
-                left = sine - some*total22
-                total22_halves = halves(xp, total22)
-                some_halves = halves(xp, some)
-                left = left - product_error(total22*some, total22_halves, some_halves)
-                left = cosine*root_low + left - root_low*total22
-                lost22 = left/some
-                odd = total22
-                odd_low2 = lost22
-                return odd, odd_low2
-
-            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total24 = envelope*odd
-            envelope_halves = halves(xp, envelope)
-            odd_halves = halves(xp, odd)
-            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-            total25 = mean3 - total24
-            back16 = total25 - mean3
-            rest4 = total25 - back16
-            one3 = mean3 - rest4
-            two3 = -back16 - total24
-            lost25 = one3 + two3
-            total26 = total25/stiff
-            left13 = total25 - stiff*total26
-            total26_halves = halves(xp, total26)
-            stiff_halves = halves(xp, stiff)
-            left13 = left13 - product_error(total26*stiff, total26_halves, stiff_halves)
-            left13 = left13 - lost24 + lost25
-            lost25 = left13/stiff
-            total25 = lost24 + total24
-            back16 = total25 - total24
-            lost24 = lost24 - back16
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total24 = 39.478416442871094*turns
-            turns_halves = halves(xp, turns)
-            number5_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-            lost29 = product_error(total24, turns_halves, number5_halves)
-            total30 = 1.1614863524300745e-06*turns
-            number6_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-            lost30 = product_error(total30, turns_halves, number6_halves)
-            total31 = -total2 - total24
-            back16 = total2 + total31
-            rest4 = total31 - back16
-            one3 = -rest4 - total2
-            two3 = -back16 - total24
-            lost31 = one3 + two3
-            total24 = total31 - lost29
-            back16 = total24 - total31
-            rest4 = total24 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost29
-            lost29 = one3 + two3
-            total31 = total24 - total30
-            back16 = total31 - total24
-            rest4 = total31 - back16
-            one3 = total24 - rest4
-            two3 = -back16 - total30
-            lost33 = one3 + two3
-            total30 = total31 - lost2
-            back16 = total30 - total31
-            rest4 = total30 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost2
-            lost34 = one3 + two3
-            low2 = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
-            total31 = low2 + total30
-            total24 = 6.2831854820251465*count
-            total37 = root + total24
-            whole32 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole32
-            far = (total38*total38)
-
-            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222,
-                total26, total34, total35, total36, total37, total38, whole32):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back22 = total35 - total34
-                rest10 = total35 - back22
-                one9 = total34 - rest10
-                two9 = low2 - back22
-                lost35 = one9 + two9
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                back22 = total37 - root
-                rest10 = total37 - back22
-                one9 = root - rest10
-                two9 = total36 - back22
-                lost37 = one9 + two9
-                both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                left = total35 - total38*whole32
-                total38_halves = halves(xp, total38)
-                whole32_halves = halves(xp, whole32)
-                left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                left = left - both_low*total38 + lost35
-                lost35 = left/whole32
-                eta = total38
-                eta_low = lost35
-                total39 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                cos_series_of2 = cos_series(xp, -total39)
-                bent2 = cos_series_of2*(total39*total39)
-                total40 = 0.5*total39 - bent2
-                back22 = total40 - 0.5*total39
-                lost37 = -back22 - bent2
-                sin_series_of2 = sin_series(xp, -total39)
-                total41 = 1.0 - sin_series_of2*total39
-                back22 = total41 - 1.0
-                lost36 = -back22 - sin_series_of2*total39
-                lift_low = 0.5*lost35*total41 + lost37
-                total39 = eta*total41
-                total41_halves = halves(xp, total41)
-                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                some2 = root
-                total41 = total39/some2
-                left = total39 - some2*total41
-                total41_halves = halves(xp, total41)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total41*some2, total41_halves, some2_halves)
-                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                lost36 = left/some2
-                given4 = half
-                total39 = 1.0 - 0.5*given4
-                back22 = total39 - 1.0
-                lost37 = -back22 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total45 = curved4 + total39
-                back22 = total45 - total39
-                lost35 = curved4 - back22
-                mean_low5 = lost37 + lost35
-                total39 = given4*total45
-                given4_halves = halves(xp, given4)
-                total45_halves = halves(xp, total45)
-                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
-                total47 = 1.0 - total39
-                back22 = total47 - 1.0
-                lost37 = -back22 - total39
-                fall_low5 = lost37 - lost35
-                total39 = total45 - total41
-                back22 = total39 - total45
-                rest10 = total39 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total41
-                lost37 = one9 + two9
-                total49 = given4*total39
-                total39_halves = halves(xp, total39)
-                lost37 = (
-                    given4*(lost37 - lost36 + mean_low5) +
-                    product_error(total49, given4_halves, total39_halves)
-                )
-                total39 = total40 - total49
-                back22 = total39 - total40
-                rest10 = total39 - back22
-                one9 = total40 - rest10
-                two9 = -back22 - total49
-                lost35 = one9 + two9
-                low22 = lift_low - lost37 + lost35
-                total49 = low22 + total39
-                back22 = total49 - total39
-                rest10 = total49 - back22
-                one9 = total39 - rest10
-                two9 = low22 - back22
-                lost35 = one9 + two9
-                total39 = total47*total49
-                total47_halves = halves(xp, total47)
-                total49_halves = halves(xp, total49)
-                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                low22 = fall_low5*total49 + lost35
-                total49 = total39/stiff
-                left = total39 - stiff*total49
-                total49_halves = halves(xp, total49)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                left = left + low22
-                lost35 = left/stiff
-                total39 = total41*total47
-                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                total482 = total45 - total39
-                back22 = total482 - total45
-                rest10 = total482 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total39
-                lost37 = one9 + two9
-                low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
-                total41 = given4*total482
-                total482_halves = halves(xp, total482)
-                lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
-                total482 = total40*total47
-                total40_halves = halves(xp, total40)
-                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
-                total47 = total41 + total482
-                back22 = total47 - total41
-                rest10 = total47 - back22
-                one9 = total41 - rest10
-                two9 = total482 - back22
-                lost512 = one9 + two9
-                low22 = fall_low5*total40 + lost37 + lost36 + lost512
-                total40 = total47/stiff
-                left = total47 - stiff*total40
-                total40_halves = halves(xp, total40)
-                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                left = left + low22
-                lost512 = left/stiff
-                apart_of = lost26 + total26
-                fall_of = lost35 + total49
-                kick_of = total222
-                kick_low_of = lost222
-                rise_of = lost512 + total40
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2,
-                stiff, total222, total26):
-                total23 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    even = total20
-                    return even, even_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    return even, even_low2
-
-                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, root, size))
-
-                total252 = total23 - even
-                back162 = total252 - total23
-                rest42 = total252 - back162
-                one32 = total23 - rest42
-                two32 = -back162 - even
-                lost252 = one32 + two32
-                total262 = envelope + total252
-                back162 = total262 - total252
-                rest42 = total262 - back162
-                one32 = total252 - rest42
-                two32 = envelope - back162
-                lost262 = one32 + two32
-                total252 = envelope*total262
-                envelope_halves = halves(xp, envelope)
-                total262_halves = halves(xp, total262)
-                lost262 = (
-                    envelope*(lost23 - even_low2 + lost252 + lost262) +
-                    product_error(total252, envelope_halves, total262_halves)
-                )
-                total262 = total252/stiff
-                left16 = total252 - stiff*total262
-                total262_halves = halves(xp, total262)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
-                left16 = left16 + lost262
-                lost262 = left16/stiff
-                total252 = even + total23
-                back162 = total252 - even
-                rest42 = total252 - back162
-                one32 = even - rest42
-                two32 = total23 - back162
-                lost252 = one32 + two32
-                total23 = envelope*total252
-                total252_halves = halves(xp, total252)
-                lost252 = (
-                    envelope*(even_low2 + lost23 + lost252) +
-                    product_error(total23, envelope_halves, total252_halves)
-                )
-                total252 = 1.0 - total23
-                back162 = total252 - 1.0
-                lost23 = -back162 - total23
-                total23 = total252/stiff
-                left16 = total252 - stiff*total23
-                total23_halves = halves(xp, total23)
-                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-                left16 = left16 - lost252 + lost23
-                lost23 = left16/stiff
-                apart_of = lost26 + total26
-                fall_of = lost262 + total262
-                kick_of = total222
-                kick_low_of = lost222
-                rise_of = lost23 + total23
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26,
-                total30, total31, total24, total37, total38, whole32), no,
-                (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2,
-                stiff, total25, total26))
-            )
-
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
-            (delta, gamma, half, lost2, total2))
-        )
-
-        return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
-
-            def yes(delta, gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back3 = total27 - 1.0
-                lost54 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back3 = total55 - total27
-                lost55 = curved5 - back3
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back3 = total55 - 1.0
-                lost54 = -back3 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back3 = total27 - rest6
-                rest5 = total27 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back3 = total55 - 1.0
-                lost532 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back3 = total542 - total55
-                lost542 = curved5 - back3
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back3 = total542 - 1.0
-                lost532 = -back3 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back3 = total542 - rest5
-                rest6 = total542 - back3
-                one4 = rest5 - rest6
-                two4 = 0.5 - back3
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    return fall_, fall_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    return fall_, fall_low2
-
-                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    mean2 = total11
-                    return mean2, mean_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    total14 = 1.0 - sunk2
-                    back11 = total14 - 1.0
-                    lost14 = -back11 - sunk2
-                    bottom2 = 2.0*root
-                    total15 = total14/bottom2
-                    left7 = total14 - bottom2*total15
-                    total15_halves = halves(xp, total15)
-                    bottom2_halves = halves(xp, bottom2)
-                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                    lost14 = left7/bottom2
-                    mean2 = total15
-                    mean_low4 = lost14
-                    return mean2, mean_low4
-
-                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
-                    (root, root_low))
-
-                total55 = fall_*mean2
-                fall__halves = halves(xp, fall_)
-                mean2_halves = halves(xp, mean2)
-                lost163 = fall_*mean_low4 + product_error(total55, fall__halves, mean2_halves)
-                creep_low = fall_low2*mean2 + lost163
-                total232 = creep_low + total55
-                back3 = total232 - total55
-                lost163 = creep_low - back3
-                apart_of = lost3 + total28
-                fall_of = lost54*total27 + lost55 + total61
-                kick_of = total232
-                kick_low_of = lost163
-                rise_of = lost532*total542 + lost542 + total592
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            def no(gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    mean = total5
-                    return fall_, fall_low, mean, mean_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    total8 = 1.0 - sunk
-                    back7 = total8 - 1.0
-                    lost8 = -back7 - sunk
-                    bottom = q
-                    total9 = total8/bottom
-                    left4 = total8 - bottom*total9
-                    total9_halves = halves(xp, total9)
-                    bottom_halves = halves(xp, bottom)
-                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                    left4 = left4 + lost8 - q_low*total9 - sunk_low
-                    lost8 = left4/bottom
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    mean = total9
-                    mean_low2 = lost8
-                    return fall_, fall_low2, mean, mean_low2
-
-                fall_, fall_low2, mean, mean_low2 = (
-                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-                )
-
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    total10 = given2*total11
-                    given2_halves = halves(xp, given2)
-                    total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
-                        total11_halves)
-                    total13 = 1.0 - total10
-                    back8 = total13 - 1.0
-                    lost10 = -back8 - total10
-                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                    fall2 = total13
-                    mean2 = total11
-                    return fall2, fall_low3, mean2, mean_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    total14 = 1.0 - sunk2
-                    back11 = total14 - 1.0
-                    lost14 = -back11 - sunk2
-                    bottom2 = 2.0*root
-                    total15 = total14/bottom2
-                    left7 = total14 - bottom2*total15
-                    total15_halves = halves(xp, total15)
-                    bottom2_halves = halves(xp, bottom2)
-                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                    lost14 = left7/bottom2
-                    fall2 = sunk2
-                    fall_low4 = sunk_low2
-                    mean2 = total15
-                    mean_low4 = lost14
-                    return fall2, fall_low4, mean2, mean_low4
-
-                fall2, fall_low4, mean2, mean_low4 = (
-                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-                )
-
-                total27 = fall2*mean
-                fall2_halves = halves(xp, fall2)
-                mean_halves = halves(xp, mean)
-                lost162 = fall2*mean_low2 + product_error(total27, fall2_halves, mean_halves)
-                pulled_low = fall_low4*mean + lost162
-                total172 = mean2 - total27
-                back3 = total172 - mean2
-                rest6 = total172 - back3
-                one4 = mean2 - rest6
-                two4 = -back3 - total27
-                lost162 = one4 + two4
-                total27 = total172/whole
-                left = total172 - total27*whole
-                total27_halves = halves(xp, total27)
-                left = left - product_error(total27*whole, total27_halves, whole_halves)
-                left = left + lost162 + mean_low4 - p_low*total27 - pulled_low
-                lost162 = left/whole
-                total172 = fall_*total27
-                fall__halves = halves(xp, fall_)
-                lost162 = fall_*lost162 + product_error(total172, fall__halves, total27_halves)
-                creep_ = fall_low2*total27 + lost162 + total172
-                total172 = fall_*mean2
-                mean2_halves = halves(xp, mean2)
-                lost162 = fall_*mean_low4 + product_error(total172, fall__halves, mean2_halves)
-                creep_low = fall_low2*mean2 + lost162
-                total27 = creep_low + total172
-                back3 = total27 - total172
-                lost162 = creep_low - back3
-                total173 = mean - total172
-                back3 = total173 - mean
-                rest6 = total173 - back3
-                one4 = mean - rest6
-                two4 = -back3 - total172
-                lost173 = one4 + two4
-                total172 = total173/whole
-                left = total173 - total172*whole
-                total172_halves = halves(xp, total172)
-                left = left - product_error(total172*whole, total172_halves, whole_halves)
-                left = left - creep_low + lost173 + mean_low2 - p_low*total172
-                lost173 = left/whole
-                apart_of = lost3 + total28
-                fall_of = creep_
-                kick_of = total27
-                kick_low_of = lost162
-                rise_of = lost173 + total172
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
-                total3), no, (gamma, half, lost2, root, size, total2, total3))
-            )
-
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        def no(delta, gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-            twice = 2.0*fall_
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            fast = fall_*fall2
-            total16 = mean2*twice
-            twice_halves = halves(xp, twice)
-            mean2_halves = halves(xp, mean2)
-            lost3 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
-            total17 = mean - total16
-            back3 = total17 - mean
-            rest3 = total17 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total16
-            lost17 = one2 + two2
-            total16 = fast*mean
-            fast_halves = halves(xp, fast)
-            mean_halves = halves(xp, mean)
-            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
-            top = total17 + total16
-            low = lost17 - lost3 + lost18 + mean_low2
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost18
-            total17 = mean2 - total16
-            back3 = total17 - mean2
-            rest3 = total17 - back3
-            one2 = mean2 - rest3
-            two2 = -back3 - total16
-            lost18 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
-            lost18 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost18 + total17
-            total17 = fall_*mean2
-            lost18 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
-            creep_low = fall_low2*mean2 + lost18
-            total16 = creep_low + total17
-            back3 = total16 - total17
-            lost18 = creep_low - back3
-            total173 = mean - total17
-            back3 = total173 - mean
-            rest3 = total173 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total17
-            lost17 = one2 + two2
-            total17 = total173/whole
-            left = total173 - total17*whole
-            total17_halves = halves(xp, total17)
-            left = left - product_error(total17*whole, total17_halves, whole_halves)
-            left = left - creep_low + lost17 + mean_low2 - p_low*total17
-            lost17 = left/whole
-            apart_of = (low + top)/whole3
-            fall_of = creep_
-            kick_of = total16
-            kick_low_of = lost18
-            rise_of = lost17 + total17
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
-            total3), no, (delta, gamma, half, lost2, root, size, total3))
-        )
-
-        return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-    apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
-        (delta, gamma, half, lost, total2))
-    )
-
-    return apart_of, fall_of, kick_of, kick_low_of, rise_of
+def apart_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
+    """(n1 - n0)/delta of a swinging device"""
+
+    def yes(half, w):
+        return apart_near(xp, half, w)
+
+    def no(delta, envelope, gamma, wave, wave_low):
+        total, lost = wide_prod(xp, envelope, wave, wave_low)
+        mean = decay(xp, delta)
+        total, lost2 = two_diff(xp, mean, total)
+        whole = xp.where(gamma == 0.0, 1.0, gamma)
+        total, lost2 = wide_quot(xp, total, whole, lost2 - lost, xp.full_like(lost, 0.0))
+        return lost2 + total
+
+    return select(xp, reach < 1.0, yes, (half, w), no, (delta, envelope, gamma, wave, wave_low))
 
 
 def apart_fall_kick_kick_low_rise(xp, gamma, delta):
@@ -7395,6544 +1394,131 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
     displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how
     far a unit force moves the device in a period
     """
-    if gamma.dtype == xp.float32:
-        return apart_fall_kick_kick_low_rise_single(xp, gamma, delta)
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
 
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, gamma, half, lost2, reach, total2):
-
-            def yes(delta, gamma, half, lost2, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back17 = total27 - 1.0
-                lost54 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back17 = total55 - total27
-                lost55 = curved5 - back17
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back17 = total55 - 1.0
-                lost54 = -back17 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back17 = total27 - rest6
-                rest5 = total27 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back17 = total55 - 1.0
-                lost532 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back17 = total542 - total55
-                lost542 = curved5 - back17
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back17 = total542 - 1.0
-                lost532 = -back17 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back17 = total542 - rest5
-                rest6 = total542 - back17
-                one4 = rest5 - rest6
-                two4 = 0.5 - back17
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total21 = bent + 1.0
-                    back15 = total21 - 1.0
-                    lost21 = bent - back15
-                    odd_low = 0.16666666666666666*lost2 + lost21
-                    odd = total21
-                    return odd, odd_low
-
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
-                    odd = total22
-                    odd_low2 = lost22
-                    return odd, odd_low2
-
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, total2))
-
-                total55 = envelope*odd
-                odd_halves = halves(xp, odd)
-                lost24 = envelope*odd_low2 + product_error(total55, envelope_halves, odd_halves)
-                total222 = lost24 + total55
-                back17 = total222 - total55
-                lost24 = lost24 - back17
-                apart_of = lost27 + total28
-                fall_of = lost54*total27 + lost55 + total61
-                kick_of = total222
-                kick_low_of = lost24
-                rise_of = lost532*total542 + lost542 + total592
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            def no(gamma, half, lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    sin_series_of = sin_series(xp, given3)
-                    bent = given3*sin_series_of
-                    total21 = bent + 1.0
-                    back15 = total21 - 1.0
-                    lost21 = bent - back15
-                    odd_low = 0.16666666666666666*lost2 + lost21
-                    odd = total21
-                    return odd, odd_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    some = root
-                    total22 = sine/some
-                    left = sine - some*total22
-                    total22_halves = halves(xp, total22)
-                    some_halves = halves(xp, some)
-                    left = left - product_error(total22*some, total22_halves, some_halves)
-                    left = cosine*root_low + left - root_low*total22
-                    lost22 = left/some
-                    odd = total22
-                    odd_low2 = lost22
-                    return odd, odd_low2
-
-                odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, root, size))
-
-                total27 = envelope*odd
-                odd_halves = halves(xp, odd)
-                lost24 = envelope*odd_low2 + product_error(total27, envelope_halves, odd_halves)
-                total222 = lost24 + total27
-                back17 = total222 - total27
-                lost24 = lost24 - back17
-
-                def yes(root):
-                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                    return count
-
-                def no(root):
-                    return 0.0
-
-                count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-                turns = (count*count)
-                total27 = 39.47841760435743*turns
-                turns_halves = halves(xp, turns)
-                number4_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-                lost29 = product_error(total27, turns_halves, number4_halves)
-                total30 = 2.5061182034958845e-15*turns
-                number5_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-                lost30 = product_error(total30, turns_halves, number5_halves)
-                total31 = -total2 - total27
-                back17 = total2 + total31
-                rest6 = total31 - back17
-                one4 = -rest6 - total2
-                two4 = -back17 - total27
-                lost31 = one4 + two4
-                total27 = total31 - lost29
-                back17 = total27 - total31
-                rest6 = total27 - back17
-                one4 = total31 - rest6
-                two4 = -back17 - lost29
-                lost29 = one4 + two4
-                total31 = total27 - total30
-                back17 = total31 - total27
-                rest6 = total31 - back17
-                one4 = total27 - rest6
-                two4 = -back17 - total30
-                lost33 = one4 + two4
-                total30 = total31 - lost2
-                back17 = total30 - total31
-                rest6 = total30 - back17
-                one4 = total31 - rest6
-                two4 = -back17 - lost2
-                lost34 = one4 + two4
-                low2 = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
-                total31 = low2 + total30
-                total27 = 6.283185307179586*count
-                total37 = root + total27
-                whole32 = xp.where(total37 == 0.0, 1.0, total37)
-                total38 = total31/whole32
-                far = (total38*total38)
-
-                def yes(count, half, lost2, lost222, lost28, low2, root, size, stiff, total222,
-                    total28, total34, total35, total36, total37, total38, whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    back22 = total35 - total34
-                    rest10 = total35 - back22
-                    one9 = total34 - rest10
-                    two9 = low2 - back22
-                    lost35 = one9 + two9
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                    lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                    back22 = total37 - root
-                    rest10 = total37 - back22
-                    one9 = root - rest10
-                    two9 = total36 - back22
-                    lost37 = one9 + two9
-                    both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                    left = total35 - total38*whole32
-                    total38_halves = halves(xp, total38)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                    left = left - both_low*total38 + lost35
-                    lost35 = left/whole32
-                    eta = total38
-                    eta_low = lost35
-                    total39 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total39)
-                    bent2 = cos_series_of2*(total39*total39)
-                    total40 = 0.5*total39 - bent2
-                    back22 = total40 - 0.5*total39
-                    lost37 = -back22 - bent2
-                    sin_series_of2 = sin_series(xp, -total39)
-                    total41 = 1.0 - sin_series_of2*total39
-                    back22 = total41 - 1.0
-                    lost36 = -back22 - sin_series_of2*total39
-                    lift_low = 0.5*lost35*total41 + lost37
-                    total39 = eta*total41
-                    total41_halves = halves(xp, total41)
-                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                    some2 = root
-                    total41 = total39/some2
-                    left = total39 - some2*total41
-                    total41_halves = halves(xp, total41)
-                    some2_halves = halves(xp, some2)
-                    left = left - product_error(total41*some2, total41_halves, some2_halves)
-                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                    lost36 = left/some2
-                    given4 = half
-                    total39 = 1.0 - 0.5*given4
-                    back22 = total39 - 1.0
-                    lost37 = -back22 - 0.5*given4
-                    decay_series_of3 = decay_series(xp, given4)
-                    curved4 = decay_series_of3*(given4*given4)
-                    total45 = curved4 + total39
-                    back22 = total45 - total39
-                    lost35 = curved4 - back22
-                    mean_low5 = lost37 + lost35
-                    total39 = given4*total45
-                    given4_halves = halves(xp, given4)
-                    total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                        total45_halves)
-                    total47 = 1.0 - total39
-                    back22 = total47 - 1.0
-                    lost37 = -back22 - total39
-                    fall_low5 = lost37 - lost35
-                    total39 = total45 - total41
-                    back22 = total39 - total45
-                    rest10 = total39 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total41
-                    lost37 = one9 + two9
-                    total49 = given4*total39
-                    total39_halves = halves(xp, total39)
-                    lost37 = (
-                        given4*(lost37 - lost36 + mean_low5) +
-                        product_error(total49, given4_halves, total39_halves)
-                    )
-                    total39 = total40 - total49
-                    back22 = total39 - total40
-                    rest10 = total39 - back22
-                    one9 = total40 - rest10
-                    two9 = -back22 - total49
-                    lost35 = one9 + two9
-                    low22 = lift_low - lost37 + lost35
-                    total49 = low22 + total39
-                    back22 = total49 - total39
-                    rest10 = total49 - back22
-                    one9 = total39 - rest10
-                    two9 = low22 - back22
-                    lost35 = one9 + two9
-                    total39 = total47*total49
-                    total47_halves = halves(xp, total47)
-                    total49_halves = halves(xp, total49)
-                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                    low22 = fall_low5*total49 + lost35
-                    total49 = total39/stiff
-                    left = total39 - stiff*total49
-                    total49_halves = halves(xp, total49)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                    left = left + low22
-                    lost35 = left/stiff
-                    total39 = total41*total47
-                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                    total482 = total45 - total39
-                    back22 = total482 - total45
-                    rest10 = total482 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total39
-                    lost37 = one9 + two9
-                    low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
-                    total41 = given4*total482
-                    total482_halves = halves(xp, total482)
-                    lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
-                    total482 = total40*total47
-                    total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                        total40_halves)
-                    total47 = total41 + total482
-                    back22 = total47 - total41
-                    rest10 = total47 - back22
-                    one9 = total41 - rest10
-                    two9 = total482 - back22
-                    lost512 = one9 + two9
-                    low22 = fall_low5*total40 + lost37 + lost36 + lost512
-                    total40 = total47/stiff
-                    left = total47 - stiff*total40
-                    total40_halves = halves(xp, total40)
-                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                    left = left + low22
-                    lost512 = left/stiff
-                    apart_of = lost28 + total28
-                    fall_of = lost35 + total49
-                    kick_of = total222
-                    kick_low_of = lost222
-                    rise_of = lost512 + total40
-                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-                def no(envelope, half, lost2, lost222, lost28, odd, odd_low2, root, size, square2,
-                    stiff, total222, total28):
-                    total23 = half*odd
-                    half_halves = halves(xp, half)
-                    odd_halves = halves(xp, odd)
-                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        even = total20
-                        return even, even_low
-
-                    def no(lost2, root, size):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        sine = xp.sin(root)
-                        cosine = xp.cos(root)
-                        even = cosine
-                        even_low2 = -root_low*sine
-                        return even, even_low2
-
-                    even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (lost2, root, size))
-
-                    total252 = total23 - even
-                    back162 = total252 - total23
-                    rest42 = total252 - back162
-                    one32 = total23 - rest42
-                    two32 = -back162 - even
-                    lost252 = one32 + two32
-                    total262 = envelope + total252
-                    back162 = total262 - total252
-                    rest42 = total262 - back162
-                    one32 = total252 - rest42
-                    two32 = envelope - back162
-                    lost262 = one32 + two32
-                    total252 = envelope*total262
-                    envelope_halves = halves(xp, envelope)
-                    total262_halves = halves(xp, total262)
-                    lost262 = (
-                        envelope*(lost23 - even_low2 + lost252 + lost262) +
-                        product_error(total252, envelope_halves, total262_halves)
-                    )
-                    total262 = total252/stiff
-                    left16 = total252 - stiff*total262
-                    total262_halves = halves(xp, total262)
-                    stiff_halves = halves(xp, stiff)
-                    left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
-                    left16 = left16 + lost262
-                    lost262 = left16/stiff
-                    total252 = even + total23
-                    back162 = total252 - even
-                    rest42 = total252 - back162
-                    one32 = even - rest42
-                    two32 = total23 - back162
-                    lost252 = one32 + two32
-                    total23 = envelope*total252
-                    total252_halves = halves(xp, total252)
-                    lost252 = (
-                        envelope*(even_low2 + lost23 + lost252) +
-                        product_error(total23, envelope_halves, total252_halves)
-                    )
-                    total252 = 1.0 - total23
-                    back162 = total252 - 1.0
-                    lost23 = -back162 - total23
-                    total23 = total252/stiff
-                    left16 = total252 - stiff*total23
-                    total23_halves = halves(xp, total23)
-                    left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-                    left16 = left16 - lost252 + lost23
-                    lost23 = left16/stiff
-                    apart_of = lost28 + total28
-                    fall_of = lost262 + total262
-                    kick_of = total222
-                    kick_low_of = lost222
-                    rise_of = lost23 + total23
-                    return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-                apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, half, lost2, lost24, lost27, low2, root, size, stiff, total222,
-                    total28, total30, total31, total27, total37, total38, whole32), no,
-                    (envelope, half, lost2, lost24, lost27, odd, odd_low2, root, size, square2,
-                    stiff, total222, total28))
-                )
-
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
-                (gamma, half, lost2, total2))
-            )
-
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        def no(delta, gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-            mean3 = decay(xp, delta)
-
-            def yes(lost2, square2):
-                given3 = square2
-                sin_series_of = sin_series(xp, given3)
-                bent = given3*sin_series_of
-                total21 = bent + 1.0
-                back15 = total21 - 1.0
-                lost21 = bent - back15
-                odd_low = 0.16666666666666666*lost2 + lost21
-                odd = total21
-                return odd, odd_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total22 = sine/some
-                left = sine - some*total22
-                total22_halves = halves(xp, total22)
-                some_halves = halves(xp, some)
-                left = left - product_error(total22*some, total22_halves, some_halves)
-                left = cosine*root_low + left - root_low*total22
-                lost22 = left/some
-                odd = total22
-                odd_low2 = lost22
-                return odd, odd_low2
-
-            odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total24 = envelope*odd
-            envelope_halves = halves(xp, envelope)
-            odd_halves = halves(xp, odd)
-            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-            total25 = mean3 - total24
-            back16 = total25 - mean3
-            rest4 = total25 - back16
-            one3 = mean3 - rest4
-            two3 = -back16 - total24
-            lost25 = one3 + two3
-            total26 = total25/stiff
-            left13 = total25 - stiff*total26
-            total26_halves = halves(xp, total26)
-            stiff_halves = halves(xp, stiff)
-            left13 = left13 - product_error(total26*stiff, total26_halves, stiff_halves)
-            left13 = left13 - lost24 + lost25
-            lost25 = left13/stiff
-            total25 = lost24 + total24
-            back16 = total25 - total24
-            lost24 = lost24 - back16
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total24 = 39.47841760435743*turns
-            turns_halves = halves(xp, turns)
-            number5_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-            lost29 = product_error(total24, turns_halves, number5_halves)
-            total30 = 2.5061182034958845e-15*turns
-            number6_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-            lost30 = product_error(total30, turns_halves, number6_halves)
-            total31 = -total2 - total24
-            back16 = total2 + total31
-            rest4 = total31 - back16
-            one3 = -rest4 - total2
-            two3 = -back16 - total24
-            lost31 = one3 + two3
-            total24 = total31 - lost29
-            back16 = total24 - total31
-            rest4 = total24 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost29
-            lost29 = one3 + two3
-            total31 = total24 - total30
-            back16 = total31 - total24
-            rest4 = total31 - back16
-            one3 = total24 - rest4
-            two3 = -back16 - total30
-            lost33 = one3 + two3
-            total30 = total31 - lost2
-            back16 = total30 - total31
-            rest4 = total30 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost2
-            lost34 = one3 + two3
-            low2 = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
-            total31 = low2 + total30
-            total24 = 6.283185307179586*count
-            total37 = root + total24
-            whole32 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole32
-            far = (total38*total38)
-
-            def yes(count, half, lost2, lost222, lost26, low2, root, size, stiff, total222,
-                total26, total34, total35, total36, total37, total38, whole32):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back22 = total35 - total34
-                rest10 = total35 - back22
-                one9 = total34 - rest10
-                two9 = low2 - back22
-                lost35 = one9 + two9
-                count_halves = halves(xp, count)
-                number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                back22 = total37 - root
-                rest10 = total37 - back22
-                one9 = root - rest10
-                two9 = total36 - back22
-                lost37 = one9 + two9
-                both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                left = total35 - total38*whole32
-                total38_halves = halves(xp, total38)
-                whole32_halves = halves(xp, whole32)
-                left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                left = left - both_low*total38 + lost35
-                lost35 = left/whole32
-                eta = total38
-                eta_low = lost35
-                total39 = (eta*eta)
-                eta_halves = halves(xp, eta)
-                lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                cos_series_of2 = cos_series(xp, -total39)
-                bent2 = cos_series_of2*(total39*total39)
-                total40 = 0.5*total39 - bent2
-                back22 = total40 - 0.5*total39
-                lost37 = -back22 - bent2
-                sin_series_of2 = sin_series(xp, -total39)
-                total41 = 1.0 - sin_series_of2*total39
-                back22 = total41 - 1.0
-                lost36 = -back22 - sin_series_of2*total39
-                lift_low = 0.5*lost35*total41 + lost37
-                total39 = eta*total41
-                total41_halves = halves(xp, total41)
-                lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                some2 = root
-                total41 = total39/some2
-                left = total39 - some2*total41
-                total41_halves = halves(xp, total41)
-                some2_halves = halves(xp, some2)
-                left = left - product_error(total41*some2, total41_halves, some2_halves)
-                left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                lost36 = left/some2
-                given4 = half
-                total39 = 1.0 - 0.5*given4
-                back22 = total39 - 1.0
-                lost37 = -back22 - 0.5*given4
-                decay_series_of3 = decay_series(xp, given4)
-                curved4 = decay_series_of3*(given4*given4)
-                total45 = curved4 + total39
-                back22 = total45 - total39
-                lost35 = curved4 - back22
-                mean_low5 = lost37 + lost35
-                total39 = given4*total45
-                given4_halves = halves(xp, given4)
-                total45_halves = halves(xp, total45)
-                lost35 = given4*mean_low5 + product_error(total39, given4_halves, total45_halves)
-                total47 = 1.0 - total39
-                back22 = total47 - 1.0
-                lost37 = -back22 - total39
-                fall_low5 = lost37 - lost35
-                total39 = total45 - total41
-                back22 = total39 - total45
-                rest10 = total39 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total41
-                lost37 = one9 + two9
-                total49 = given4*total39
-                total39_halves = halves(xp, total39)
-                lost37 = (
-                    given4*(lost37 - lost36 + mean_low5) +
-                    product_error(total49, given4_halves, total39_halves)
-                )
-                total39 = total40 - total49
-                back22 = total39 - total40
-                rest10 = total39 - back22
-                one9 = total40 - rest10
-                two9 = -back22 - total49
-                lost35 = one9 + two9
-                low22 = lift_low - lost37 + lost35
-                total49 = low22 + total39
-                back22 = total49 - total39
-                rest10 = total49 - back22
-                one9 = total39 - rest10
-                two9 = low22 - back22
-                lost35 = one9 + two9
-                total39 = total47*total49
-                total47_halves = halves(xp, total47)
-                total49_halves = halves(xp, total49)
-                lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                low22 = fall_low5*total49 + lost35
-                total49 = total39/stiff
-                left = total39 - stiff*total49
-                total49_halves = halves(xp, total49)
-                stiff_halves = halves(xp, stiff)
-                left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                left = left + low22
-                lost35 = left/stiff
-                total39 = total41*total47
-                lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                total482 = total45 - total39
-                back22 = total482 - total45
-                rest10 = total482 - back22
-                one9 = total45 - rest10
-                two9 = -back22 - total39
-                lost37 = one9 + two9
-                low22 = lost37 - fall_low5*total41 - lost36 + mean_low5
-                total41 = given4*total482
-                total482_halves = halves(xp, total482)
-                lost37 = given4*low22 + product_error(total41, given4_halves, total482_halves)
-                total482 = total40*total47
-                total40_halves = halves(xp, total40)
-                lost36 = lift_low*total47 + product_error(total482, total47_halves, total40_halves)
-                total47 = total41 + total482
-                back22 = total47 - total41
-                rest10 = total47 - back22
-                one9 = total41 - rest10
-                two9 = total482 - back22
-                lost512 = one9 + two9
-                low22 = fall_low5*total40 + lost37 + lost36 + lost512
-                total40 = total47/stiff
-                left = total47 - stiff*total40
-                total40_halves = halves(xp, total40)
-                left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                left = left + low22
-                lost512 = left/stiff
-                apart_of = lost26 + total26
-                fall_of = lost35 + total49
-                kick_of = total222
-                kick_low_of = lost222
-                rise_of = lost512 + total40
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            def no(envelope, half, lost2, lost222, lost26, odd, odd_low2, root, size, square2,
-                stiff, total222, total26):
-                total23 = half*odd
-                half_halves = halves(xp, half)
-                odd_halves = halves(xp, odd)
-                lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    even = total20
-                    return even, even_low
-
-                def no(lost2, root, size):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    cosine = xp.cos(root)
-                    even = cosine
-                    even_low2 = -root_low*sine
-                    return even, even_low2
-
-                even, even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                    (lost2, root, size))
-
-                total252 = total23 - even
-                back162 = total252 - total23
-                rest42 = total252 - back162
-                one32 = total23 - rest42
-                two32 = -back162 - even
-                lost252 = one32 + two32
-                total262 = envelope + total252
-                back162 = total262 - total252
-                rest42 = total262 - back162
-                one32 = total252 - rest42
-                two32 = envelope - back162
-                lost262 = one32 + two32
-                total252 = envelope*total262
-                envelope_halves = halves(xp, envelope)
-                total262_halves = halves(xp, total262)
-                lost262 = (
-                    envelope*(lost23 - even_low2 + lost252 + lost262) +
-                    product_error(total252, envelope_halves, total262_halves)
-                )
-                total262 = total252/stiff
-                left16 = total252 - stiff*total262
-                total262_halves = halves(xp, total262)
-                stiff_halves = halves(xp, stiff)
-                left16 = left16 - product_error(total262*stiff, total262_halves, stiff_halves)
-                left16 = left16 + lost262
-                lost262 = left16/stiff
-                total252 = even + total23
-                back162 = total252 - even
-                rest42 = total252 - back162
-                one32 = even - rest42
-                two32 = total23 - back162
-                lost252 = one32 + two32
-                total23 = envelope*total252
-                total252_halves = halves(xp, total252)
-                lost252 = (
-                    envelope*(even_low2 + lost23 + lost252) +
-                    product_error(total23, envelope_halves, total252_halves)
-                )
-                total252 = 1.0 - total23
-                back162 = total252 - 1.0
-                lost23 = -back162 - total23
-                total23 = total252/stiff
-                left16 = total252 - stiff*total23
-                total23_halves = halves(xp, total23)
-                left16 = left16 - product_error(total23*stiff, total23_halves, stiff_halves)
-                left16 = left16 - lost252 + lost23
-                lost23 = left16/stiff
-                apart_of = lost26 + total26
-                fall_of = lost262 + total262
-                kick_of = total222
-                kick_low_of = lost222
-                rise_of = lost23 + total23
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, half, lost2, lost24, lost25, low2, root, size, stiff, total25, total26,
-                total30, total31, total24, total37, total38, whole32), no,
-                (envelope, half, lost2, lost24, lost25, odd, odd_low2, root, size, square2,
-                stiff, total25, total26))
-            )
-
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
-            (delta, gamma, half, lost2, total2))
+    def yes(delta, gamma, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        half = 0.5*delta
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        envelope = xp.exp(-half)
+        total2, lost2 = wide_prod(xp, envelope, odd, odd_low)
+        total2, lost2 = fast_two_sum(xp, total2, lost2)
+        return (
+            apart_swing(xp, reach, half, w, envelope, odd, odd_low, gamma, delta),
+            fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
+            odd_low, gamma, near, sunk), total2, lost2,
+            rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen)
         )
 
-        return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
-
-            def yes(delta, gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back3 = total27 - 1.0
-                lost54 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back3 = total55 - total27
-                lost55 = curved5 - back3
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back3 = total55 - 1.0
-                lost54 = -back3 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back3 = total27 - rest6
-                rest5 = total27 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back3 = total55 - 1.0
-                lost532 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back3 = total542 - total55
-                lost542 = curved5 - back3
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back3 = total542 - 1.0
-                lost532 = -back3 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back3 = total542 - rest5
-                rest6 = total542 - back3
-                one4 = rest5 - rest6
-                two4 = 0.5 - back3
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    return fall_, fall_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    return fall_, fall_low2
-
-                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    mean2 = total11
-                    return mean2, mean_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    total14 = 1.0 - sunk2
-                    back11 = total14 - 1.0
-                    lost14 = -back11 - sunk2
-                    bottom2 = 2.0*root
-                    total15 = total14/bottom2
-                    left7 = total14 - bottom2*total15
-                    total15_halves = halves(xp, total15)
-                    bottom2_halves = halves(xp, bottom2)
-                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                    lost14 = left7/bottom2
-                    mean2 = total15
-                    mean_low4 = lost14
-                    return mean2, mean_low4
-
-                mean2, mean_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
-                    (root, root_low))
-
-                total55 = fall_*mean2
-                fall__halves = halves(xp, fall_)
-                mean2_halves = halves(xp, mean2)
-                lost163 = fall_*mean_low4 + product_error(total55, fall__halves, mean2_halves)
-                creep_low = fall_low2*mean2 + lost163
-                total232 = creep_low + total55
-                back3 = total232 - total55
-                lost163 = creep_low - back3
-                apart_of = lost3 + total28
-                fall_of = lost54*total27 + lost55 + total61
-                kick_of = total232
-                kick_low_of = lost163
-                rise_of = lost532*total542 + lost542 + total592
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            def no(gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    mean = total5
-                    return fall_, fall_low, mean, mean_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    total8 = 1.0 - sunk
-                    back7 = total8 - 1.0
-                    lost8 = -back7 - sunk
-                    bottom = q
-                    total9 = total8/bottom
-                    left4 = total8 - bottom*total9
-                    total9_halves = halves(xp, total9)
-                    bottom_halves = halves(xp, bottom)
-                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                    left4 = left4 + lost8 - q_low*total9 - sunk_low
-                    lost8 = left4/bottom
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    mean = total9
-                    mean_low2 = lost8
-                    return fall_, fall_low2, mean, mean_low2
-
-                fall_, fall_low2, mean, mean_low2 = (
-                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-                )
-
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    total10 = given2*total11
-                    given2_halves = halves(xp, given2)
-                    total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
-                        total11_halves)
-                    total13 = 1.0 - total10
-                    back8 = total13 - 1.0
-                    lost10 = -back8 - total10
-                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                    fall2 = total13
-                    mean2 = total11
-                    return fall2, fall_low3, mean2, mean_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    total14 = 1.0 - sunk2
-                    back11 = total14 - 1.0
-                    lost14 = -back11 - sunk2
-                    bottom2 = 2.0*root
-                    total15 = total14/bottom2
-                    left7 = total14 - bottom2*total15
-                    total15_halves = halves(xp, total15)
-                    bottom2_halves = halves(xp, bottom2)
-                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                    lost14 = left7/bottom2
-                    fall2 = sunk2
-                    fall_low4 = sunk_low2
-                    mean2 = total15
-                    mean_low4 = lost14
-                    return fall2, fall_low4, mean2, mean_low4
-
-                fall2, fall_low4, mean2, mean_low4 = (
-                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-                )
-
-                total27 = fall2*mean
-                fall2_halves = halves(xp, fall2)
-                mean_halves = halves(xp, mean)
-                lost162 = fall2*mean_low2 + product_error(total27, fall2_halves, mean_halves)
-                pulled_low = fall_low4*mean + lost162
-                total172 = mean2 - total27
-                back3 = total172 - mean2
-                rest6 = total172 - back3
-                one4 = mean2 - rest6
-                two4 = -back3 - total27
-                lost162 = one4 + two4
-                total27 = total172/whole
-                left = total172 - total27*whole
-                total27_halves = halves(xp, total27)
-                left = left - product_error(total27*whole, total27_halves, whole_halves)
-                left = left + lost162 + mean_low4 - p_low*total27 - pulled_low
-                lost162 = left/whole
-                total172 = fall_*total27
-                fall__halves = halves(xp, fall_)
-                lost162 = fall_*lost162 + product_error(total172, fall__halves, total27_halves)
-                creep_ = fall_low2*total27 + lost162 + total172
-                total172 = fall_*mean2
-                mean2_halves = halves(xp, mean2)
-                lost162 = fall_*mean_low4 + product_error(total172, fall__halves, mean2_halves)
-                creep_low = fall_low2*mean2 + lost162
-                total27 = creep_low + total172
-                back3 = total27 - total172
-                lost162 = creep_low - back3
-                total173 = mean - total172
-                back3 = total173 - mean
-                rest6 = total173 - back3
-                one4 = mean - rest6
-                two4 = -back3 - total172
-                lost173 = one4 + two4
-                total172 = total173/whole
-                left = total173 - total172*whole
-                total172_halves = halves(xp, total172)
-                left = left - product_error(total172*whole, total172_halves, whole_halves)
-                left = left - creep_low + lost173 + mean_low2 - p_low*total172
-                lost173 = left/whole
-                apart_of = lost3 + total28
-                fall_of = creep_
-                kick_of = total27
-                kick_low_of = lost162
-                rise_of = lost173 + total172
-                return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-            apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
-                total3), no, (gamma, half, lost2, root, size, total2, total3))
-            )
-
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        def no(delta, gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-            twice = 2.0*fall_
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            fast = fall_*fall2
-            total16 = mean2*twice
-            twice_halves = halves(xp, twice)
-            mean2_halves = halves(xp, mean2)
-            lost3 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
-            total17 = mean - total16
-            back3 = total17 - mean
-            rest3 = total17 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total16
-            lost17 = one2 + two2
-            total16 = fast*mean
-            fast_halves = halves(xp, fast)
-            mean_halves = halves(xp, mean)
-            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
-            top = total17 + total16
-            low = lost17 - lost3 + lost18 + mean_low2
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost18
-            total17 = mean2 - total16
-            back3 = total17 - mean2
-            rest3 = total17 - back3
-            one2 = mean2 - rest3
-            two2 = -back3 - total16
-            lost18 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
-            lost18 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost18 + total17
-            total17 = fall_*mean2
-            lost18 = fall_*mean_low4 + product_error(total17, fall__halves, mean2_halves)
-            creep_low = fall_low2*mean2 + lost18
-            total16 = creep_low + total17
-            back3 = total16 - total17
-            lost18 = creep_low - back3
-            total173 = mean - total17
-            back3 = total173 - mean
-            rest3 = total173 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total17
-            lost17 = one2 + two2
-            total17 = total173/whole
-            left = total173 - total17*whole
-            total17_halves = halves(xp, total17)
-            left = left - product_error(total17*whole, total17_halves, whole_halves)
-            left = left - creep_low + lost17 + mean_low2 - p_low*total17
-            lost17 = left/whole
-            apart_of = (low + top)/whole3
-            fall_of = creep_
-            kick_of = total16
-            kick_low_of = lost18
-            rise_of = lost17 + total17
-            return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-        apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
-            total3), no, (delta, gamma, half, lost2, root, size, total3))
+    def no(delta, gamma, reach, root, w, w_low):
+        half = 0.5*delta
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        total, lost = wide_prod(xp, fall_, mean2, mean_low2)
+        creep_low = fall_low*mean2 + lost
+        total, lost = fast_two_sum(xp, total, creep_low)
+        return (
+            apart_creep(xp, reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
+            mean_low2), fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_,
+            fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2), total, lost,
+            rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+            mean_low, mean2, mean_low2)
         )
 
-        return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-    apart_of, fall_of, kick_of, kick_low_of, rise_of = (
-        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
-        (delta, gamma, half, lost, total2))
-    )
-
-    return apart_of, fall_of, kick_of, kick_low_of, rise_of
-
-
-def apart_fall_nyquist_rise_together_single(xp, gamma, delta):
-    """The same in single precision."""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, gamma, half, lost2, reach, total2):
-
-            def yes(delta, gamma, half, lost2, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back17 = total27 - 1.0
-                lost54 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back17 = total55 - total27
-                lost55 = curved5 - back17
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back17 = total55 - 1.0
-                lost54 = -back17 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back17 = total27 - rest6
-                rest5 = total27 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                twice2 = 2.0*envelope
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back17 = total55 - 1.0
-                lost532 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back17 = total542 - total55
-                lost542 = curved5 - back17
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back17 = total542 - 1.0
-                lost532 = -back17 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back17 = total542 - rest5
-                rest6 = total542 - back17
-                one4 = rest5 - rest6
-                two4 = 0.5 - back17
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-                rest6 = together_series(xp, half, total2)
-                total55 = rest6 + 0.5
-                back17 = total55 - rest6
-                rest5 = total55 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost553 = one4 + two4
-                total563 = envelope*total55
-                total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total55_halves)
-
-                def yes(square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total19 = curved3 + total19
-                    even = total19
-                    return even
-
-                def no(total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    cosine = xp.cos(root)
-                    even = cosine
-                    return even
-
-                even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
-
-                total55 = even*twice2
-
-                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
-                    square2, total2, total263, total28, total563, total582, total592, total60,
-                    total61, twice2):
-                    e = xp.exp(-delta)
-                    total253 = e + 1.0
-                    back182 = total253 - 1.0
-                    lost253 = e - back182
-                    total273 = total253 + total263
-                    back182 = total273 - total253
-                    lost273 = total263 - back182
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(lost2, total2):
-                        size = xp.abs(total2)
-                        root = square_root(xp, size)
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (lost2, total2))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost28 + total28
-                    fall_of = lost59*total60 + lost61 + total61
-                    nyquist_of = lost253 + lost263 + lost273 + total273
-                    rise_of = lost572*total582 + lost592 + total592
-                    together_of = 2.0*lost563 + 2.0*total563
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
-                    total2, total28, total563, total582, total592, total60, total61):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back72 = 0.5*root_low*sin_of
-                    total92 = wave - back72
-                    back82 = total92 - wave
-                    rest33 = total92 - back82
-                    one23 = wave - rest33
-                    two23 = -back72 - back82
-                    lost92 = one23 + two23
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low4 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest33 = total102 - back82
-                    one23 = total92 - rest33
-                    two23 = (grown*grown) - back82
-                    lost102 = one23 + two23
-                    low4 = lost92 + lost102
-                    apart_of = lost28 + total28
-                    fall_of = lost59*total60 + lost61 + total61
-                    nyquist_of = 4.0*low4 + 4.0*total102
-                    rise_of = lost572*total582 + lost592 + total592
-                    together_of = 2.0*lost563 + 2.0*total563
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532,
-                    lost54, lost542, lost55, square2, total2, total55, total28, total563,
-                    total542, total592, total27, total61, twice2), no,
-                    (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55,
-                    total2, total28, total563, total542, total592, total27, total61))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            def no(delta, gamma, half, lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                twice2 = 2.0*envelope
-                rest6 = together_series(xp, half, total2)
-                total27 = rest6 + 0.5
-                back17 = total27 - rest6
-                rest5 = total27 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost553 = one4 + two4
-                total563 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total27_halves)
-
-                def yes(square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total19 = curved3 + total19
-                    even = total19
-                    return even
-
-                def no(root):
-                    cosine = xp.cos(root)
-                    even = cosine
-                    return even
-
-                even = select(xp, square2 > -1.5, yes, (square2,), no, (root,))
-
-                total27 = even*twice2
-
-                def yes(root):
-                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                    return count
-
-                def no(root):
-                    return 0.0
-
-                count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-                turns = (count*count)
-                total29 = 39.478416442871094*turns
-                turns_halves = halves(xp, turns)
-                number4_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-                lost29 = product_error(total29, turns_halves, number4_halves)
-                total30 = 1.1614863524300745e-06*turns
-                number5_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-                lost30 = product_error(total30, turns_halves, number5_halves)
-                total31 = -total2 - total29
-                back17 = total2 + total31
-                rest5 = total31 - back17
-                one4 = -rest5 - total2
-                two4 = -back17 - total29
-                lost31 = one4 + two4
-                total29 = total31 - lost29
-                back17 = total29 - total31
-                rest5 = total29 - back17
-                one4 = total31 - rest5
-                two4 = -back17 - lost29
-                lost29 = one4 + two4
-                total31 = total29 - total30
-                back17 = total31 - total29
-                rest5 = total31 - back17
-                one4 = total29 - rest5
-                two4 = -back17 - total30
-                lost33 = one4 + two4
-                total30 = total31 - lost2
-                back17 = total30 - total31
-                rest5 = total30 - back17
-                one4 = total31 - rest5
-                two4 = -back17 - lost2
-                lost34 = one4 + two4
-                low2 = lost31 - lost30 + lost29 + lost33 + lost34 + 1.1704736640094811e-14*turns
-                total31 = low2 + total30
-                total29 = 6.2831854820251465*count
-                total37 = root + total29
-                whole32 = xp.where(total37 == 0.0, 1.0, total37)
-                total38 = total31/whole32
-                far = (total38*total38)
-
-                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root,
-                    size, square2, stiff, total263, total28, total34, total35, total36, total37,
-                    total38, total563, twice2, whole32):
-
-                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size,
-                        square2, stiff, total263, total28, total34, total35, total36, total37,
-                        total38, total563, twice2, whole32):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        back22 = total35 - total34
-                        rest10 = total35 - back22
-                        one9 = total34 - rest10
-                        two9 = low2 - back22
-                        lost35 = one9 + two9
-                        count_halves = halves(xp, count)
-                        number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                        lost36 = product_error(count*6.2831854820251465, count_halves,
-                            number2_halves)
-                        back22 = total37 - root
-                        rest10 = total37 - back22
-                        one9 = root - rest10
-                        two9 = total36 - back22
-                        lost37 = one9 + two9
-                        both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                        left = total35 - total38*whole32
-                        total38_halves = halves(xp, total38)
-                        whole32_halves = halves(xp, whole32)
-                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                        left = left - both_low*total38 + lost35
-                        lost35 = left/whole32
-                        eta = total38
-                        eta_low = lost35
-                        total39 = (eta*eta)
-                        eta_halves = halves(xp, eta)
-                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                        cos_series_of2 = cos_series(xp, -total39)
-                        bent2 = cos_series_of2*(total39*total39)
-                        total40 = 0.5*total39 - bent2
-                        back22 = total40 - 0.5*total39
-                        lost37 = -back22 - bent2
-                        sin_series_of2 = sin_series(xp, -total39)
-                        total41 = 1.0 - sin_series_of2*total39
-                        back22 = total41 - 1.0
-                        lost36 = -back22 - sin_series_of2*total39
-                        lift_low = 0.5*lost35*total41 + lost37
-                        total39 = eta*total41
-                        total41_halves = halves(xp, total41)
-                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                        some2 = root
-                        total41 = total39/some2
-                        left = total39 - some2*total41
-                        total41_halves = halves(xp, total41)
-                        some2_halves = halves(xp, some2)
-                        left = left - product_error(total41*some2, total41_halves, some2_halves)
-                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                        lost36 = left/some2
-                        given4 = half
-                        total39 = 1.0 - 0.5*given4
-                        back22 = total39 - 1.0
-                        lost37 = -back22 - 0.5*given4
-                        decay_series_of3 = decay_series(xp, given4)
-                        curved4 = decay_series_of3*(given4*given4)
-                        total45 = curved4 + total39
-                        back22 = total45 - total39
-                        lost35 = curved4 - back22
-                        mean_low5 = lost37 + lost35
-                        total39 = given4*total45
-                        given4_halves = halves(xp, given4)
-                        total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                            total45_halves)
-                        total47 = 1.0 - total39
-                        back22 = total47 - 1.0
-                        lost37 = -back22 - total39
-                        fall_low5 = lost37 - lost35
-                        total39 = total45 - total41
-                        back22 = total39 - total45
-                        rest10 = total39 - back22
-                        one9 = total45 - rest10
-                        two9 = -back22 - total41
-                        lost37 = one9 + two9
-                        total49 = given4*total39
-                        total39_halves = halves(xp, total39)
-                        lost37 = (
-                            given4*(lost37 - lost36 + mean_low5) +
-                            product_error(total49, given4_halves, total39_halves)
-                        )
-                        total39 = total40 - total49
-                        back22 = total39 - total40
-                        rest10 = total39 - back22
-                        one9 = total40 - rest10
-                        two9 = -back22 - total49
-                        lost35 = one9 + two9
-                        low22 = lift_low - lost37 + lost35
-                        total49 = low22 + total39
-                        back22 = total49 - total39
-                        rest10 = total49 - back22
-                        one9 = total39 - rest10
-                        two9 = low22 - back22
-                        lost35 = one9 + two9
-                        total39 = total47*total49
-                        total47_halves = halves(xp, total47)
-                        total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves,
-                            total49_halves)
-                        low22 = fall_low5*total49 + lost35
-                        total49 = total39/stiff
-                        left = total39 - stiff*total49
-                        total49_halves = halves(xp, total49)
-                        stiff_halves = halves(xp, stiff)
-                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                        left = left + low22
-                        lost35 = left/stiff
-                        e = xp.exp(-delta)
-                        total39 = e + 1.0
-                        back22 = total39 - 1.0
-                        lost37 = e - back22
-                        total273 = total39 + total263
-                        back22 = total273 - total39
-                        lost273 = total263 - back22
-                        total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves,
-                            total41_halves)
-                        total482 = total45 - total39
-                        back22 = total482 - total45
-                        rest10 = total482 - back22
-                        one9 = total45 - rest10
-                        two9 = -back22 - total39
-                        lost482 = one9 + two9
-                        low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
-                        total41 = given4*total482
-                        total482_halves = halves(xp, total482)
-                        lost482 = given4*low22 + product_error(total41, given4_halves,
-                            total482_halves)
-                        total482 = total40*total47
-                        total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                            total40_halves)
-                        total47 = total41 + total482
-                        back22 = total47 - total41
-                        rest10 = total47 - back22
-                        one9 = total41 - rest10
-                        two9 = total482 - back22
-                        lost512 = one9 + two9
-                        low22 = fall_low5*total40 + lost482 + lost36 + lost512
-                        total40 = total47/stiff
-                        left = total47 - stiff*total40
-                        total40_halves = halves(xp, total40)
-                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                        left = left + low22
-                        lost512 = left/stiff
-
-                        def yes(lost2, square2):
-                            given3 = square2
-                            total19 = 0.5*given3 + 1.0
-                            back13 = total19 - 1.0
-                            lost19 = 0.5*given3 - back13
-                            cos_series_of = cos_series(xp, given3)
-                            curved3 = cos_series_of*(given3*given3)
-                            total20 = curved3 + total19
-                            back13 = total20 - total19
-                            lost20 = curved3 - back13
-                            even_low = lost19 + 0.5*lost2 + lost20
-                            return even_low
-
-                        def no(root, root_low):
-                            sine = xp.sin(root)
-                            even_low2 = -root_low*sine
-                            return even_low2
-
-                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                            (root, root_low))
-
-                        twice2_halves = halves(xp, twice2)
-                        even_halves = halves(xp, even)
-                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                            even_halves)
-                        apart_of = lost28 + total28
-                        fall_of = lost35 + total49
-                        nyquist_of = lost37 + lost36 + lost273 + total273
-                        rise_of = lost512 + total40
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff,
-                        total28, total34, total35, total36, total37, total38, total563, whole32):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        back22 = total35 - total34
-                        rest10 = total35 - back22
-                        one9 = total34 - rest10
-                        two9 = low2 - back22
-                        lost35 = one9 + two9
-                        count_halves = halves(xp, count)
-                        number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                        lost36 = product_error(count*6.2831854820251465, count_halves,
-                            number2_halves)
-                        back22 = total37 - root
-                        rest10 = total37 - back22
-                        one9 = root - rest10
-                        two9 = total36 - back22
-                        lost37 = one9 + two9
-                        both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                        left = total35 - total38*whole32
-                        total38_halves = halves(xp, total38)
-                        whole32_halves = halves(xp, whole32)
-                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                        left = left - both_low*total38 + lost35
-                        lost35 = left/whole32
-                        eta = total38
-                        eta_low = lost35
-                        total39 = (eta*eta)
-                        eta_halves = halves(xp, eta)
-                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                        cos_series_of2 = cos_series(xp, -total39)
-                        bent2 = cos_series_of2*(total39*total39)
-                        total40 = 0.5*total39 - bent2
-                        back22 = total40 - 0.5*total39
-                        lost37 = -back22 - bent2
-                        sin_series_of2 = sin_series(xp, -total39)
-                        total41 = 1.0 - sin_series_of2*total39
-                        back22 = total41 - 1.0
-                        lost36 = -back22 - sin_series_of2*total39
-                        lift_low = 0.5*lost35*total41 + lost37
-                        total39 = eta*total41
-                        total41_halves = halves(xp, total41)
-                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                        some2 = root
-                        total41 = total39/some2
-                        left = total39 - some2*total41
-                        total41_halves = halves(xp, total41)
-                        some2_halves = halves(xp, some2)
-                        left = left - product_error(total41*some2, total41_halves, some2_halves)
-                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                        lost36 = left/some2
-                        given4 = half
-                        total39 = 1.0 - 0.5*given4
-                        back22 = total39 - 1.0
-                        lost37 = -back22 - 0.5*given4
-                        decay_series_of3 = decay_series(xp, given4)
-                        curved4 = decay_series_of3*(given4*given4)
-                        total45 = curved4 + total39
-                        back22 = total45 - total39
-                        lost35 = curved4 - back22
-                        mean_low5 = lost37 + lost35
-                        total39 = given4*total45
-                        given4_halves = halves(xp, given4)
-                        total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                            total45_halves)
-                        total47 = 1.0 - total39
-                        back22 = total47 - 1.0
-                        lost37 = -back22 - total39
-                        fall_low5 = lost37 - lost35
-                        total39 = total45 - total41
-                        back22 = total39 - total45
-                        rest10 = total39 - back22
-                        one9 = total45 - rest10
-                        two9 = -back22 - total41
-                        lost37 = one9 + two9
-                        total49 = given4*total39
-                        total39_halves = halves(xp, total39)
-                        lost37 = (
-                            given4*(lost37 - lost36 + mean_low5) +
-                            product_error(total49, given4_halves, total39_halves)
-                        )
-                        total39 = total40 - total49
-                        back22 = total39 - total40
-                        rest10 = total39 - back22
-                        one9 = total40 - rest10
-                        two9 = -back22 - total49
-                        lost35 = one9 + two9
-                        low22 = lift_low - lost37 + lost35
-                        total49 = low22 + total39
-                        back22 = total49 - total39
-                        rest10 = total49 - back22
-                        one9 = total39 - rest10
-                        two9 = low22 - back22
-                        lost35 = one9 + two9
-                        total39 = total47*total49
-                        total47_halves = halves(xp, total47)
-                        total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves,
-                            total49_halves)
-                        low22 = fall_low5*total49 + lost35
-                        total49 = total39/stiff
-                        left = total39 - stiff*total49
-                        total49_halves = halves(xp, total49)
-                        stiff_halves = halves(xp, stiff)
-                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                        left = left + low22
-                        lost35 = left/stiff
-                        expm1_of = xp.expm1(-half)
-                        grown = -0.5*expm1_of
-                        angle = 0.5*root
-                        wave = xp.cos(angle)
-                        sin_of = xp.sin(angle)
-                        back22 = 0.5*root_low*sin_of
-                        total39 = wave - back22
-                        back82 = total39 - wave
-                        rest10 = total39 - back82
-                        one9 = wave - rest10
-                        two9 = -back22 - back82
-                        lost37 = one9 + two9
-                        total102 = (total39*total39)
-                        total39_halves = halves(xp, total39)
-                        lost102 = product_error(total102, total39_halves, total39_halves)
-                        low22 = lost102 + 2.0*lost37*total39
-                        total39 = envelope*total102
-                        envelope_halves = halves(xp, envelope)
-                        total102_halves = halves(xp, total102)
-                        lost37 = envelope*low22 + product_error(total39, envelope_halves,
-                            total102_halves)
-                        total102 = (grown*grown) + total39
-                        back82 = total102 - total39
-                        rest10 = total102 - back82
-                        one9 = total39 - rest10
-                        two9 = (grown*grown) - back82
-                        lost102 = one9 + two9
-                        low22 = lost37 + lost102
-                        total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves,
-                            total41_halves)
-                        total482 = total45 - total39
-                        back82 = total482 - total45
-                        rest10 = total482 - back82
-                        one9 = total45 - rest10
-                        two9 = -back82 - total39
-                        lost102 = one9 + two9
-                        low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
-                        total41 = given4*total482
-                        total482_halves = halves(xp, total482)
-                        lost102 = given4*low24 + product_error(total41, given4_halves,
-                            total482_halves)
-                        total482 = total40*total47
-                        total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                            total40_halves)
-                        total47 = total41 + total482
-                        back82 = total47 - total41
-                        rest10 = total47 - back82
-                        one9 = total41 - rest10
-                        two9 = total482 - back82
-                        lost37 = one9 + two9
-                        low24 = fall_low5*total40 + lost102 + lost36 + lost37
-                        total40 = total47/stiff
-                        left = total47 - stiff*total40
-                        total40_halves = halves(xp, total40)
-                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                        left = left + low24
-                        lost37 = left/stiff
-                        apart_of = lost28 + total28
-                        fall_of = lost35 + total49
-                        nyquist_of = 4.0*low22 + 4.0*total102
-                        rise_of = lost37 + total40
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                        select(xp, total263 > 0.0, yes,
-                        (count, delta, even, half, lost2, lost28, lost563, low2, root, size,
-                        square2, stiff, total263, total28, total34, total35, total36, total37,
-                        total38, total563, twice2, whole32), no,
-                        (count, envelope, half, lost2, lost28, lost563, low2, root, size,
-                        stiff, total28, total34, total35, total36, total37, total38, total563,
-                        whole32))
-                    )
-
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2,
-                    stiff, total263, total28, total563, twice2):
-
-                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size,
-                        square2, stiff, total263, total28, total563, twice2):
-                        e = xp.exp(-delta)
-                        total253 = e + 1.0
-                        back182 = total253 - 1.0
-                        lost253 = e - back182
-                        total273 = total253 + total263
-                        back182 = total273 - total253
-                        lost273 = total263 - back182
-
-                        def yes(lost2, square2):
-                            given3 = square2
-                            total19 = 0.5*given3 + 1.0
-                            back13 = total19 - 1.0
-                            lost19 = 0.5*given3 - back13
-                            cos_series_of = cos_series(xp, given3)
-                            curved3 = cos_series_of*(given3*given3)
-                            total20 = curved3 + total19
-                            back13 = total20 - total19
-                            lost20 = curved3 - back13
-                            even_low = lost19 + 0.5*lost2 + lost20
-                            sin_series_of = sin_series(xp, given3)
-                            bent = given3*sin_series_of
-                            total20 = bent + 1.0
-                            back13 = total20 - 1.0
-                            lost20 = bent - back13
-                            odd_low = 0.16666666666666666*lost2 + lost20
-                            odd = total20
-                            return even_low, odd, odd_low
-
-                        def no(lost2, root, size):
-                            sign_low = -lost2
-                            left = size - (root*root)
-                            root_halves = halves(xp, root)
-                            left = left - product_error(root*root, root_halves, root_halves)
-                            left = left + sign_low
-                            whole = xp.where(root == 0.0, 1.0, root)
-                            root_low = 0.5*left/whole
-                            sine = xp.sin(root)
-                            cosine = xp.cos(root)
-                            some = root
-                            total22 = sine/some
-                            left = sine - some*total22
-                            total22_halves = halves(xp, total22)
-                            some_halves = halves(xp, some)
-                            left = left - product_error(total22*some, total22_halves, some_halves)
-                            left = cosine*root_low + left - root_low*total22
-                            lost22 = left/some
-                            even_low2 = -root_low*sine
-                            odd = total22
-                            odd_low2 = lost22
-                            return even_low2, odd, odd_low2
-
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
-                            (lost2, square2), no, (lost2, root, size))
-
-                        total253 = half*odd
-                        half_halves = halves(xp, half)
-                        odd_halves = halves(xp, odd)
-                        lost23 = half*odd_low2 + product_error(total253, half_halves, odd_halves)
-                        total252 = total253 - even
-                        back182 = total252 - total253
-                        rest42 = total252 - back182
-                        one32 = total253 - rest42
-                        two32 = -back182 - even
-                        lost252 = one32 + two32
-                        total262 = envelope + total252
-                        back182 = total262 - total252
-                        rest42 = total262 - back182
-                        one32 = total252 - rest42
-                        two32 = envelope - back182
-                        lost262 = one32 + two32
-                        total252 = envelope*total262
-                        envelope_halves = halves(xp, envelope)
-                        total262_halves = halves(xp, total262)
-                        lost262 = (
-                            envelope*(lost23 - even_low2 + lost252 + lost262) +
-                            product_error(total252, envelope_halves, total262_halves)
-                        )
-                        total262 = total252/stiff
-                        left16 = total252 - stiff*total262
-                        total262_halves = halves(xp, total262)
-                        stiff_halves = halves(xp, stiff)
-                        left16 = left16 - product_error(total262*stiff, total262_halves,
-                            stiff_halves)
-                        left16 = left16 + lost262
-                        lost262 = left16/stiff
-                        twice2_halves = halves(xp, twice2)
-                        even_halves = halves(xp, even)
-                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                            even_halves)
-                        total252 = even + total253
-                        back182 = total252 - even
-                        rest42 = total252 - back182
-                        one32 = even - rest42
-                        two32 = total253 - back182
-                        lost242 = one32 + two32
-                        total253 = envelope*total252
-                        total252_halves = halves(xp, total252)
-                        lost242 = (
-                            envelope*(even_low2 + lost23 + lost242) +
-                            product_error(total253, envelope_halves, total252_halves)
-                        )
-                        total252 = 1.0 - total253
-                        back182 = total252 - 1.0
-                        lost23 = -back182 - total253
-                        total253 = total252/stiff
-                        left16 = total252 - stiff*total253
-                        total253_halves = halves(xp, total253)
-                        left16 = left16 - product_error(total253*stiff, total253_halves,
-                            stiff_halves)
-                        left16 = left16 - lost242 + lost23
-                        lost23 = left16/stiff
-                        apart_of = lost28 + total28
-                        fall_of = lost262 + total262
-                        nyquist_of = lost253 + lost252 + lost273 + total273
-                        rise_of = lost23 + total253
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2,
-                        stiff, total28, total563):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        expm1_of = xp.expm1(-half)
-                        grown = -0.5*expm1_of
-                        angle = 0.5*root
-                        wave = xp.cos(angle)
-                        sin_of = xp.sin(angle)
-                        back72 = 0.5*root_low*sin_of
-                        total92 = wave - back72
-                        back82 = total92 - wave
-                        rest33 = total92 - back82
-                        one23 = wave - rest33
-                        two23 = -back72 - back82
-                        lost92 = one23 + two23
-                        total102 = (total92*total92)
-                        total92_halves = halves(xp, total92)
-                        lost102 = product_error(total102, total92_halves, total92_halves)
-                        low4 = lost102 + 2.0*lost92*total92
-                        total92 = envelope*total102
-                        envelope_halves = halves(xp, envelope)
-                        total102_halves = halves(xp, total102)
-                        lost92 = envelope*low4 + product_error(total92, envelope_halves,
-                            total102_halves)
-                        total102 = (grown*grown) + total92
-                        back82 = total102 - total92
-                        rest33 = total102 - back82
-                        one23 = total92 - rest33
-                        two23 = (grown*grown) - back82
-                        lost102 = one23 + two23
-                        low4 = lost92 + lost102
-
-                        def yes(lost2, square2):
-                            given3 = square2
-                            total19 = 0.5*given3 + 1.0
-                            back13 = total19 - 1.0
-                            lost19 = 0.5*given3 - back13
-                            cos_series_of = cos_series(xp, given3)
-                            curved3 = cos_series_of*(given3*given3)
-                            total20 = curved3 + total19
-                            back13 = total20 - total19
-                            lost20 = curved3 - back13
-                            even_low = lost19 + 0.5*lost2 + lost20
-                            sin_series_of = sin_series(xp, given3)
-                            bent = given3*sin_series_of
-                            total20 = bent + 1.0
-                            back13 = total20 - 1.0
-                            lost20 = bent - back13
-                            odd_low = 0.16666666666666666*lost2 + lost20
-                            odd = total20
-                            return even_low, odd, odd_low
-
-                        def no(root, root_low):
-                            sine = xp.sin(root)
-                            cosine = xp.cos(root)
-                            some = root
-                            total22 = sine/some
-                            left10 = sine - some*total22
-                            total22_halves = halves(xp, total22)
-                            some_halves = halves(xp, some)
-                            left10 = left10 - product_error(total22*some, total22_halves,
-                                some_halves)
-                            left10 = cosine*root_low + left10 - root_low*total22
-                            lost22 = left10/some
-                            even_low2 = -root_low*sine
-                            odd = total22
-                            odd_low2 = lost22
-                            return even_low2, odd, odd_low2
-
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
-                            (lost2, square2), no, (root, root_low))
-
-                        total92 = half*odd
-                        half_halves = halves(xp, half)
-                        odd_halves = halves(xp, odd)
-                        lost102 = half*odd_low2 + product_error(total92, half_halves, odd_halves)
-                        total252 = total92 - even
-                        back82 = total252 - total92
-                        rest33 = total252 - back82
-                        one23 = total92 - rest33
-                        two23 = -back82 - even
-                        lost92 = one23 + two23
-                        total262 = envelope + total252
-                        back82 = total262 - total252
-                        rest33 = total262 - back82
-                        one23 = total252 - rest33
-                        two23 = envelope - back82
-                        lost262 = one23 + two23
-                        total252 = envelope*total262
-                        total262_halves = halves(xp, total262)
-                        lost262 = (
-                            envelope*(lost102 - even_low2 + lost92 + lost262) +
-                            product_error(total252, envelope_halves, total262_halves)
-                        )
-                        total262 = total252/stiff
-                        left = total252 - stiff*total262
-                        total262_halves = halves(xp, total262)
-                        stiff_halves = halves(xp, stiff)
-                        left = left - product_error(total262*stiff, total262_halves, stiff_halves)
-                        left = left + lost262
-                        lost262 = left/stiff
-                        total252 = even + total92
-                        back82 = total252 - even
-                        rest33 = total252 - back82
-                        one23 = even - rest33
-                        two23 = total92 - back82
-                        lost92 = one23 + two23
-                        total92 = envelope*total252
-                        total252_halves = halves(xp, total252)
-                        lost92 = (
-                            envelope*(even_low2 + lost102 + lost92) +
-                            product_error(total92, envelope_halves, total252_halves)
-                        )
-                        total252 = 1.0 - total92
-                        back82 = total252 - 1.0
-                        lost102 = -back82 - total92
-                        total92 = total252/stiff
-                        left = total252 - stiff*total92
-                        total92_halves = halves(xp, total92)
-                        left = left - product_error(total92*stiff, total92_halves, stiff_halves)
-                        left = left - lost92 + lost102
-                        lost102 = left/stiff
-                        apart_of = lost28 + total28
-                        fall_of = lost262 + total262
-                        nyquist_of = 4.0*low4 + 4.0*total102
-                        rise_of = lost102 + total92
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                        select(xp, total263 > 0.0, yes,
-                        (delta, envelope, even, half, lost2, lost28, lost563, root, size,
-                        square2, stiff, total263, total28, total563, twice2), no,
-                        (envelope, even, half, lost2, lost28, lost563, root, size, square2,
-                        stiff, total28, total563))
-                    )
-
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root,
-                    size, square2, stiff, total27, total28, total30, total31, total29, total37,
-                    total38, total563, twice2, whole32), no,
-                    (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2,
-                    stiff, total27, total28, total563, twice2))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
-                (delta, gamma, half, lost2, total2))
-            )
-
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        def no(delta, gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-            mean3 = decay(xp, delta)
-            twice2 = 2.0*envelope
-
-            def yes(lost2, square2):
-                given3 = square2
-                total19 = 0.5*given3 + 1.0
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total19 = curved3 + total19
-                sin_series_of = sin_series(xp, given3)
-                bent = given3*sin_series_of
-                total21 = bent + 1.0
-                back15 = total21 - 1.0
-                lost21 = bent - back15
-                odd_low = 0.16666666666666666*lost2 + lost21
-                even = total19
-                odd = total21
-                return even, odd, odd_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total22 = sine/some
-                left = sine - some*total22
-                total22_halves = halves(xp, total22)
-                some_halves = halves(xp, some)
-                left = left - product_error(total22*some, total22_halves, some_halves)
-                left = cosine*root_low + left - root_low*total22
-                lost22 = left/some
-                even = cosine
-                odd = total22
-                odd_low2 = lost22
-                return even, odd, odd_low2
-
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total24 = envelope*odd
-            envelope_halves = halves(xp, envelope)
-            odd_halves = halves(xp, odd)
-            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-            total25 = mean3 - total24
-            back16 = total25 - mean3
-            rest4 = total25 - back16
-            one3 = mean3 - rest4
-            two3 = -back16 - total24
-            lost25 = one3 + two3
-            total24 = total25/stiff
-            left13 = total25 - stiff*total24
-            total24_halves = halves(xp, total24)
-            stiff_halves = halves(xp, stiff)
-            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
-            left13 = left13 - lost24 + lost25
-            lost25 = left13/stiff
-            total25 = even*twice2
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total29 = 39.478416442871094*turns
-            turns_halves = halves(xp, turns)
-            number5_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-            lost24 = product_error(total29, turns_halves, number5_halves)
-            total30 = 1.1614863524300745e-06*turns
-            number6_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-            lost30 = product_error(total30, turns_halves, number6_halves)
-            total31 = -total2 - total29
-            back16 = total2 + total31
-            rest4 = total31 - back16
-            one3 = -rest4 - total2
-            two3 = -back16 - total29
-            lost31 = one3 + two3
-            total29 = total31 - lost24
-            back16 = total29 - total31
-            rest4 = total29 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost24
-            lost24 = one3 + two3
-            total31 = total29 - total30
-            back16 = total31 - total29
-            rest4 = total31 - back16
-            one3 = total29 - rest4
-            two3 = -back16 - total30
-            lost33 = one3 + two3
-            total30 = total31 - lost2
-            back16 = total30 - total31
-            rest4 = total30 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost2
-            lost34 = one3 + two3
-            low2 = lost31 - lost30 + lost24 + lost33 + lost34 + 1.1704736640094811e-14*turns
-            total31 = low2 + total30
-            total29 = 6.2831854820251465*count
-            total37 = root + total29
-            whole32 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole32
-            far = (total38*total38)
-
-            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2,
-                stiff, total26, total263, total34, total35, total36, total37, total38, twice2,
-                whole32):
-
-                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff,
-                    total26, total263, total34, total35, total36, total37, total38, twice2,
-                    whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    back22 = total35 - total34
-                    rest10 = total35 - back22
-                    one9 = total34 - rest10
-                    two9 = low2 - back22
-                    lost35 = one9 + two9
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                    lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                    back22 = total37 - root
-                    rest10 = total37 - back22
-                    one9 = root - rest10
-                    two9 = total36 - back22
-                    lost37 = one9 + two9
-                    both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                    left = total35 - total38*whole32
-                    total38_halves = halves(xp, total38)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                    left = left - both_low*total38 + lost35
-                    lost35 = left/whole32
-                    eta = total38
-                    eta_low = lost35
-                    total39 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total39)
-                    bent2 = cos_series_of2*(total39*total39)
-                    total40 = 0.5*total39 - bent2
-                    back22 = total40 - 0.5*total39
-                    lost37 = -back22 - bent2
-                    sin_series_of2 = sin_series(xp, -total39)
-                    total41 = 1.0 - sin_series_of2*total39
-                    back22 = total41 - 1.0
-                    lost36 = -back22 - sin_series_of2*total39
-                    lift_low = 0.5*lost35*total41 + lost37
-                    total39 = eta*total41
-                    total41_halves = halves(xp, total41)
-                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                    some2 = root
-                    total41 = total39/some2
-                    left = total39 - some2*total41
-                    total41_halves = halves(xp, total41)
-                    some2_halves = halves(xp, some2)
-                    left = left - product_error(total41*some2, total41_halves, some2_halves)
-                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                    lost36 = left/some2
-                    given4 = half
-                    total39 = 1.0 - 0.5*given4
-                    back22 = total39 - 1.0
-                    lost37 = -back22 - 0.5*given4
-                    decay_series_of3 = decay_series(xp, given4)
-                    curved4 = decay_series_of3*(given4*given4)
-                    total45 = curved4 + total39
-                    back22 = total45 - total39
-                    lost35 = curved4 - back22
-                    mean_low5 = lost37 + lost35
-                    total39 = given4*total45
-                    given4_halves = halves(xp, given4)
-                    total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                        total45_halves)
-                    total47 = 1.0 - total39
-                    back22 = total47 - 1.0
-                    lost37 = -back22 - total39
-                    fall_low5 = lost37 - lost35
-                    total39 = total45 - total41
-                    back22 = total39 - total45
-                    rest10 = total39 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total41
-                    lost37 = one9 + two9
-                    total49 = given4*total39
-                    total39_halves = halves(xp, total39)
-                    lost37 = (
-                        given4*(lost37 - lost36 + mean_low5) +
-                        product_error(total49, given4_halves, total39_halves)
-                    )
-                    total39 = total40 - total49
-                    back22 = total39 - total40
-                    rest10 = total39 - back22
-                    one9 = total40 - rest10
-                    two9 = -back22 - total49
-                    lost35 = one9 + two9
-                    low22 = lift_low - lost37 + lost35
-                    total49 = low22 + total39
-                    back22 = total49 - total39
-                    rest10 = total49 - back22
-                    one9 = total39 - rest10
-                    two9 = low22 - back22
-                    lost35 = one9 + two9
-                    total39 = total47*total49
-                    total47_halves = halves(xp, total47)
-                    total49_halves = halves(xp, total49)
-                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                    low22 = fall_low5*total49 + lost35
-                    total49 = total39/stiff
-                    left = total39 - stiff*total49
-                    total49_halves = halves(xp, total49)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                    left = left + low22
-                    lost35 = left/stiff
-                    e = xp.exp(-delta)
-                    total39 = e + 1.0
-                    back22 = total39 - 1.0
-                    lost37 = e - back22
-                    total273 = total39 + total263
-                    back22 = total273 - total39
-                    lost273 = total263 - back22
-                    total39 = total41*total47
-                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                    total482 = total45 - total39
-                    back22 = total482 - total45
-                    rest10 = total482 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total39
-                    lost482 = one9 + two9
-                    low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
-                    total41 = given4*total482
-                    total482_halves = halves(xp, total482)
-                    lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
-                    total482 = total40*total47
-                    total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                        total40_halves)
-                    total39 = total41 + total482
-                    back22 = total39 - total41
-                    rest10 = total39 - back22
-                    one9 = total41 - rest10
-                    two9 = total482 - back22
-                    lost512 = one9 + two9
-                    low22 = fall_low5*total40 + lost482 + lost36 + lost512
-                    total41 = total39/stiff
-                    left = total39 - stiff*total41
-                    total41_halves = halves(xp, total41)
-                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
-                    left = left + low22
-                    lost512 = left/stiff
-                    total39 = 1.0 - total47
-                    back22 = total39 - 1.0
-                    lost482 = -back22 - total47
-                    low22 = lost482 - fall_low5
-                    total47 = low22 + total39
-                    back22 = total47 - total39
-                    lost482 = low22 - back22
-                    total39 = (total47*total47)
-                    total47_halves = halves(xp, total47)
-                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves,
-                        total47_halves)
-                    total47 = total39 + 2.0*total482
-                    back22 = total47 - total39
-                    rest10 = total47 - back22
-                    one9 = total39 - rest10
-                    two9 = 2.0*total482 - back22
-                    lost372 = one9 + two9
-                    low22 = 2.0*fall_low5*total40 + lost482 + lost372 + 2.0*lost36
-                    total40 = total47/stiff
-                    left = total47 - stiff*total40
-                    total40_halves = halves(xp, total40)
-                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                    left = left + low22
-                    lost372 = left/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost26 + total26
-                    fall_of = lost35 + total49
-                    nyquist_of = lost37 + lost482 + lost273 + total273
-                    rise_of = lost512 + total41
-                    together_of = lost372 + total40
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
-                    total34, total35, total36, total37, total38, whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    back22 = total35 - total34
-                    rest10 = total35 - back22
-                    one9 = total34 - rest10
-                    two9 = low2 - back22
-                    lost35 = one9 + two9
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                    lost36 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                    back22 = total37 - root
-                    rest10 = total37 - back22
-                    one9 = root - rest10
-                    two9 = total36 - back22
-                    lost37 = one9 + two9
-                    both_low = lost36 - 1.7484555314695172e-07*count + lost37 + root_low
-                    left = total35 - total38*whole32
-                    total38_halves = halves(xp, total38)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                    left = left - both_low*total38 + lost35
-                    lost35 = left/whole32
-                    eta = total38
-                    eta_low = lost35
-                    total39 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total39)
-                    bent2 = cos_series_of2*(total39*total39)
-                    total40 = 0.5*total39 - bent2
-                    back22 = total40 - 0.5*total39
-                    lost37 = -back22 - bent2
-                    sin_series_of2 = sin_series(xp, -total39)
-                    total41 = 1.0 - sin_series_of2*total39
-                    back22 = total41 - 1.0
-                    lost36 = -back22 - sin_series_of2*total39
-                    lift_low = 0.5*lost35*total41 + lost37
-                    total39 = eta*total41
-                    total41_halves = halves(xp, total41)
-                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                    some2 = root
-                    total41 = total39/some2
-                    left = total39 - some2*total41
-                    total41_halves = halves(xp, total41)
-                    some2_halves = halves(xp, some2)
-                    left = left - product_error(total41*some2, total41_halves, some2_halves)
-                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                    lost36 = left/some2
-                    given4 = half
-                    total39 = 1.0 - 0.5*given4
-                    back22 = total39 - 1.0
-                    lost37 = -back22 - 0.5*given4
-                    decay_series_of3 = decay_series(xp, given4)
-                    curved4 = decay_series_of3*(given4*given4)
-                    total45 = curved4 + total39
-                    back22 = total45 - total39
-                    lost35 = curved4 - back22
-                    mean_low5 = lost37 + lost35
-                    total39 = given4*total45
-                    given4_halves = halves(xp, given4)
-                    total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                        total45_halves)
-                    total47 = 1.0 - total39
-                    back22 = total47 - 1.0
-                    lost37 = -back22 - total39
-                    fall_low5 = lost37 - lost35
-                    total39 = total45 - total41
-                    back22 = total39 - total45
-                    rest10 = total39 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total41
-                    lost37 = one9 + two9
-                    total49 = given4*total39
-                    total39_halves = halves(xp, total39)
-                    lost37 = (
-                        given4*(lost37 - lost36 + mean_low5) +
-                        product_error(total49, given4_halves, total39_halves)
-                    )
-                    total39 = total40 - total49
-                    back22 = total39 - total40
-                    rest10 = total39 - back22
-                    one9 = total40 - rest10
-                    two9 = -back22 - total49
-                    lost35 = one9 + two9
-                    low22 = lift_low - lost37 + lost35
-                    total49 = low22 + total39
-                    back22 = total49 - total39
-                    rest10 = total49 - back22
-                    one9 = total39 - rest10
-                    two9 = low22 - back22
-                    lost35 = one9 + two9
-                    total39 = total47*total49
-                    total47_halves = halves(xp, total47)
-                    total49_halves = halves(xp, total49)
-                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                    low22 = fall_low5*total49 + lost35
-                    total49 = total39/stiff
-                    left = total39 - stiff*total49
-                    total49_halves = halves(xp, total49)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                    left = left + low22
-                    lost35 = left/stiff
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back22 = 0.5*root_low*sin_of
-                    total39 = wave - back22
-                    back82 = total39 - wave
-                    rest10 = total39 - back82
-                    one9 = wave - rest10
-                    two9 = -back22 - back82
-                    lost37 = one9 + two9
-                    total102 = (total39*total39)
-                    total39_halves = halves(xp, total39)
-                    lost102 = product_error(total102, total39_halves, total39_halves)
-                    low22 = lost102 + 2.0*lost37*total39
-                    total39 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost37 = envelope*low22 + product_error(total39, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total39
-                    back82 = total102 - total39
-                    rest10 = total102 - back82
-                    one9 = total39 - rest10
-                    two9 = (grown*grown) - back82
-                    lost102 = one9 + two9
-                    low22 = lost37 + lost102
-                    total39 = total41*total47
-                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                    total482 = total45 - total39
-                    back82 = total482 - total45
-                    rest10 = total482 - back82
-                    one9 = total45 - rest10
-                    two9 = -back82 - total39
-                    lost102 = one9 + two9
-                    low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
-                    total41 = given4*total482
-                    total482_halves = halves(xp, total482)
-                    lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
-                    total482 = total40*total47
-                    total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                        total40_halves)
-                    total39 = total41 + total482
-                    back82 = total39 - total41
-                    rest10 = total39 - back82
-                    one9 = total41 - rest10
-                    two9 = total482 - back82
-                    lost37 = one9 + two9
-                    low24 = fall_low5*total40 + lost102 + lost36 + lost37
-                    total41 = total39/stiff
-                    left = total39 - stiff*total41
-                    total41_halves = halves(xp, total41)
-                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
-                    left = left + low24
-                    lost37 = left/stiff
-                    total39 = 1.0 - total47
-                    back82 = total39 - 1.0
-                    lost102 = -back82 - total47
-                    low24 = lost102 - fall_low5
-                    total47 = low24 + total39
-                    back82 = total47 - total39
-                    lost102 = low24 - back82
-                    total39 = (total47*total47)
-                    total47_halves = halves(xp, total47)
-                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves,
-                        total47_halves)
-                    total47 = total39 + 2.0*total482
-                    back82 = total47 - total39
-                    rest10 = total47 - back82
-                    one9 = total39 - rest10
-                    two9 = 2.0*total482 - back82
-                    lost372 = one9 + two9
-                    low24 = 2.0*fall_low5*total40 + lost102 + lost372 + 2.0*lost36
-                    total40 = total47/stiff
-                    left = total47 - stiff*total40
-                    total40_halves = halves(xp, total40)
-                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                    left = left + low24
-                    lost372 = left/stiff
-                    apart_of = lost26 + total26
-                    fall_of = lost35 + total49
-                    nyquist_of = 4.0*low22 + 4.0*total102
-                    rise_of = lost37 + total41
-                    together_of = lost372 + total40
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2,
-                    root, size, square2, stiff, total26, total263, total34, total35, total36,
-                    total37, total38, twice2, whole32), no,
-                    (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
-                    total34, total35, total36, total37, total38, whole32))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
-                stiff, total26, total263, twice2):
-
-                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size,
-                    square2, stiff, total26, total263, twice2):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    total23 = half*odd
-                    half_halves = halves(xp, half)
-                    odd_halves = halves(xp, odd)
-                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                    total252 = total23 - even
-                    back162 = total252 - total23
-                    rest42 = total252 - back162
-                    one32 = total23 - rest42
-                    two32 = -back162 - even
-                    lost252 = one32 + two32
-                    total262 = envelope + total252
-                    back162 = total262 - total252
-                    rest42 = total262 - back162
-                    one32 = total252 - rest42
-                    two32 = envelope - back162
-                    lost262 = one32 + two32
-                    total252 = envelope*total262
-                    total282 = total252/stiff
-                    left = total252 - stiff*total282
-                    total282_halves = halves(xp, total282)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    e = xp.exp(-delta)
-                    total253 = e + 1.0
-                    back162 = total253 - 1.0
-                    lost253 = e - back162
-                    total273 = total253 + total263
-                    back162 = total273 - total253
-                    lost273 = total263 - back162
-                    total253 = even + total23
-                    back162 = total253 - even
-                    rest42 = total253 - back162
-                    one32 = even - rest42
-                    two32 = total23 - back162
-                    lost242 = one32 + two32
-                    total23 = envelope*total253
-                    total264 = 1.0 - total23
-                    back162 = total264 - 1.0
-                    lost264 = -back162 - total23
-                    total274 = total264/stiff
-                    left162 = total264 - stiff*total274
-                    total274_halves = halves(xp, total274)
-                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
-                    back162 = -0.5*root_low*wave
-                    total264 = sin_of - back162
-                    back83 = total264 - sin_of
-                    rest42 = total264 - back83
-                    one32 = sin_of - rest42
-                    two32 = -back162 - back83
-                    lost93 = one32 + two32
-                    total103 = (total264*total264)
-                    total264_halves = halves(xp, total264)
-                    lost103 = product_error(total103, total264_halves, total264_halves)
-                    low5 = lost103 + 2.0*lost93*total264
-                    total264 = envelope*total103
-                    envelope_halves = halves(xp, envelope)
-                    total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total264
-                    back83 = total103 - total264
-                    rest42 = total103 - back83
-                    one32 = total264 - rest42
-                    two32 = (grown*grown) - back83
-                    lost103 = one32 + two32
-                    low5 = lost93 + lost103
-                    total264 = total103/stiff
-                    left72 = total103 - stiff*total264
-                    total264_halves = halves(xp, total264)
-                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
-                    left72 = left72 + low5
-                    lost103 = left72/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    total262_halves = halves(xp, total262)
-                    lost262 = (
-                        envelope*(lost23 - even_low2 + lost252 + lost262) +
-                        product_error(total252, envelope_halves, total262_halves)
-                    )
-                    left = left + lost262
-                    lost262 = left/stiff
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    total253_halves = halves(xp, total253)
-                    lost242 = (
-                        envelope*(even_low2 + lost23 + lost242) +
-                        product_error(total23, envelope_halves, total253_halves)
-                    )
-                    left162 = left162 - lost242 + lost264
-                    lost264 = left162/stiff
-                    apart_of = lost26 + total26
-                    fall_of = lost262 + total282
-                    nyquist_of = lost253 + lost252 + lost273 + total273
-                    rise_of = lost264 + total274
-                    together_of = 4.0*lost103 + 4.0*total264
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
-                    stiff, total26):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    total23 = half*odd
-                    half_halves = halves(xp, half)
-                    odd_halves = halves(xp, odd)
-                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                    total252 = total23 - even
-                    back162 = total252 - total23
-                    rest42 = total252 - back162
-                    one32 = total23 - rest42
-                    two32 = -back162 - even
-                    lost252 = one32 + two32
-                    total262 = envelope + total252
-                    back162 = total262 - total252
-                    rest42 = total262 - back162
-                    one32 = total252 - rest42
-                    two32 = envelope - back162
-                    lost262 = one32 + two32
-                    total252 = envelope*total262
-                    total282 = total252/stiff
-                    left = total252 - stiff*total282
-                    total282_halves = halves(xp, total282)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back162 = 0.5*root_low*sin_of
-                    total92 = wave - back162
-                    back82 = total92 - wave
-                    rest42 = total92 - back82
-                    one32 = wave - rest42
-                    two32 = -back162 - back82
-                    lost92 = one32 + two32
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low4 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest42 = total102 - back82
-                    one32 = total92 - rest42
-                    two32 = (grown*grown) - back82
-                    lost102 = one32 + two32
-                    low4 = lost92 + lost102
-                    total92 = even + total23
-                    back82 = total92 - even
-                    rest42 = total92 - back82
-                    one32 = even - rest42
-                    two32 = total23 - back82
-                    lost102 = one32 + two32
-                    total23 = envelope*total92
-                    total264 = 1.0 - total23
-                    back82 = total264 - 1.0
-                    lost92 = -back82 - total23
-                    total274 = total264/stiff
-                    left162 = total264 - stiff*total274
-                    total274_halves = halves(xp, total274)
-                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
-                    back82 = -0.5*root_low*wave
-                    total264 = sin_of - back82
-                    back162 = total264 - sin_of
-                    rest42 = total264 - back162
-                    one32 = sin_of - rest42
-                    two32 = -back82 - back162
-                    lost93 = one32 + two32
-                    total103 = (total264*total264)
-                    total264_halves = halves(xp, total264)
-                    lost103 = product_error(total103, total264_halves, total264_halves)
-                    low5 = lost103 + 2.0*lost93*total264
-                    total264 = envelope*total103
-                    total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total264
-                    back162 = total103 - total264
-                    rest42 = total103 - back162
-                    one32 = total264 - rest42
-                    two32 = (grown*grown) - back162
-                    lost103 = one32 + two32
-                    low5 = lost93 + lost103
-                    total264 = total103/stiff
-                    left72 = total103 - stiff*total264
-                    total264_halves = halves(xp, total264)
-                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
-                    left72 = left72 + low5
-                    lost103 = left72/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    total262_halves = halves(xp, total262)
-                    lost262 = (
-                        envelope*(lost23 - even_low2 + lost252 + lost262) +
-                        product_error(total252, envelope_halves, total262_halves)
-                    )
-                    left = left + lost262
-                    lost262 = left/stiff
-                    total92_halves = halves(xp, total92)
-                    lost102 = (
-                        envelope*(even_low2 + lost23 + lost102) +
-                        product_error(total23, envelope_halves, total92_halves)
-                    )
-                    left162 = left162 - lost102 + lost92
-                    lost92 = left162/stiff
-                    apart_of = lost26 + total26
-                    fall_of = lost262 + total282
-                    nyquist_of = 4.0*low4 + 4.0*total102
-                    rise_of = lost92 + total274
-                    together_of = 4.0*lost103 + 4.0*total264
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26,
-                    odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no,
-                    (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
-                    stiff, total26))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2,
-                stiff, total24, total25, total30, total31, total29, total37, total38, twice2,
-                whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root,
-                size, square2, stiff, total24, total25, twice2))
-            )
-
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        apart_of, fall_of, nyquist_of, rise_of, together_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
-            (delta, gamma, half, lost2, total2))
-        )
-
-        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
-
-            def yes(delta, gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back3 = total27 - 1.0
-                lost54 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back3 = total55 - total27
-                lost55 = curved5 - back3
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back3 = total55 - 1.0
-                lost54 = -back3 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back3 = total27 - rest6
-                rest5 = total27 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back3 = total55 - 1.0
-                lost532 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back3 = total542 - total55
-                lost542 = curved5 - back3
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back3 = total542 - 1.0
-                lost532 = -back3 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back3 = total542 - rest5
-                rest6 = total542 - back3
-                one4 = rest5 - rest6
-                two4 = 0.5 - back3
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-                rest6 = together_series(xp, half, total2)
-                total55 = rest6 + 0.5
-                back3 = total55 - rest6
-                rest5 = total55 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost553 = one4 + two4
-                total563 = envelope*total55
-                total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total55_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    return fall_, fall_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    return fall_, fall_low2
-
-                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-                total55 = fall_ + 1.0
-                back3 = total55 - 1.0
-                lost283 = fall_ - back3
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    total10 = given2*total11
-                    given2_halves = halves(xp, given2)
-                    total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
-                        total11_halves)
-                    total13 = 1.0 - total10
-                    back8 = total13 - 1.0
-                    lost10 = -back8 - total10
-                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                    fall2 = total13
-                    return fall2, fall_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    fall2 = sunk2
-                    fall_low4 = sunk_low2
-                    return fall2, fall_low4
-
-                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
-                    (root, root_low))
-
-                fast = fall_*fall2
-                fall__halves = halves(xp, fall_)
-                fall2_halves = halves(xp, fall2)
-                lost292 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-                low32 = fall2*fall_low2 + lost292
-                total302 = fast + 1.0
-                back3 = total302 - 1.0
-                lost292 = fast - back3
-                total312 = total55*total302
-                total55_halves = halves(xp, total55)
-                total302_halves = halves(xp, total302)
-                lost292 = (
-                    total55*(lost292 + low32) + product_error(total312, total55_halves,
-                    total302_halves)
-                )
-                apart_of = lost3 + total28
-                fall_of = lost54*total27 + lost55 + total61
-                nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
-                rise_of = lost532*total542 + lost542 + total592
-                together_of = 2.0*lost553 + 2.0*total563
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            def no(gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                rest6 = together_series(xp, half, total2)
-                total27 = rest6 + 0.5
-                back3 = total27 - rest6
-                rest5 = total27 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost553 = one4 + two4
-                total563 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total27_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    mean = total5
-                    return fall_, fall_low, mean, mean_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    total8 = 1.0 - sunk
-                    back7 = total8 - 1.0
-                    lost8 = -back7 - sunk
-                    bottom = q
-                    total9 = total8/bottom
-                    left4 = total8 - bottom*total9
-                    total9_halves = halves(xp, total9)
-                    bottom_halves = halves(xp, bottom)
-                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                    left4 = left4 + lost8 - q_low*total9 - sunk_low
-                    lost8 = left4/bottom
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    mean = total9
-                    mean_low2 = lost8
-                    return fall_, fall_low2, mean, mean_low2
-
-                fall_, fall_low2, mean, mean_low2 = (
-                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-                )
-
-                total27 = fall_ + 1.0
-                back3 = total27 - 1.0
-                lost283 = fall_ - back3
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    total10 = given2*total11
-                    given2_halves = halves(xp, given2)
-                    total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
-                        total11_halves)
-                    total13 = 1.0 - total10
-                    back8 = total13 - 1.0
-                    lost10 = -back8 - total10
-                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                    fall2 = total13
-                    mean2 = total11
-                    return fall2, fall_low3, mean2, mean_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    total14 = 1.0 - sunk2
-                    back11 = total14 - 1.0
-                    lost14 = -back11 - sunk2
-                    bottom2 = 2.0*root
-                    total15 = total14/bottom2
-                    left7 = total14 - bottom2*total15
-                    total15_halves = halves(xp, total15)
-                    bottom2_halves = halves(xp, bottom2)
-                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                    lost14 = left7/bottom2
-                    fall2 = sunk2
-                    fall_low4 = sunk_low2
-                    mean2 = total15
-                    mean_low4 = lost14
-                    return fall2, fall_low4, mean2, mean_low4
-
-                fall2, fall_low4, mean2, mean_low4 = (
-                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-                )
-
-                fast = fall_*fall2
-                total162 = fall2*mean
-                fall2_halves = halves(xp, fall2)
-                mean_halves = halves(xp, mean)
-                lost162 = fall2*mean_low2 + product_error(total162, fall2_halves, mean_halves)
-                pulled_low = fall_low4*mean + lost162
-                total172 = mean2 - total162
-                back3 = total172 - mean2
-                rest5 = total172 - back3
-                one4 = mean2 - rest5
-                two4 = -back3 - total162
-                lost162 = one4 + two4
-                total162 = total172/whole
-                left = total172 - total162*whole
-                total162_halves = halves(xp, total162)
-                left = left - product_error(total162*whole, total162_halves, whole_halves)
-                left = left + lost162 + mean_low4 - p_low*total162 - pulled_low
-                lost162 = left/whole
-                total172 = fall_*total162
-                fall__halves = halves(xp, fall_)
-                lost162 = fall_*lost162 + product_error(total172, fall__halves, total162_halves)
-                creep_ = fall_low2*total162 + lost162 + total172
-                lost162 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-                low32 = fall2*fall_low2 + lost162
-                total172 = fast + 1.0
-                back3 = total172 - 1.0
-                lost162 = fast - back3
-                total162 = total27*total172
-                total27_halves = halves(xp, total27)
-                total172_halves = halves(xp, total172)
-                lost162 = (
-                    total27*(lost162 + low32) + product_error(total162, total27_halves,
-                    total172_halves)
-                )
-                total27 = fall_*mean2
-                mean2_halves = halves(xp, mean2)
-                lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
-                pulled_low = fall_low2*mean2 + lost163
-                total173 = mean - total27
-                back3 = total173 - mean
-                rest5 = total173 - back3
-                one4 = mean - rest5
-                two4 = -back3 - total27
-                lost163 = one4 + two4
-                total27 = total173/whole
-                left = total173 - total27*whole
-                total27_halves = halves(xp, total27)
-                left = left - product_error(total27*whole, total27_halves, whole_halves)
-                left = left + lost163 + mean_low2 - p_low*total27 - pulled_low
-                lost163 = left/whole
-                apart_of = lost3 + total28
-                fall_of = creep_
-                nyquist_of = lost162 + total172*(fall_low2 + lost283) + total162
-                rise_of = lost163 + total27
-                together_of = 2.0*lost553 + 2.0*total563
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
-                total3), no, (gamma, half, lost2, root, size, total2, total3))
-            )
-
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        def no(delta, gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-            twice = 2.0*fall_
-            total283 = fall_ + 1.0
-            back3 = total283 - 1.0
-            lost3 = fall_ - back3
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            fast = fall_*fall2
-            total16 = mean2*twice
-            twice_halves = halves(xp, twice)
-            mean2_halves = halves(xp, mean2)
-            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
-            total17 = mean - total16
-            back3 = total17 - mean
-            rest3 = total17 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total16
-            lost17 = one2 + two2
-            total16 = fast*mean
-            fast_halves = halves(xp, fast)
-            mean_halves = halves(xp, mean)
-            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
-            top = total17 + total16
-            low = lost17 - lost16 + lost18 + mean_low2
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost18
-            total17 = mean2 - total16
-            back3 = total17 - mean2
-            rest3 = total17 - back3
-            one2 = mean2 - rest3
-            two2 = -back3 - total16
-            lost18 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
-            lost18 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost18 + total17
-            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-            low32 = fall2*fall_low2 + lost18
-            total17 = fast + 1.0
-            back3 = total17 - 1.0
-            lost18 = fast - back3
-            total16 = total283*total17
-            total283_halves = halves(xp, total283)
-            total17_halves = halves(xp, total17)
-            lost18 = (
-                total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
-            )
-            total283 = fall_*mean2
-            lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost17
-            total173 = mean - total283
-            back3 = total173 - mean
-            rest3 = total173 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total283
-            lost17 = one2 + two2
-            total283 = total173/whole
-            left = total173 - total283*whole
-            total283_halves = halves(xp, total283)
-            left = left - product_error(total283*whole, total283_halves, whole_halves)
-            left = left + lost17 + mean_low2 - p_low*total283 - pulled_low
-            lost17 = left/whole
-            total173 = 1.0 - fast
-            back3 = total173 - 1.0
-            lost16 = -back3 - fast
-            total533 = mean*total173
-            total173_halves = halves(xp, total173)
-            lost16 = mean*(lost16 - low32) + product_error(total533, mean_halves, total173_halves)
-            moved_low = lost16 + mean_low2*total173
-            total173 = total533/whole
-            left = total533 - total173*whole
-            total173_halves = halves(xp, total173)
-            left = left - product_error(total173*whole, total173_halves, whole_halves)
-            left = left + moved_low - p_low*total173
-            lost16 = left/whole
-            apart_of = (low + top)/whole3
-            fall_of = creep_
-            nyquist_of = lost18 + total17*(fall_low2 + lost3) + total16
-            rise_of = lost17 + total283
-            together_of = lost16 + total173
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        apart_of, fall_of, nyquist_of, rise_of, together_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
-            total3), no, (delta, gamma, half, lost2, root, size, total3))
-        )
-
-        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-    apart_of, fall_of, nyquist_of, rise_of, together_of = (
-        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
-        (delta, gamma, half, lost, total2))
-    )
-
-    return apart_of, fall_of, nyquist_of, rise_of, together_of
+    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+        (delta, gamma, reach, root, w, w_low))
+
+
+def nyquist_creep(xp, slow, slow_low, ratio, ratio_low):
+    """1 + a + e of a creeping device"""
+    total, lost = fast_two_sum(xp, 1.0, slow)
+    fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
+    total2, lost2 = fast_two_sum(xp, 1.0, fast)
+    total, lost2 = wide_prod(xp, total, total2, fast_low + lost2)
+    low = lost2 + total2*(lost + slow_low)
+    return low + total
+
+
+def nyquist_swing(xp, half, w, w_low, envelope, even, even_low, root):
+    """1 + a + e of a swinging device"""
+    total3, lost2 = wide_prod(xp, 2.0*envelope, even, even_low)
+
+    def yes(half, lost2, total3):
+        e = xp.exp(-2.0*half)
+        total2, lost = fast_two_sum(xp, 1.0, e)
+        total2, lost3 = fast_two_sum(xp, total2, total3)
+        rest = lost + lost2 + lost3
+        return rest + total2
+
+    def no(envelope, half, root, w, w_low):
+        angle = 0.5*root
+        back = 0.5*root_miss(xp, w, w_low, root)*xp.sin(angle)
+        total, low = half_squares(xp, half, envelope, xp.cos(angle), back)
+        return 4.0*low + 4.0*total
+
+    return select(xp, total3 > 0.0, yes, (half, lost2, total3), no,
+        (envelope, half, root, w, w_low))
 
 
 def apart_fall_nyquist_rise_together(xp, gamma, delta):
     """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a +
     e; n1, how far a unit force moves the device in a period; n1 + n0
     """
-    if gamma.dtype == xp.float32:
-        return apart_fall_nyquist_rise_together_single(xp, gamma, delta)
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, gamma, half, lost2, reach, total2):
-
-            def yes(delta, gamma, half, lost2, total2):
-                square2 = total2
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back17 = total27 - 1.0
-                lost54 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back17 = total55 - total27
-                lost55 = curved5 - back17
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back17 = total55 - 1.0
-                lost54 = -back17 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back17 = total27 - rest6
-                rest5 = total27 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                twice2 = 2.0*envelope
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back17 = total55 - 1.0
-                lost532 = -back17 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back17 = total542 - total55
-                lost542 = curved5 - back17
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back17 = total542 - 1.0
-                lost532 = -back17 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back17 = total542 - rest5
-                rest6 = total542 - back17
-                one4 = rest5 - rest6
-                two4 = 0.5 - back17
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-                rest6 = together_series(xp, half, total2)
-                total55 = rest6 + 0.5
-                back17 = total55 - rest6
-                rest5 = total55 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost553 = one4 + two4
-                total563 = envelope*total55
-                total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total55_halves)
-
-                def yes(square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total19 = curved3 + total19
-                    even = total19
-                    return even
-
-                def no(total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    cosine = xp.cos(root)
-                    even = cosine
-                    return even
-
-                even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
-
-                total55 = even*twice2
-
-                def yes(delta, even, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
-                    square2, total2, total263, total28, total563, total582, total592, total60,
-                    total61, twice2):
-                    e = xp.exp(-delta)
-                    total253 = e + 1.0
-                    back182 = total253 - 1.0
-                    lost253 = e - back182
-                    total273 = total253 + total263
-                    back182 = total273 - total253
-                    lost273 = total263 - back182
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(lost2, total2):
-                        size = xp.abs(total2)
-                        root = square_root(xp, size)
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (lost2, total2))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost263 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost28 + total28
-                    fall_of = lost59*total60 + lost61 + total61
-                    nyquist_of = lost253 + lost263 + lost273 + total273
-                    rise_of = lost572*total582 + lost592 + total592
-                    together_of = 2.0*lost563 + 2.0*total563
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(envelope, half, lost2, lost28, lost563, lost572, lost59, lost592, lost61,
-                    total2, total28, total563, total582, total592, total60, total61):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back72 = 0.5*root_low*sin_of
-                    total92 = wave - back72
-                    back82 = total92 - wave
-                    rest33 = total92 - back82
-                    one23 = wave - rest33
-                    two23 = -back72 - back82
-                    lost92 = one23 + two23
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low4 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest33 = total102 - back82
-                    one23 = total92 - rest33
-                    two23 = (grown*grown) - back82
-                    lost102 = one23 + two23
-                    low4 = lost92 + lost102
-                    apart_of = lost28 + total28
-                    fall_of = lost59*total60 + lost61 + total61
-                    nyquist_of = 4.0*low4 + 4.0*total102
-                    rise_of = lost572*total582 + lost592 + total592
-                    together_of = 2.0*lost563 + 2.0*total563
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total55 > 0.0, yes, (delta, even, lost2, lost27, lost553, lost532,
-                    lost54, lost542, lost55, square2, total2, total55, total28, total563,
-                    total542, total592, total27, total61, twice2), no,
-                    (envelope, half, lost2, lost27, lost553, lost532, lost54, lost542, lost55,
-                    total2, total28, total563, total542, total592, total27, total61))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            def no(delta, gamma, half, lost2, total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                square2 = total2
-                envelope = xp.exp(-half)
-                stiff = gamma
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back17 = total27 - rest5
-                rest6 = total27 - back17
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back17
-                lost27 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-                twice2 = 2.0*envelope
-                rest6 = together_series(xp, half, total2)
-                total27 = rest6 + 0.5
-                back17 = total27 - rest6
-                rest5 = total27 - back17
-                one4 = rest6 - rest5
-                two4 = 0.5 - back17
-                lost553 = one4 + two4
-                total563 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total27_halves)
-
-                def yes(square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total19 = curved3 + total19
-                    even = total19
-                    return even
-
-                def no(root):
-                    cosine = xp.cos(root)
-                    even = cosine
-                    return even
-
-                even = select(xp, square2 > -1.5, yes, (square2,), no, (root,))
-
-                total27 = even*twice2
-
-                def yes(root):
-                    count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                    return count
-
-                def no(root):
-                    return 0.0
-
-                count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-                turns = (count*count)
-                total29 = 39.47841760435743*turns
-                turns_halves = halves(xp, turns)
-                number4_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-                lost29 = product_error(total29, turns_halves, number4_halves)
-                total30 = 2.5061182034958845e-15*turns
-                number5_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-                lost30 = product_error(total30, turns_halves, number5_halves)
-                total31 = -total2 - total29
-                back17 = total2 + total31
-                rest5 = total31 - back17
-                one4 = -rest5 - total2
-                two4 = -back17 - total29
-                lost31 = one4 + two4
-                total29 = total31 - lost29
-                back17 = total29 - total31
-                rest5 = total29 - back17
-                one4 = total31 - rest5
-                two4 = -back17 - lost29
-                lost29 = one4 + two4
-                total31 = total29 - total30
-                back17 = total31 - total29
-                rest5 = total31 - back17
-                one4 = total29 - rest5
-                two4 = -back17 - total30
-                lost33 = one4 + two4
-                total30 = total31 - lost2
-                back17 = total30 - total31
-                rest5 = total30 - back17
-                one4 = total31 - rest5
-                two4 = -back17 - lost2
-                lost34 = one4 + two4
-                low2 = lost31 - lost30 + lost29 + lost33 + lost34 - 1.4920070805839235e-31*turns
-                total31 = low2 + total30
-                total29 = 6.283185307179586*count
-                total37 = root + total29
-                whole32 = xp.where(total37 == 0.0, 1.0, total37)
-                total38 = total31/whole32
-                far = (total38*total38)
-
-                def yes(count, delta, envelope, even, half, lost2, lost28, lost563, low2, root,
-                    size, square2, stiff, total263, total28, total34, total35, total36, total37,
-                    total38, total563, twice2, whole32):
-
-                    def yes(count, delta, even, half, lost2, lost28, lost563, low2, root, size,
-                        square2, stiff, total263, total28, total34, total35, total36, total37,
-                        total38, total563, twice2, whole32):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        back22 = total35 - total34
-                        rest10 = total35 - back22
-                        one9 = total34 - rest10
-                        two9 = low2 - back22
-                        lost35 = one9 + two9
-                        count_halves = halves(xp, count)
-                        number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                        lost36 = product_error(count*6.283185307179586, count_halves,
-                            number2_halves)
-                        back22 = total37 - root
-                        rest10 = total37 - back22
-                        one9 = root - rest10
-                        two9 = total36 - back22
-                        lost37 = one9 + two9
-                        both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                        left = total35 - total38*whole32
-                        total38_halves = halves(xp, total38)
-                        whole32_halves = halves(xp, whole32)
-                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                        left = left - both_low*total38 + lost35
-                        lost35 = left/whole32
-                        eta = total38
-                        eta_low = lost35
-                        total39 = (eta*eta)
-                        eta_halves = halves(xp, eta)
-                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                        cos_series_of2 = cos_series(xp, -total39)
-                        bent2 = cos_series_of2*(total39*total39)
-                        total40 = 0.5*total39 - bent2
-                        back22 = total40 - 0.5*total39
-                        lost37 = -back22 - bent2
-                        sin_series_of2 = sin_series(xp, -total39)
-                        total41 = 1.0 - sin_series_of2*total39
-                        back22 = total41 - 1.0
-                        lost36 = -back22 - sin_series_of2*total39
-                        lift_low = 0.5*lost35*total41 + lost37
-                        total39 = eta*total41
-                        total41_halves = halves(xp, total41)
-                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                        some2 = root
-                        total41 = total39/some2
-                        left = total39 - some2*total41
-                        total41_halves = halves(xp, total41)
-                        some2_halves = halves(xp, some2)
-                        left = left - product_error(total41*some2, total41_halves, some2_halves)
-                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                        lost36 = left/some2
-                        given4 = half
-                        total39 = 1.0 - 0.5*given4
-                        back22 = total39 - 1.0
-                        lost37 = -back22 - 0.5*given4
-                        decay_series_of3 = decay_series(xp, given4)
-                        curved4 = decay_series_of3*(given4*given4)
-                        total45 = curved4 + total39
-                        back22 = total45 - total39
-                        lost35 = curved4 - back22
-                        mean_low5 = lost37 + lost35
-                        total39 = given4*total45
-                        given4_halves = halves(xp, given4)
-                        total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                            total45_halves)
-                        total47 = 1.0 - total39
-                        back22 = total47 - 1.0
-                        lost37 = -back22 - total39
-                        fall_low5 = lost37 - lost35
-                        total39 = total45 - total41
-                        back22 = total39 - total45
-                        rest10 = total39 - back22
-                        one9 = total45 - rest10
-                        two9 = -back22 - total41
-                        lost37 = one9 + two9
-                        total49 = given4*total39
-                        total39_halves = halves(xp, total39)
-                        lost37 = (
-                            given4*(lost37 - lost36 + mean_low5) +
-                            product_error(total49, given4_halves, total39_halves)
-                        )
-                        total39 = total40 - total49
-                        back22 = total39 - total40
-                        rest10 = total39 - back22
-                        one9 = total40 - rest10
-                        two9 = -back22 - total49
-                        lost35 = one9 + two9
-                        low22 = lift_low - lost37 + lost35
-                        total49 = low22 + total39
-                        back22 = total49 - total39
-                        rest10 = total49 - back22
-                        one9 = total39 - rest10
-                        two9 = low22 - back22
-                        lost35 = one9 + two9
-                        total39 = total47*total49
-                        total47_halves = halves(xp, total47)
-                        total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves,
-                            total49_halves)
-                        low22 = fall_low5*total49 + lost35
-                        total49 = total39/stiff
-                        left = total39 - stiff*total49
-                        total49_halves = halves(xp, total49)
-                        stiff_halves = halves(xp, stiff)
-                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                        left = left + low22
-                        lost35 = left/stiff
-                        e = xp.exp(-delta)
-                        total39 = e + 1.0
-                        back22 = total39 - 1.0
-                        lost37 = e - back22
-                        total273 = total39 + total263
-                        back22 = total273 - total39
-                        lost273 = total263 - back22
-                        total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves,
-                            total41_halves)
-                        total482 = total45 - total39
-                        back22 = total482 - total45
-                        rest10 = total482 - back22
-                        one9 = total45 - rest10
-                        two9 = -back22 - total39
-                        lost482 = one9 + two9
-                        low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
-                        total41 = given4*total482
-                        total482_halves = halves(xp, total482)
-                        lost482 = given4*low22 + product_error(total41, given4_halves,
-                            total482_halves)
-                        total482 = total40*total47
-                        total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                            total40_halves)
-                        total47 = total41 + total482
-                        back22 = total47 - total41
-                        rest10 = total47 - back22
-                        one9 = total41 - rest10
-                        two9 = total482 - back22
-                        lost512 = one9 + two9
-                        low22 = fall_low5*total40 + lost482 + lost36 + lost512
-                        total40 = total47/stiff
-                        left = total47 - stiff*total40
-                        total40_halves = halves(xp, total40)
-                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                        left = left + low22
-                        lost512 = left/stiff
-
-                        def yes(lost2, square2):
-                            given3 = square2
-                            total19 = 0.5*given3 + 1.0
-                            back13 = total19 - 1.0
-                            lost19 = 0.5*given3 - back13
-                            cos_series_of = cos_series(xp, given3)
-                            curved3 = cos_series_of*(given3*given3)
-                            total20 = curved3 + total19
-                            back13 = total20 - total19
-                            lost20 = curved3 - back13
-                            even_low = lost19 + 0.5*lost2 + lost20
-                            return even_low
-
-                        def no(root, root_low):
-                            sine = xp.sin(root)
-                            even_low2 = -root_low*sine
-                            return even_low2
-
-                        even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                            (root, root_low))
-
-                        twice2_halves = halves(xp, twice2)
-                        even_halves = halves(xp, even)
-                        lost36 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                            even_halves)
-                        apart_of = lost28 + total28
-                        fall_of = lost35 + total49
-                        nyquist_of = lost37 + lost36 + lost273 + total273
-                        rise_of = lost512 + total40
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    def no(count, envelope, half, lost2, lost28, lost563, low2, root, size, stiff,
-                        total28, total34, total35, total36, total37, total38, total563, whole32):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        back22 = total35 - total34
-                        rest10 = total35 - back22
-                        one9 = total34 - rest10
-                        two9 = low2 - back22
-                        lost35 = one9 + two9
-                        count_halves = halves(xp, count)
-                        number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                        lost36 = product_error(count*6.283185307179586, count_halves,
-                            number2_halves)
-                        back22 = total37 - root
-                        rest10 = total37 - back22
-                        one9 = root - rest10
-                        two9 = total36 - back22
-                        lost37 = one9 + two9
-                        both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                        left = total35 - total38*whole32
-                        total38_halves = halves(xp, total38)
-                        whole32_halves = halves(xp, whole32)
-                        left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                        left = left - both_low*total38 + lost35
-                        lost35 = left/whole32
-                        eta = total38
-                        eta_low = lost35
-                        total39 = (eta*eta)
-                        eta_halves = halves(xp, eta)
-                        lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                        cos_series_of2 = cos_series(xp, -total39)
-                        bent2 = cos_series_of2*(total39*total39)
-                        total40 = 0.5*total39 - bent2
-                        back22 = total40 - 0.5*total39
-                        lost37 = -back22 - bent2
-                        sin_series_of2 = sin_series(xp, -total39)
-                        total41 = 1.0 - sin_series_of2*total39
-                        back22 = total41 - 1.0
-                        lost36 = -back22 - sin_series_of2*total39
-                        lift_low = 0.5*lost35*total41 + lost37
-                        total39 = eta*total41
-                        total41_halves = halves(xp, total41)
-                        lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                        some2 = root
-                        total41 = total39/some2
-                        left = total39 - some2*total41
-                        total41_halves = halves(xp, total41)
-                        some2_halves = halves(xp, some2)
-                        left = left - product_error(total41*some2, total41_halves, some2_halves)
-                        left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                        lost36 = left/some2
-                        given4 = half
-                        total39 = 1.0 - 0.5*given4
-                        back22 = total39 - 1.0
-                        lost37 = -back22 - 0.5*given4
-                        decay_series_of3 = decay_series(xp, given4)
-                        curved4 = decay_series_of3*(given4*given4)
-                        total45 = curved4 + total39
-                        back22 = total45 - total39
-                        lost35 = curved4 - back22
-                        mean_low5 = lost37 + lost35
-                        total39 = given4*total45
-                        given4_halves = halves(xp, given4)
-                        total45_halves = halves(xp, total45)
-                        lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                            total45_halves)
-                        total47 = 1.0 - total39
-                        back22 = total47 - 1.0
-                        lost37 = -back22 - total39
-                        fall_low5 = lost37 - lost35
-                        total39 = total45 - total41
-                        back22 = total39 - total45
-                        rest10 = total39 - back22
-                        one9 = total45 - rest10
-                        two9 = -back22 - total41
-                        lost37 = one9 + two9
-                        total49 = given4*total39
-                        total39_halves = halves(xp, total39)
-                        lost37 = (
-                            given4*(lost37 - lost36 + mean_low5) +
-                            product_error(total49, given4_halves, total39_halves)
-                        )
-                        total39 = total40 - total49
-                        back22 = total39 - total40
-                        rest10 = total39 - back22
-                        one9 = total40 - rest10
-                        two9 = -back22 - total49
-                        lost35 = one9 + two9
-                        low22 = lift_low - lost37 + lost35
-                        total49 = low22 + total39
-                        back22 = total49 - total39
-                        rest10 = total49 - back22
-                        one9 = total39 - rest10
-                        two9 = low22 - back22
-                        lost35 = one9 + two9
-                        total39 = total47*total49
-                        total47_halves = halves(xp, total47)
-                        total49_halves = halves(xp, total49)
-                        lost35 = lost35*total47 + product_error(total39, total47_halves,
-                            total49_halves)
-                        low22 = fall_low5*total49 + lost35
-                        total49 = total39/stiff
-                        left = total39 - stiff*total49
-                        total49_halves = halves(xp, total49)
-                        stiff_halves = halves(xp, stiff)
-                        left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                        left = left + low22
-                        lost35 = left/stiff
-                        expm1_of = xp.expm1(-half)
-                        grown = -0.5*expm1_of
-                        angle = 0.5*root
-                        wave = xp.cos(angle)
-                        sin_of = xp.sin(angle)
-                        back22 = 0.5*root_low*sin_of
-                        total39 = wave - back22
-                        back82 = total39 - wave
-                        rest10 = total39 - back82
-                        one9 = wave - rest10
-                        two9 = -back22 - back82
-                        lost37 = one9 + two9
-                        total102 = (total39*total39)
-                        total39_halves = halves(xp, total39)
-                        lost102 = product_error(total102, total39_halves, total39_halves)
-                        low22 = lost102 + 2.0*lost37*total39
-                        total39 = envelope*total102
-                        envelope_halves = halves(xp, envelope)
-                        total102_halves = halves(xp, total102)
-                        lost37 = envelope*low22 + product_error(total39, envelope_halves,
-                            total102_halves)
-                        total102 = (grown*grown) + total39
-                        back82 = total102 - total39
-                        rest10 = total102 - back82
-                        one9 = total39 - rest10
-                        two9 = (grown*grown) - back82
-                        lost102 = one9 + two9
-                        low22 = lost37 + lost102
-                        total39 = total41*total47
-                        lost36 = lost36*total47 + product_error(total39, total47_halves,
-                            total41_halves)
-                        total482 = total45 - total39
-                        back82 = total482 - total45
-                        rest10 = total482 - back82
-                        one9 = total45 - rest10
-                        two9 = -back82 - total39
-                        lost102 = one9 + two9
-                        low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
-                        total41 = given4*total482
-                        total482_halves = halves(xp, total482)
-                        lost102 = given4*low24 + product_error(total41, given4_halves,
-                            total482_halves)
-                        total482 = total40*total47
-                        total40_halves = halves(xp, total40)
-                        lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                            total40_halves)
-                        total47 = total41 + total482
-                        back82 = total47 - total41
-                        rest10 = total47 - back82
-                        one9 = total41 - rest10
-                        two9 = total482 - back82
-                        lost37 = one9 + two9
-                        low24 = fall_low5*total40 + lost102 + lost36 + lost37
-                        total40 = total47/stiff
-                        left = total47 - stiff*total40
-                        total40_halves = halves(xp, total40)
-                        left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                        left = left + low24
-                        lost37 = left/stiff
-                        apart_of = lost28 + total28
-                        fall_of = lost35 + total49
-                        nyquist_of = 4.0*low22 + 4.0*total102
-                        rise_of = lost37 + total40
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                        select(xp, total263 > 0.0, yes,
-                        (count, delta, even, half, lost2, lost28, lost563, low2, root, size,
-                        square2, stiff, total263, total28, total34, total35, total36, total37,
-                        total38, total563, twice2, whole32), no,
-                        (count, envelope, half, lost2, lost28, lost563, low2, root, size,
-                        stiff, total28, total34, total35, total36, total37, total38, total563,
-                        whole32))
-                    )
-
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(delta, envelope, even, half, lost2, lost28, lost563, root, size, square2,
-                    stiff, total263, total28, total563, twice2):
-
-                    def yes(delta, envelope, even, half, lost2, lost28, lost563, root, size,
-                        square2, stiff, total263, total28, total563, twice2):
-                        e = xp.exp(-delta)
-                        total253 = e + 1.0
-                        back182 = total253 - 1.0
-                        lost253 = e - back182
-                        total273 = total253 + total263
-                        back182 = total273 - total253
-                        lost273 = total263 - back182
-
-                        def yes(lost2, square2):
-                            given3 = square2
-                            total19 = 0.5*given3 + 1.0
-                            back13 = total19 - 1.0
-                            lost19 = 0.5*given3 - back13
-                            cos_series_of = cos_series(xp, given3)
-                            curved3 = cos_series_of*(given3*given3)
-                            total20 = curved3 + total19
-                            back13 = total20 - total19
-                            lost20 = curved3 - back13
-                            even_low = lost19 + 0.5*lost2 + lost20
-                            sin_series_of = sin_series(xp, given3)
-                            bent = given3*sin_series_of
-                            total20 = bent + 1.0
-                            back13 = total20 - 1.0
-                            lost20 = bent - back13
-                            odd_low = 0.16666666666666666*lost2 + lost20
-                            odd = total20
-                            return even_low, odd, odd_low
-
-                        def no(lost2, root, size):
-                            sign_low = -lost2
-                            left = size - (root*root)
-                            root_halves = halves(xp, root)
-                            left = left - product_error(root*root, root_halves, root_halves)
-                            left = left + sign_low
-                            whole = xp.where(root == 0.0, 1.0, root)
-                            root_low = 0.5*left/whole
-                            sine = xp.sin(root)
-                            cosine = xp.cos(root)
-                            some = root
-                            total22 = sine/some
-                            left = sine - some*total22
-                            total22_halves = halves(xp, total22)
-                            some_halves = halves(xp, some)
-                            left = left - product_error(total22*some, total22_halves, some_halves)
-                            left = cosine*root_low + left - root_low*total22
-                            lost22 = left/some
-                            even_low2 = -root_low*sine
-                            odd = total22
-                            odd_low2 = lost22
-                            return even_low2, odd, odd_low2
-
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
-                            (lost2, square2), no, (lost2, root, size))
-
-                        total253 = half*odd
-                        half_halves = halves(xp, half)
-                        odd_halves = halves(xp, odd)
-                        lost23 = half*odd_low2 + product_error(total253, half_halves, odd_halves)
-                        total252 = total253 - even
-                        back182 = total252 - total253
-                        rest42 = total252 - back182
-                        one32 = total253 - rest42
-                        two32 = -back182 - even
-                        lost252 = one32 + two32
-                        total262 = envelope + total252
-                        back182 = total262 - total252
-                        rest42 = total262 - back182
-                        one32 = total252 - rest42
-                        two32 = envelope - back182
-                        lost262 = one32 + two32
-                        total252 = envelope*total262
-                        envelope_halves = halves(xp, envelope)
-                        total262_halves = halves(xp, total262)
-                        lost262 = (
-                            envelope*(lost23 - even_low2 + lost252 + lost262) +
-                            product_error(total252, envelope_halves, total262_halves)
-                        )
-                        total262 = total252/stiff
-                        left16 = total252 - stiff*total262
-                        total262_halves = halves(xp, total262)
-                        stiff_halves = halves(xp, stiff)
-                        left16 = left16 - product_error(total262*stiff, total262_halves,
-                            stiff_halves)
-                        left16 = left16 + lost262
-                        lost262 = left16/stiff
-                        twice2_halves = halves(xp, twice2)
-                        even_halves = halves(xp, even)
-                        lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                            even_halves)
-                        total252 = even + total253
-                        back182 = total252 - even
-                        rest42 = total252 - back182
-                        one32 = even - rest42
-                        two32 = total253 - back182
-                        lost242 = one32 + two32
-                        total253 = envelope*total252
-                        total252_halves = halves(xp, total252)
-                        lost242 = (
-                            envelope*(even_low2 + lost23 + lost242) +
-                            product_error(total253, envelope_halves, total252_halves)
-                        )
-                        total252 = 1.0 - total253
-                        back182 = total252 - 1.0
-                        lost23 = -back182 - total253
-                        total253 = total252/stiff
-                        left16 = total252 - stiff*total253
-                        total253_halves = halves(xp, total253)
-                        left16 = left16 - product_error(total253*stiff, total253_halves,
-                            stiff_halves)
-                        left16 = left16 - lost242 + lost23
-                        lost23 = left16/stiff
-                        apart_of = lost28 + total28
-                        fall_of = lost262 + total262
-                        nyquist_of = lost253 + lost252 + lost273 + total273
-                        rise_of = lost23 + total253
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    def no(envelope, even, half, lost2, lost28, lost563, root, size, square2,
-                        stiff, total28, total563):
-                        sign_low = -lost2
-                        left = size - (root*root)
-                        root_halves = halves(xp, root)
-                        left = left - product_error(root*root, root_halves, root_halves)
-                        left = left + sign_low
-                        whole = xp.where(root == 0.0, 1.0, root)
-                        root_low = 0.5*left/whole
-                        expm1_of = xp.expm1(-half)
-                        grown = -0.5*expm1_of
-                        angle = 0.5*root
-                        wave = xp.cos(angle)
-                        sin_of = xp.sin(angle)
-                        back72 = 0.5*root_low*sin_of
-                        total92 = wave - back72
-                        back82 = total92 - wave
-                        rest33 = total92 - back82
-                        one23 = wave - rest33
-                        two23 = -back72 - back82
-                        lost92 = one23 + two23
-                        total102 = (total92*total92)
-                        total92_halves = halves(xp, total92)
-                        lost102 = product_error(total102, total92_halves, total92_halves)
-                        low4 = lost102 + 2.0*lost92*total92
-                        total92 = envelope*total102
-                        envelope_halves = halves(xp, envelope)
-                        total102_halves = halves(xp, total102)
-                        lost92 = envelope*low4 + product_error(total92, envelope_halves,
-                            total102_halves)
-                        total102 = (grown*grown) + total92
-                        back82 = total102 - total92
-                        rest33 = total102 - back82
-                        one23 = total92 - rest33
-                        two23 = (grown*grown) - back82
-                        lost102 = one23 + two23
-                        low4 = lost92 + lost102
-
-                        def yes(lost2, square2):
-                            given3 = square2
-                            total19 = 0.5*given3 + 1.0
-                            back13 = total19 - 1.0
-                            lost19 = 0.5*given3 - back13
-                            cos_series_of = cos_series(xp, given3)
-                            curved3 = cos_series_of*(given3*given3)
-                            total20 = curved3 + total19
-                            back13 = total20 - total19
-                            lost20 = curved3 - back13
-                            even_low = lost19 + 0.5*lost2 + lost20
-                            sin_series_of = sin_series(xp, given3)
-                            bent = given3*sin_series_of
-                            total20 = bent + 1.0
-                            back13 = total20 - 1.0
-                            lost20 = bent - back13
-                            odd_low = 0.16666666666666666*lost2 + lost20
-                            odd = total20
-                            return even_low, odd, odd_low
-
-                        def no(root, root_low):
-                            sine = xp.sin(root)
-                            cosine = xp.cos(root)
-                            some = root
-                            total22 = sine/some
-                            left10 = sine - some*total22
-                            total22_halves = halves(xp, total22)
-                            some_halves = halves(xp, some)
-                            left10 = left10 - product_error(total22*some, total22_halves,
-                                some_halves)
-                            left10 = cosine*root_low + left10 - root_low*total22
-                            lost22 = left10/some
-                            even_low2 = -root_low*sine
-                            odd = total22
-                            odd_low2 = lost22
-                            return even_low2, odd, odd_low2
-
-                        even_low2, odd, odd_low2 = select(xp, square2 > -1.5, yes,
-                            (lost2, square2), no, (root, root_low))
-
-                        total92 = half*odd
-                        half_halves = halves(xp, half)
-                        odd_halves = halves(xp, odd)
-                        lost102 = half*odd_low2 + product_error(total92, half_halves, odd_halves)
-                        total252 = total92 - even
-                        back82 = total252 - total92
-                        rest33 = total252 - back82
-                        one23 = total92 - rest33
-                        two23 = -back82 - even
-                        lost92 = one23 + two23
-                        total262 = envelope + total252
-                        back82 = total262 - total252
-                        rest33 = total262 - back82
-                        one23 = total252 - rest33
-                        two23 = envelope - back82
-                        lost262 = one23 + two23
-                        total252 = envelope*total262
-                        total262_halves = halves(xp, total262)
-                        lost262 = (
-                            envelope*(lost102 - even_low2 + lost92 + lost262) +
-                            product_error(total252, envelope_halves, total262_halves)
-                        )
-                        total262 = total252/stiff
-                        left = total252 - stiff*total262
-                        total262_halves = halves(xp, total262)
-                        stiff_halves = halves(xp, stiff)
-                        left = left - product_error(total262*stiff, total262_halves, stiff_halves)
-                        left = left + lost262
-                        lost262 = left/stiff
-                        total252 = even + total92
-                        back82 = total252 - even
-                        rest33 = total252 - back82
-                        one23 = even - rest33
-                        two23 = total92 - back82
-                        lost92 = one23 + two23
-                        total92 = envelope*total252
-                        total252_halves = halves(xp, total252)
-                        lost92 = (
-                            envelope*(even_low2 + lost102 + lost92) +
-                            product_error(total92, envelope_halves, total252_halves)
-                        )
-                        total252 = 1.0 - total92
-                        back82 = total252 - 1.0
-                        lost102 = -back82 - total92
-                        total92 = total252/stiff
-                        left = total252 - stiff*total92
-                        total92_halves = halves(xp, total92)
-                        left = left - product_error(total92*stiff, total92_halves, stiff_halves)
-                        left = left - lost92 + lost102
-                        lost102 = left/stiff
-                        apart_of = lost28 + total28
-                        fall_of = lost262 + total262
-                        nyquist_of = 4.0*low4 + 4.0*total102
-                        rise_of = lost102 + total92
-                        together_of = 2.0*lost563 + 2.0*total563
-                        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                    apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                        select(xp, total263 > 0.0, yes,
-                        (delta, envelope, even, half, lost2, lost28, lost563, root, size,
-                        square2, stiff, total263, total28, total563, twice2), no,
-                        (envelope, even, half, lost2, lost28, lost563, root, size, square2,
-                        stiff, total28, total563))
-                    )
-
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, delta, envelope, even, half, lost2, lost27, lost553, low2, root,
-                    size, square2, stiff, total27, total28, total30, total31, total29, total37,
-                    total38, total563, twice2, whole32), no,
-                    (delta, envelope, even, half, lost2, lost27, lost553, root, size, square2,
-                    stiff, total27, total28, total563, twice2))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, total2), no,
-                (delta, gamma, half, lost2, total2))
-            )
-
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        def no(delta, gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-            mean3 = decay(xp, delta)
-            twice2 = 2.0*envelope
-
-            def yes(lost2, square2):
-                given3 = square2
-                total19 = 0.5*given3 + 1.0
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total19 = curved3 + total19
-                sin_series_of = sin_series(xp, given3)
-                bent = given3*sin_series_of
-                total21 = bent + 1.0
-                back15 = total21 - 1.0
-                lost21 = bent - back15
-                odd_low = 0.16666666666666666*lost2 + lost21
-                even = total19
-                odd = total21
-                return even, odd, odd_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total22 = sine/some
-                left = sine - some*total22
-                total22_halves = halves(xp, total22)
-                some_halves = halves(xp, some)
-                left = left - product_error(total22*some, total22_halves, some_halves)
-                left = cosine*root_low + left - root_low*total22
-                lost22 = left/some
-                even = cosine
-                odd = total22
-                odd_low2 = lost22
-                return even, odd, odd_low2
-
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total24 = envelope*odd
-            envelope_halves = halves(xp, envelope)
-            odd_halves = halves(xp, odd)
-            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-            total25 = mean3 - total24
-            back16 = total25 - mean3
-            rest4 = total25 - back16
-            one3 = mean3 - rest4
-            two3 = -back16 - total24
-            lost25 = one3 + two3
-            total24 = total25/stiff
-            left13 = total25 - stiff*total24
-            total24_halves = halves(xp, total24)
-            stiff_halves = halves(xp, stiff)
-            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
-            left13 = left13 - lost24 + lost25
-            lost25 = left13/stiff
-            total25 = even*twice2
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total29 = 39.47841760435743*turns
-            turns_halves = halves(xp, turns)
-            number5_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-            lost24 = product_error(total29, turns_halves, number5_halves)
-            total30 = 2.5061182034958845e-15*turns
-            number6_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-            lost30 = product_error(total30, turns_halves, number6_halves)
-            total31 = -total2 - total29
-            back16 = total2 + total31
-            rest4 = total31 - back16
-            one3 = -rest4 - total2
-            two3 = -back16 - total29
-            lost31 = one3 + two3
-            total29 = total31 - lost24
-            back16 = total29 - total31
-            rest4 = total29 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost24
-            lost24 = one3 + two3
-            total31 = total29 - total30
-            back16 = total31 - total29
-            rest4 = total31 - back16
-            one3 = total29 - rest4
-            two3 = -back16 - total30
-            lost33 = one3 + two3
-            total30 = total31 - lost2
-            back16 = total30 - total31
-            rest4 = total30 - back16
-            one3 = total31 - rest4
-            two3 = -back16 - lost2
-            lost34 = one3 + two3
-            low2 = lost31 - lost30 + lost24 + lost33 + lost34 - 1.4920070805839235e-31*turns
-            total31 = low2 + total30
-            total29 = 6.283185307179586*count
-            total37 = root + total29
-            whole32 = xp.where(total37 == 0.0, 1.0, total37)
-            total38 = total31/whole32
-            far = (total38*total38)
-
-            def yes(count, delta, envelope, even, half, lost2, lost26, low2, root, size, square2,
-                stiff, total26, total263, total34, total35, total36, total37, total38, twice2,
-                whole32):
-
-                def yes(count, delta, even, half, lost2, lost26, low2, root, size, square2, stiff,
-                    total26, total263, total34, total35, total36, total37, total38, twice2,
-                    whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    back22 = total35 - total34
-                    rest10 = total35 - back22
-                    one9 = total34 - rest10
-                    two9 = low2 - back22
-                    lost35 = one9 + two9
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                    lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                    back22 = total37 - root
-                    rest10 = total37 - back22
-                    one9 = root - rest10
-                    two9 = total36 - back22
-                    lost37 = one9 + two9
-                    both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                    left = total35 - total38*whole32
-                    total38_halves = halves(xp, total38)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                    left = left - both_low*total38 + lost35
-                    lost35 = left/whole32
-                    eta = total38
-                    eta_low = lost35
-                    total39 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total39)
-                    bent2 = cos_series_of2*(total39*total39)
-                    total40 = 0.5*total39 - bent2
-                    back22 = total40 - 0.5*total39
-                    lost37 = -back22 - bent2
-                    sin_series_of2 = sin_series(xp, -total39)
-                    total41 = 1.0 - sin_series_of2*total39
-                    back22 = total41 - 1.0
-                    lost36 = -back22 - sin_series_of2*total39
-                    lift_low = 0.5*lost35*total41 + lost37
-                    total39 = eta*total41
-                    total41_halves = halves(xp, total41)
-                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                    some2 = root
-                    total41 = total39/some2
-                    left = total39 - some2*total41
-                    total41_halves = halves(xp, total41)
-                    some2_halves = halves(xp, some2)
-                    left = left - product_error(total41*some2, total41_halves, some2_halves)
-                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                    lost36 = left/some2
-                    given4 = half
-                    total39 = 1.0 - 0.5*given4
-                    back22 = total39 - 1.0
-                    lost37 = -back22 - 0.5*given4
-                    decay_series_of3 = decay_series(xp, given4)
-                    curved4 = decay_series_of3*(given4*given4)
-                    total45 = curved4 + total39
-                    back22 = total45 - total39
-                    lost35 = curved4 - back22
-                    mean_low5 = lost37 + lost35
-                    total39 = given4*total45
-                    given4_halves = halves(xp, given4)
-                    total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                        total45_halves)
-                    total47 = 1.0 - total39
-                    back22 = total47 - 1.0
-                    lost37 = -back22 - total39
-                    fall_low5 = lost37 - lost35
-                    total39 = total45 - total41
-                    back22 = total39 - total45
-                    rest10 = total39 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total41
-                    lost37 = one9 + two9
-                    total49 = given4*total39
-                    total39_halves = halves(xp, total39)
-                    lost37 = (
-                        given4*(lost37 - lost36 + mean_low5) +
-                        product_error(total49, given4_halves, total39_halves)
-                    )
-                    total39 = total40 - total49
-                    back22 = total39 - total40
-                    rest10 = total39 - back22
-                    one9 = total40 - rest10
-                    two9 = -back22 - total49
-                    lost35 = one9 + two9
-                    low22 = lift_low - lost37 + lost35
-                    total49 = low22 + total39
-                    back22 = total49 - total39
-                    rest10 = total49 - back22
-                    one9 = total39 - rest10
-                    two9 = low22 - back22
-                    lost35 = one9 + two9
-                    total39 = total47*total49
-                    total47_halves = halves(xp, total47)
-                    total49_halves = halves(xp, total49)
-                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                    low22 = fall_low5*total49 + lost35
-                    total49 = total39/stiff
-                    left = total39 - stiff*total49
-                    total49_halves = halves(xp, total49)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                    left = left + low22
-                    lost35 = left/stiff
-                    e = xp.exp(-delta)
-                    total39 = e + 1.0
-                    back22 = total39 - 1.0
-                    lost37 = e - back22
-                    total273 = total39 + total263
-                    back22 = total273 - total39
-                    lost273 = total263 - back22
-                    total39 = total41*total47
-                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                    total482 = total45 - total39
-                    back22 = total482 - total45
-                    rest10 = total482 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total39
-                    lost482 = one9 + two9
-                    low22 = lost482 - fall_low5*total41 - lost36 + mean_low5
-                    total41 = given4*total482
-                    total482_halves = halves(xp, total482)
-                    lost482 = given4*low22 + product_error(total41, given4_halves, total482_halves)
-                    total482 = total40*total47
-                    total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                        total40_halves)
-                    total39 = total41 + total482
-                    back22 = total39 - total41
-                    rest10 = total39 - back22
-                    one9 = total41 - rest10
-                    two9 = total482 - back22
-                    lost512 = one9 + two9
-                    low22 = fall_low5*total40 + lost482 + lost36 + lost512
-                    total41 = total39/stiff
-                    left = total39 - stiff*total41
-                    total41_halves = halves(xp, total41)
-                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
-                    left = left + low22
-                    lost512 = left/stiff
-                    total39 = 1.0 - total47
-                    back22 = total39 - 1.0
-                    lost482 = -back22 - total47
-                    low22 = lost482 - fall_low5
-                    total47 = low22 + total39
-                    back22 = total47 - total39
-                    lost482 = low22 - back22
-                    total39 = (total47*total47)
-                    total47_halves = halves(xp, total47)
-                    lost482 = 2.0*lost482*total47 + product_error(total39, total47_halves,
-                        total47_halves)
-                    total47 = total39 + 2.0*total482
-                    back22 = total47 - total39
-                    rest10 = total47 - back22
-                    one9 = total39 - rest10
-                    two9 = 2.0*total482 - back22
-                    lost372 = one9 + two9
-                    low22 = 2.0*fall_low5*total40 + lost482 + lost372 + 2.0*lost36
-                    total40 = total47/stiff
-                    left = total47 - stiff*total40
-                    total40_halves = halves(xp, total40)
-                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                    left = left + low22
-                    lost372 = left/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost482 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost26 + total26
-                    fall_of = lost35 + total49
-                    nyquist_of = lost37 + lost482 + lost273 + total273
-                    rise_of = lost512 + total41
-                    together_of = lost372 + total40
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
-                    total34, total35, total36, total37, total38, whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    back22 = total35 - total34
-                    rest10 = total35 - back22
-                    one9 = total34 - rest10
-                    two9 = low2 - back22
-                    lost35 = one9 + two9
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                    lost36 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                    back22 = total37 - root
-                    rest10 = total37 - back22
-                    one9 = root - rest10
-                    two9 = total36 - back22
-                    lost37 = one9 + two9
-                    both_low = 2.4492935982947064e-16*count + lost36 + lost37 + root_low
-                    left = total35 - total38*whole32
-                    total38_halves = halves(xp, total38)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total38*whole32, total38_halves, whole32_halves)
-                    left = left - both_low*total38 + lost35
-                    lost35 = left/whole32
-                    eta = total38
-                    eta_low = lost35
-                    total39 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost35 = 2.0*eta*eta_low + product_error(total39, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total39)
-                    bent2 = cos_series_of2*(total39*total39)
-                    total40 = 0.5*total39 - bent2
-                    back22 = total40 - 0.5*total39
-                    lost37 = -back22 - bent2
-                    sin_series_of2 = sin_series(xp, -total39)
-                    total41 = 1.0 - sin_series_of2*total39
-                    back22 = total41 - 1.0
-                    lost36 = -back22 - sin_series_of2*total39
-                    lift_low = 0.5*lost35*total41 + lost37
-                    total39 = eta*total41
-                    total41_halves = halves(xp, total41)
-                    lost36 = eta*lost36 + product_error(total39, eta_halves, total41_halves)
-                    some2 = root
-                    total41 = total39/some2
-                    left = total39 - some2*total41
-                    total41_halves = halves(xp, total41)
-                    some2_halves = halves(xp, some2)
-                    left = left - product_error(total41*some2, total41_halves, some2_halves)
-                    left = eta_low*(1.0 - total40) + left + lost36 - root_low*total41
-                    lost36 = left/some2
-                    given4 = half
-                    total39 = 1.0 - 0.5*given4
-                    back22 = total39 - 1.0
-                    lost37 = -back22 - 0.5*given4
-                    decay_series_of3 = decay_series(xp, given4)
-                    curved4 = decay_series_of3*(given4*given4)
-                    total45 = curved4 + total39
-                    back22 = total45 - total39
-                    lost35 = curved4 - back22
-                    mean_low5 = lost37 + lost35
-                    total39 = given4*total45
-                    given4_halves = halves(xp, given4)
-                    total45_halves = halves(xp, total45)
-                    lost35 = given4*mean_low5 + product_error(total39, given4_halves,
-                        total45_halves)
-                    total47 = 1.0 - total39
-                    back22 = total47 - 1.0
-                    lost37 = -back22 - total39
-                    fall_low5 = lost37 - lost35
-                    total39 = total45 - total41
-                    back22 = total39 - total45
-                    rest10 = total39 - back22
-                    one9 = total45 - rest10
-                    two9 = -back22 - total41
-                    lost37 = one9 + two9
-                    total49 = given4*total39
-                    total39_halves = halves(xp, total39)
-                    lost37 = (
-                        given4*(lost37 - lost36 + mean_low5) +
-                        product_error(total49, given4_halves, total39_halves)
-                    )
-                    total39 = total40 - total49
-                    back22 = total39 - total40
-                    rest10 = total39 - back22
-                    one9 = total40 - rest10
-                    two9 = -back22 - total49
-                    lost35 = one9 + two9
-                    low22 = lift_low - lost37 + lost35
-                    total49 = low22 + total39
-                    back22 = total49 - total39
-                    rest10 = total49 - back22
-                    one9 = total39 - rest10
-                    two9 = low22 - back22
-                    lost35 = one9 + two9
-                    total39 = total47*total49
-                    total47_halves = halves(xp, total47)
-                    total49_halves = halves(xp, total49)
-                    lost35 = lost35*total47 + product_error(total39, total47_halves, total49_halves)
-                    low22 = fall_low5*total49 + lost35
-                    total49 = total39/stiff
-                    left = total39 - stiff*total49
-                    total49_halves = halves(xp, total49)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total49*stiff, total49_halves, stiff_halves)
-                    left = left + low22
-                    lost35 = left/stiff
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back22 = 0.5*root_low*sin_of
-                    total39 = wave - back22
-                    back82 = total39 - wave
-                    rest10 = total39 - back82
-                    one9 = wave - rest10
-                    two9 = -back22 - back82
-                    lost37 = one9 + two9
-                    total102 = (total39*total39)
-                    total39_halves = halves(xp, total39)
-                    lost102 = product_error(total102, total39_halves, total39_halves)
-                    low22 = lost102 + 2.0*lost37*total39
-                    total39 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost37 = envelope*low22 + product_error(total39, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total39
-                    back82 = total102 - total39
-                    rest10 = total102 - back82
-                    one9 = total39 - rest10
-                    two9 = (grown*grown) - back82
-                    lost102 = one9 + two9
-                    low22 = lost37 + lost102
-                    total39 = total41*total47
-                    lost36 = lost36*total47 + product_error(total39, total47_halves, total41_halves)
-                    total482 = total45 - total39
-                    back82 = total482 - total45
-                    rest10 = total482 - back82
-                    one9 = total45 - rest10
-                    two9 = -back82 - total39
-                    lost102 = one9 + two9
-                    low24 = lost102 - fall_low5*total41 - lost36 + mean_low5
-                    total41 = given4*total482
-                    total482_halves = halves(xp, total482)
-                    lost102 = given4*low24 + product_error(total41, given4_halves, total482_halves)
-                    total482 = total40*total47
-                    total40_halves = halves(xp, total40)
-                    lost36 = lift_low*total47 + product_error(total482, total47_halves,
-                        total40_halves)
-                    total39 = total41 + total482
-                    back82 = total39 - total41
-                    rest10 = total39 - back82
-                    one9 = total41 - rest10
-                    two9 = total482 - back82
-                    lost37 = one9 + two9
-                    low24 = fall_low5*total40 + lost102 + lost36 + lost37
-                    total41 = total39/stiff
-                    left = total39 - stiff*total41
-                    total41_halves = halves(xp, total41)
-                    left = left - product_error(total41*stiff, total41_halves, stiff_halves)
-                    left = left + low24
-                    lost37 = left/stiff
-                    total39 = 1.0 - total47
-                    back82 = total39 - 1.0
-                    lost102 = -back82 - total47
-                    low24 = lost102 - fall_low5
-                    total47 = low24 + total39
-                    back82 = total47 - total39
-                    lost102 = low24 - back82
-                    total39 = (total47*total47)
-                    total47_halves = halves(xp, total47)
-                    lost102 = 2.0*lost102*total47 + product_error(total39, total47_halves,
-                        total47_halves)
-                    total47 = total39 + 2.0*total482
-                    back82 = total47 - total39
-                    rest10 = total47 - back82
-                    one9 = total39 - rest10
-                    two9 = 2.0*total482 - back82
-                    lost372 = one9 + two9
-                    low24 = 2.0*fall_low5*total40 + lost102 + lost372 + 2.0*lost36
-                    total40 = total47/stiff
-                    left = total47 - stiff*total40
-                    total40_halves = halves(xp, total40)
-                    left = left - product_error(total40*stiff, total40_halves, stiff_halves)
-                    left = left + low24
-                    lost372 = left/stiff
-                    apart_of = lost26 + total26
-                    fall_of = lost35 + total49
-                    nyquist_of = 4.0*low22 + 4.0*total102
-                    rise_of = lost37 + total41
-                    together_of = lost372 + total40
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total263 > 0.0, yes, (count, delta, even, half, lost2, lost26, low2,
-                    root, size, square2, stiff, total26, total263, total34, total35, total36,
-                    total37, total38, twice2, whole32), no,
-                    (count, envelope, half, lost2, lost26, low2, root, size, stiff, total26,
-                    total34, total35, total36, total37, total38, whole32))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            def no(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
-                stiff, total26, total263, twice2):
-
-                def yes(delta, envelope, even, half, lost2, lost26, odd, odd_low2, root, size,
-                    square2, stiff, total26, total263, twice2):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    total23 = half*odd
-                    half_halves = halves(xp, half)
-                    odd_halves = halves(xp, odd)
-                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                    total252 = total23 - even
-                    back162 = total252 - total23
-                    rest42 = total252 - back162
-                    one32 = total23 - rest42
-                    two32 = -back162 - even
-                    lost252 = one32 + two32
-                    total262 = envelope + total252
-                    back162 = total262 - total252
-                    rest42 = total262 - back162
-                    one32 = total252 - rest42
-                    two32 = envelope - back162
-                    lost262 = one32 + two32
-                    total252 = envelope*total262
-                    total282 = total252/stiff
-                    left = total252 - stiff*total282
-                    total282_halves = halves(xp, total282)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    e = xp.exp(-delta)
-                    total253 = e + 1.0
-                    back162 = total253 - 1.0
-                    lost253 = e - back162
-                    total273 = total253 + total263
-                    back162 = total273 - total253
-                    lost273 = total263 - back162
-                    total253 = even + total23
-                    back162 = total253 - even
-                    rest42 = total253 - back162
-                    one32 = even - rest42
-                    two32 = total23 - back162
-                    lost242 = one32 + two32
-                    total23 = envelope*total253
-                    total264 = 1.0 - total23
-                    back162 = total264 - 1.0
-                    lost264 = -back162 - total23
-                    total274 = total264/stiff
-                    left162 = total264 - stiff*total274
-                    total274_halves = halves(xp, total274)
-                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
-                    back162 = -0.5*root_low*wave
-                    total264 = sin_of - back162
-                    back83 = total264 - sin_of
-                    rest42 = total264 - back83
-                    one32 = sin_of - rest42
-                    two32 = -back162 - back83
-                    lost93 = one32 + two32
-                    total103 = (total264*total264)
-                    total264_halves = halves(xp, total264)
-                    lost103 = product_error(total103, total264_halves, total264_halves)
-                    low5 = lost103 + 2.0*lost93*total264
-                    total264 = envelope*total103
-                    envelope_halves = halves(xp, envelope)
-                    total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total264
-                    back83 = total103 - total264
-                    rest42 = total103 - back83
-                    one32 = total264 - rest42
-                    two32 = (grown*grown) - back83
-                    lost103 = one32 + two32
-                    low5 = lost93 + lost103
-                    total264 = total103/stiff
-                    left72 = total103 - stiff*total264
-                    total264_halves = halves(xp, total264)
-                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
-                    left72 = left72 + low5
-                    lost103 = left72/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    total262_halves = halves(xp, total262)
-                    lost262 = (
-                        envelope*(lost23 - even_low2 + lost252 + lost262) +
-                        product_error(total252, envelope_halves, total262_halves)
-                    )
-                    left = left + lost262
-                    lost262 = left/stiff
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost252 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    total253_halves = halves(xp, total253)
-                    lost242 = (
-                        envelope*(even_low2 + lost23 + lost242) +
-                        product_error(total23, envelope_halves, total253_halves)
-                    )
-                    left162 = left162 - lost242 + lost264
-                    lost264 = left162/stiff
-                    apart_of = lost26 + total26
-                    fall_of = lost262 + total282
-                    nyquist_of = lost253 + lost252 + lost273 + total273
-                    rise_of = lost264 + total274
-                    together_of = 4.0*lost103 + 4.0*total264
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                def no(envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
-                    stiff, total26):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    total23 = half*odd
-                    half_halves = halves(xp, half)
-                    odd_halves = halves(xp, odd)
-                    lost23 = half*odd_low2 + product_error(total23, half_halves, odd_halves)
-                    total252 = total23 - even
-                    back162 = total252 - total23
-                    rest42 = total252 - back162
-                    one32 = total23 - rest42
-                    two32 = -back162 - even
-                    lost252 = one32 + two32
-                    total262 = envelope + total252
-                    back162 = total262 - total252
-                    rest42 = total262 - back162
-                    one32 = total252 - rest42
-                    two32 = envelope - back162
-                    lost262 = one32 + two32
-                    total252 = envelope*total262
-                    total282 = total252/stiff
-                    left = total252 - stiff*total282
-                    total282_halves = halves(xp, total282)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total282*stiff, total282_halves, stiff_halves)
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back162 = 0.5*root_low*sin_of
-                    total92 = wave - back162
-                    back82 = total92 - wave
-                    rest42 = total92 - back82
-                    one32 = wave - rest42
-                    two32 = -back162 - back82
-                    lost92 = one32 + two32
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low4 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low4 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest42 = total102 - back82
-                    one32 = total92 - rest42
-                    two32 = (grown*grown) - back82
-                    lost102 = one32 + two32
-                    low4 = lost92 + lost102
-                    total92 = even + total23
-                    back82 = total92 - even
-                    rest42 = total92 - back82
-                    one32 = even - rest42
-                    two32 = total23 - back82
-                    lost102 = one32 + two32
-                    total23 = envelope*total92
-                    total264 = 1.0 - total23
-                    back82 = total264 - 1.0
-                    lost92 = -back82 - total23
-                    total274 = total264/stiff
-                    left162 = total264 - stiff*total274
-                    total274_halves = halves(xp, total274)
-                    left162 = left162 - product_error(total274*stiff, total274_halves, stiff_halves)
-                    back82 = -0.5*root_low*wave
-                    total264 = sin_of - back82
-                    back162 = total264 - sin_of
-                    rest42 = total264 - back162
-                    one32 = sin_of - rest42
-                    two32 = -back82 - back162
-                    lost93 = one32 + two32
-                    total103 = (total264*total264)
-                    total264_halves = halves(xp, total264)
-                    lost103 = product_error(total103, total264_halves, total264_halves)
-                    low5 = lost103 + 2.0*lost93*total264
-                    total264 = envelope*total103
-                    total103_halves = halves(xp, total103)
-                    lost93 = envelope*low5 + product_error(total264, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total264
-                    back162 = total103 - total264
-                    rest42 = total103 - back162
-                    one32 = total264 - rest42
-                    two32 = (grown*grown) - back162
-                    lost103 = one32 + two32
-                    low5 = lost93 + lost103
-                    total264 = total103/stiff
-                    left72 = total103 - stiff*total264
-                    total264_halves = halves(xp, total264)
-                    left72 = left72 - product_error(total264*stiff, total264_halves, stiff_halves)
-                    left72 = left72 + low5
-                    lost103 = left72/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    total262_halves = halves(xp, total262)
-                    lost262 = (
-                        envelope*(lost23 - even_low2 + lost252 + lost262) +
-                        product_error(total252, envelope_halves, total262_halves)
-                    )
-                    left = left + lost262
-                    lost262 = left/stiff
-                    total92_halves = halves(xp, total92)
-                    lost102 = (
-                        envelope*(even_low2 + lost23 + lost102) +
-                        product_error(total23, envelope_halves, total92_halves)
-                    )
-                    left162 = left162 - lost102 + lost92
-                    lost92 = left162/stiff
-                    apart_of = lost26 + total26
-                    fall_of = lost262 + total282
-                    nyquist_of = 4.0*low4 + 4.0*total102
-                    rise_of = lost92 + total274
-                    together_of = 4.0*lost103 + 4.0*total264
-                    return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-                apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                    select(xp, total263 > 0.0, yes, (delta, envelope, even, half, lost2, lost26,
-                    odd, odd_low2, root, size, square2, stiff, total26, total263, twice2), no,
-                    (envelope, even, half, lost2, lost26, odd, odd_low2, root, size, square2,
-                    stiff, total26))
-                )
-
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                (count, delta, envelope, even, half, lost2, lost25, low2, root, size, square2,
-                stiff, total24, total25, total30, total31, total29, total37, total38, twice2,
-                whole32), no, (delta, envelope, even, half, lost2, lost25, odd, odd_low2, root,
-                size, square2, stiff, total24, total25, twice2))
-            )
-
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        apart_of, fall_of, nyquist_of, rise_of, together_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, total2), no,
-            (delta, gamma, half, lost2, total2))
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, gamma, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        half = 0.5*delta
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        envelope = xp.exp(-half)
+        return (
+            apart_swing(xp, reach, half, w, envelope, odd, odd_low, gamma, delta),
+            fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
+            odd_low, gamma, near, sunk), nyquist_swing(xp, half, w, w_low, envelope, even,
+            even_low, root), rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even,
+            even_low, odd, odd_low, gamma, near, risen),
+            together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, moved)
         )
 
-        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(delta, gamma, half, lost2, reach, root, size, total2, total3):
-
-            def yes(delta, gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                given5 = 0.5*half
-                total27 = 1.0 - 0.5*given5
-                back3 = total27 - 1.0
-                lost54 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total55 = curved5 + total27
-                back3 = total55 - total27
-                lost55 = curved5 - back3
-                mean_low6 = lost54 + lost55
-                total27 = given5*total55
-                given5_halves = halves(xp, given5)
-                total55_halves = halves(xp, total55)
-                lost55 = given5*mean_low6 + product_error(total27, given5_halves, total55_halves)
-                total55 = 1.0 - total27
-                back3 = total55 - 1.0
-                lost54 = -back3 - total27
-                fall_low6 = lost54 - lost55
-                total27 = (total55*total55)
-                total55_halves = halves(xp, total55)
-                lost54 = 2.0*fall_low6*total55 + product_error(total27, total55_halves,
-                    total55_halves)
-                total55 = (total27*total27)
-                total27_halves = halves(xp, total27)
-                lost54 = 2.0*lost54*total27 + product_error(total55, total27_halves, total27_halves)
-                rest6 = fall_series(xp, gamma, delta)
-                total27 = rest6 + 0.5
-                back3 = total27 - rest6
-                rest5 = total27 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost55 = one4 + two4
-                total61 = total55*total27
-                total55_halves = halves(xp, total55)
-                total27_halves = halves(xp, total27)
-                lost55 = lost55*total55 + product_error(total61, total55_halves, total27_halves)
-                half2 = half
-                given5 = 0.5*half2
-                total55 = 1.0 - 0.5*given5
-                back3 = total55 - 1.0
-                lost532 = -back3 - 0.5*given5
-                decay_series_of4 = decay_series(xp, given5)
-                curved5 = decay_series_of4*(given5*given5)
-                total542 = curved5 + total55
-                back3 = total542 - total55
-                lost542 = curved5 - back3
-                mean_low6 = lost532 + lost542
-                total55 = given5*total542
-                given5_halves = halves(xp, given5)
-                total542_halves = halves(xp, total542)
-                lost542 = given5*mean_low6 + product_error(total55, given5_halves, total542_halves)
-                total542 = 1.0 - total55
-                back3 = total542 - 1.0
-                lost532 = -back3 - total55
-                fall_low6 = lost532 - lost542
-                total55 = (total542*total542)
-                total542_halves = halves(xp, total542)
-                lost532 = (
-                    2.0*fall_low6*total542 + product_error(total55, total542_halves,
-                    total542_halves)
-                )
-                rest5 = rise_series(xp, half2, total2)
-                total542 = rest5 + 0.5
-                back3 = total542 - rest5
-                rest6 = total542 - back3
-                one4 = rest5 - rest6
-                two4 = 0.5 - back3
-                lost542 = one4 + two4
-                total592 = total55*total542
-                total55_halves = halves(xp, total55)
-                total542_halves = halves(xp, total542)
-                lost542 = lost542*total55 + product_error(total592, total55_halves, total542_halves)
-                rest6 = together_series(xp, half, total2)
-                total55 = rest6 + 0.5
-                back3 = total55 - rest6
-                rest5 = total55 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost553 = one4 + two4
-                total563 = envelope*total55
-                total55_halves = halves(xp, total55)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total55_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    return fall_, fall_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    return fall_, fall_low2
-
-                fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-                total55 = fall_ + 1.0
-                back3 = total55 - 1.0
-                lost283 = fall_ - back3
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    total10 = given2*total11
-                    given2_halves = halves(xp, given2)
-                    total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
-                        total11_halves)
-                    total13 = 1.0 - total10
-                    back8 = total13 - 1.0
-                    lost10 = -back8 - total10
-                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                    fall2 = total13
-                    return fall2, fall_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    fall2 = sunk2
-                    fall_low4 = sunk_low2
-                    return fall2, fall_low4
-
-                fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no,
-                    (root, root_low))
-
-                fast = fall_*fall2
-                fall__halves = halves(xp, fall_)
-                fall2_halves = halves(xp, fall2)
-                lost292 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-                low32 = fall2*fall_low2 + lost292
-                total302 = fast + 1.0
-                back3 = total302 - 1.0
-                lost292 = fast - back3
-                total312 = total55*total302
-                total55_halves = halves(xp, total55)
-                total302_halves = halves(xp, total302)
-                lost292 = (
-                    total55*(lost292 + low32) + product_error(total312, total55_halves,
-                    total302_halves)
-                )
-                apart_of = lost3 + total28
-                fall_of = lost54*total27 + lost55 + total61
-                nyquist_of = lost292 + total302*(fall_low2 + lost283) + total312
-                rise_of = lost532*total542 + lost542 + total592
-                together_of = 2.0*lost553 + 2.0*total563
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            def no(gamma, half, lost2, root, size, total2, total3):
-                sign_low = lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                back3 = total3 - half
-                lost3 = root - back3
-                p_low = lost3 + root_low
-                whole = xp.where(total3 == 0.0, 1.0, total3)
-                q = gamma/whole
-                off = gamma - q*whole
-                whole_halves = halves(xp, whole)
-                q_halves = halves(xp, q)
-                off = off - product_error(whole*q, whole_halves, q_halves)
-                off = off - p_low*q
-                q_low = off/whole
-                rate2 = 2.0*root
-                envelope = xp.exp(-half)
-                rest5 = apart_series(xp, half, total2)
-                total27 = rest5 + 0.16666666666666666
-                back3 = total27 - rest5
-                rest6 = total27 - back3
-                one4 = rest5 - rest6
-                two4 = 0.16666666666666666 - back3
-                lost3 = one4 + two4
-                total28 = envelope*total27
-                envelope_halves = halves(xp, envelope)
-                total27_halves = halves(xp, total27)
-                lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-                rest6 = together_series(xp, half, total2)
-                total27 = rest6 + 0.5
-                back3 = total27 - rest6
-                rest5 = total27 - back3
-                one4 = rest6 - rest5
-                two4 = 0.5 - back3
-                lost553 = one4 + two4
-                total563 = envelope*total27
-                total27_halves = halves(xp, total27)
-                lost553 = envelope*lost553 + product_error(total563, envelope_halves,
-                    total27_halves)
-
-                def yes(q, q_low):
-                    given = q
-                    total4 = 1.0 - 0.5*given
-                    back4 = total4 - 1.0
-                    lost4 = -back4 - 0.5*given
-                    decay_series_of = decay_series(xp, given)
-                    curved = decay_series_of*(given*given)
-                    total5 = curved + total4
-                    back4 = total5 - total4
-                    lost5 = curved - back4
-                    mean_low = (
-                        lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given + 0.5)
-                    )
-                    total4 = given*total5
-                    given_halves = halves(xp, given)
-                    total5_halves = halves(xp, total5)
-                    lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                    total7 = 1.0 - total4
-                    back4 = total7 - 1.0
-                    lost4 = -back4 - total4
-                    fall_low = lost4 - lost5 - q_low*total5
-                    fall_ = total7
-                    mean = total5
-                    return fall_, fall_low, mean, mean_low
-
-                def no(q, q_low):
-                    sunk = xp.exp(-q)
-                    sunk_low = -q_low*sunk
-                    total8 = 1.0 - sunk
-                    back7 = total8 - 1.0
-                    lost8 = -back7 - sunk
-                    bottom = q
-                    total9 = total8/bottom
-                    left4 = total8 - bottom*total9
-                    total9_halves = halves(xp, total9)
-                    bottom_halves = halves(xp, bottom)
-                    left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                    left4 = left4 + lost8 - q_low*total9 - sunk_low
-                    lost8 = left4/bottom
-                    fall_ = sunk
-                    fall_low2 = sunk_low
-                    mean = total9
-                    mean_low2 = lost8
-                    return fall_, fall_low2, mean, mean_low2
-
-                fall_, fall_low2, mean, mean_low2 = (
-                    select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-                )
-
-                total27 = fall_ + 1.0
-                back3 = total27 - 1.0
-                lost283 = fall_ - back3
-
-                def yes(root, root_low):
-                    given2 = 2.0*root
-                    total10 = 1.0 - 0.5*given2
-                    back8 = total10 - 1.0
-                    lost10 = -back8 - 0.5*given2
-                    decay_series_of2 = decay_series(xp, given2)
-                    curved2 = decay_series_of2*(given2*given2)
-                    total11 = curved2 + total10
-                    back8 = total11 - total10
-                    lost11 = curved2 - back8
-                    mean_low3 = (
-                        lost10 + lost11 - 2.0*root_low*
-                        (0.125*(given2*given2) - 0.3333333333333333*given2 + 0.5)
-                    )
-                    total10 = given2*total11
-                    given2_halves = halves(xp, given2)
-                    total11_halves = halves(xp, total11)
-                    lost11 = given2*mean_low3 + product_error(total10, given2_halves,
-                        total11_halves)
-                    total13 = 1.0 - total10
-                    back8 = total13 - 1.0
-                    lost10 = -back8 - total10
-                    fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                    fall2 = total13
-                    mean2 = total11
-                    return fall2, fall_low3, mean2, mean_low3
-
-                def no(root, root_low):
-                    sunk2 = xp.exp(-2.0*root)
-                    sunk_low2 = -2.0*root_low*sunk2
-                    total14 = 1.0 - sunk2
-                    back11 = total14 - 1.0
-                    lost14 = -back11 - sunk2
-                    bottom2 = 2.0*root
-                    total15 = total14/bottom2
-                    left7 = total14 - bottom2*total15
-                    total15_halves = halves(xp, total15)
-                    bottom2_halves = halves(xp, bottom2)
-                    left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                    left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                    lost14 = left7/bottom2
-                    fall2 = sunk2
-                    fall_low4 = sunk_low2
-                    mean2 = total15
-                    mean_low4 = lost14
-                    return fall2, fall_low4, mean2, mean_low4
-
-                fall2, fall_low4, mean2, mean_low4 = (
-                    select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-                )
-
-                fast = fall_*fall2
-                total162 = fall2*mean
-                fall2_halves = halves(xp, fall2)
-                mean_halves = halves(xp, mean)
-                lost162 = fall2*mean_low2 + product_error(total162, fall2_halves, mean_halves)
-                pulled_low = fall_low4*mean + lost162
-                total172 = mean2 - total162
-                back3 = total172 - mean2
-                rest5 = total172 - back3
-                one4 = mean2 - rest5
-                two4 = -back3 - total162
-                lost162 = one4 + two4
-                total162 = total172/whole
-                left = total172 - total162*whole
-                total162_halves = halves(xp, total162)
-                left = left - product_error(total162*whole, total162_halves, whole_halves)
-                left = left + lost162 + mean_low4 - p_low*total162 - pulled_low
-                lost162 = left/whole
-                total172 = fall_*total162
-                fall__halves = halves(xp, fall_)
-                lost162 = fall_*lost162 + product_error(total172, fall__halves, total162_halves)
-                creep_ = fall_low2*total162 + lost162 + total172
-                lost162 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-                low32 = fall2*fall_low2 + lost162
-                total172 = fast + 1.0
-                back3 = total172 - 1.0
-                lost162 = fast - back3
-                total162 = total27*total172
-                total27_halves = halves(xp, total27)
-                total172_halves = halves(xp, total172)
-                lost162 = (
-                    total27*(lost162 + low32) + product_error(total162, total27_halves,
-                    total172_halves)
-                )
-                total27 = fall_*mean2
-                mean2_halves = halves(xp, mean2)
-                lost163 = fall_*mean_low4 + product_error(total27, fall__halves, mean2_halves)
-                pulled_low = fall_low2*mean2 + lost163
-                total173 = mean - total27
-                back3 = total173 - mean
-                rest5 = total173 - back3
-                one4 = mean - rest5
-                two4 = -back3 - total27
-                lost163 = one4 + two4
-                total27 = total173/whole
-                left = total173 - total27*whole
-                total27_halves = halves(xp, total27)
-                left = left - product_error(total27*whole, total27_halves, whole_halves)
-                left = left + lost163 + mean_low2 - p_low*total27 - pulled_low
-                lost163 = left/whole
-                apart_of = lost3 + total28
-                fall_of = creep_
-                nyquist_of = lost162 + total172*(fall_low2 + lost283) + total162
-                rise_of = lost163 + total27
-                together_of = 2.0*lost553 + 2.0*total563
-                return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-            apart_of, fall_of, nyquist_of, rise_of, together_of = (
-                select(xp, reach < 0.5625, yes, (delta, gamma, half, lost2, root, size, total2,
-                total3), no, (gamma, half, lost2, root, size, total2, total3))
-            )
-
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        def no(delta, gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-            twice = 2.0*fall_
-            total283 = fall_ + 1.0
-            back3 = total283 - 1.0
-            lost3 = fall_ - back3
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            fast = fall_*fall2
-            total16 = mean2*twice
-            twice_halves = halves(xp, twice)
-            mean2_halves = halves(xp, mean2)
-            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
-            total17 = mean - total16
-            back3 = total17 - mean
-            rest3 = total17 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total16
-            lost17 = one2 + two2
-            total16 = fast*mean
-            fast_halves = halves(xp, fast)
-            mean_halves = halves(xp, mean)
-            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
-            top = total17 + total16
-            low = lost17 - lost16 + lost18 + mean_low2
-            total16 = fall2*mean
-            fall2_halves = halves(xp, fall2)
-            lost18 = fall2*mean_low2 + product_error(total16, fall2_halves, mean_halves)
-            pulled_low = fall_low4*mean + lost18
-            total17 = mean2 - total16
-            back3 = total17 - mean2
-            rest3 = total17 - back3
-            one2 = mean2 - rest3
-            two2 = -back3 - total16
-            lost18 = one2 + two2
-            total16 = total17/whole
-            left = total17 - total16*whole
-            total16_halves = halves(xp, total16)
-            left = left - product_error(total16*whole, total16_halves, whole_halves)
-            left = left + lost18 + mean_low4 - p_low*total16 - pulled_low
-            lost18 = left/whole
-            total17 = fall_*total16
-            fall__halves = halves(xp, fall_)
-            lost18 = fall_*lost18 + product_error(total17, fall__halves, total16_halves)
-            creep_ = fall_low2*total16 + lost18 + total17
-            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-            low32 = fall2*fall_low2 + lost18
-            total17 = fast + 1.0
-            back3 = total17 - 1.0
-            lost18 = fast - back3
-            total16 = total283*total17
-            total283_halves = halves(xp, total283)
-            total17_halves = halves(xp, total17)
-            lost18 = (
-                total283*(lost18 + low32) + product_error(total16, total283_halves, total17_halves)
-            )
-            total283 = fall_*mean2
-            lost17 = fall_*mean_low4 + product_error(total283, fall__halves, mean2_halves)
-            pulled_low = fall_low2*mean2 + lost17
-            total173 = mean - total283
-            back3 = total173 - mean
-            rest3 = total173 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total283
-            lost17 = one2 + two2
-            total283 = total173/whole
-            left = total173 - total283*whole
-            total283_halves = halves(xp, total283)
-            left = left - product_error(total283*whole, total283_halves, whole_halves)
-            left = left + lost17 + mean_low2 - p_low*total283 - pulled_low
-            lost17 = left/whole
-            total173 = 1.0 - fast
-            back3 = total173 - 1.0
-            lost16 = -back3 - fast
-            total533 = mean*total173
-            total173_halves = halves(xp, total173)
-            lost16 = mean*(lost16 - low32) + product_error(total533, mean_halves, total173_halves)
-            moved_low = lost16 + mean_low2*total173
-            total173 = total533/whole
-            left = total533 - total173*whole
-            total173_halves = halves(xp, total173)
-            left = left - product_error(total173*whole, total173_halves, whole_halves)
-            left = left + moved_low - p_low*total173
-            lost16 = left/whole
-            apart_of = (low + top)/whole3
-            fall_of = creep_
-            nyquist_of = lost18 + total17*(fall_low2 + lost3) + total16
-            rise_of = lost17 + total283
-            together_of = lost16 + total173
-            return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-        apart_of, fall_of, nyquist_of, rise_of, together_of = (
-            select(xp, reach < 1.0, yes, (delta, gamma, half, lost2, reach, root, size, total2,
-            total3), no, (delta, gamma, half, lost2, root, size, total3))
+    def no(delta, gamma, reach, root, w, w_low):
+        half = 0.5*delta
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        return (
+            apart_creep(xp, reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
+            mean_low2), fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_,
+            fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2),
+            nyquist_creep(xp, fall_, fall_low, fall2, fall_low2),
+            rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+            mean_low, mean2, mean_low2), together_creep(xp, reach, half, w, p, p_low, fall_,
+            fall_low, mean, mean_low, fall2, fall_low2)
         )
 
-        return apart_of, fall_of, nyquist_of, rise_of, together_of
-
-    apart_of, fall_of, nyquist_of, rise_of, together_of = (
-        select(xp, total2 < 0.0, yes, (delta, gamma, half, lost, total2), no,
-        (delta, gamma, half, lost, total2))
-    )
-
-    return apart_of, fall_of, nyquist_of, rise_of, together_of
+    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
 def late_apart(xp, epsilon, x, x_low, y, y_low, first, last, turned):
     """m2 - m1 + m0, M at z = -1 behind a fraction of a period"""
-    total = 1.0 - epsilon
-    back = total - 1.0
-    lost = -back - epsilon
-    total2 = epsilon*total
-    epsilon_halves = halves(xp, epsilon)
-    total_halves = halves(xp, total)
-    lost = epsilon*lost + product_error(total2, epsilon_halves, total_halves)
-    total = x*y
-    x_halves = halves(xp, x)
-    y_halves = halves(xp, y)
-    lost3 = x*y_low + product_error(total, x_halves, y_halves)
+    total, lost = fast_two_sum(xp, 1.0, -epsilon)
+    total, lost = wide_prod(xp, epsilon, total, lost)
+    total3, lost3 = wide_prod(xp, x, y, y_low)
     both_low = lost3 + x_low*y
-    total4 = total2*total
-    total2_halves = halves(xp, total2)
-    total_halves = halves(xp, total)
-    lost3 = both_low*total2 + product_error(total4, total2_halves, total_halves)
-    low = lost*total + lost3
-    total = first - 2.0*total4
-    back = total - first
-    rest = total - back
-    one = first - rest
-    two = -back - 2.0*total4
-    lost3 = one + two
-    total4 = total - last
-    back = total4 - total
-    rest = total4 - back
-    one = total - rest
-    two = -back - last
-    lost = one + two
-    total = total4 + turned
-    back = total - total4
-    rest = total - back
-    one = total4 - rest
-    two = turned - back
-    lost7 = one + two
-    rest = lost3 + lost
+    total, lost3 = wide_prod(xp, total, total3, both_low)
+    total, lost5 = two_diff(xp, first, 2.0*total)
+    total, lost6 = two_diff(xp, total, last)
+    total, lost7 = two_diff(xp, total, -turned)
+    low = lost*total3 + lost3
+    rest = lost5 + lost6
     rest = lost7 + rest
     rest = rest - 2.0*low
     return rest + total
@@ -13958,13 +1544,43 @@ def cubic_root(xp, k0, k1, k2, k3, low, high, rise_):
         move = xp.where(case1, 0.0, (k0 + y*(k1 + y*(k2 + k3*y)))/some)
         new = xp.where(high < y - move, high, y - move)
         new = xp.where(low > new, low, new)
-        next_y = new
         next_moves = xp.where(down*(y - new) > 0.0, xp.full_like(down, 1.0), 0.0)
-        return next_y, next_moves
+        return new, next_moves
 
     y, moves = repeat(xp, 100, over, step, (xp.where(down > 0.0, high, low), 1.0),
         (down, high, k0, k1, k2, k3, low))
     return y
+
+
+def turn_angle(xp, x, y):
+    """the angle of x + j y in half turns, and the rest"""
+    case1 = x < 0.0
+    return (
+        xp.where(case1, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0),
+        xp.atan2(xp.where(case1, -y, y), xp.abs(x))
+    )
+
+
+def phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together_, apart_):
+    """the nearest whole number of turns in the phase at a crossing"""
+    at = xp.where(0.0 > y, 0.0, y)
+    still = xp.where(0.0 > rest, 0.0, rest)
+    sine = 2.0*square_root(xp, at*still)
+    halves_, turned = turn_angle(xp, off*(2.0*loss - 4.0), loss*sine)
+    halves2, turned2 = turn_angle(xp, still*together_ - apart_*at, n1*sine)
+    halves3, turned3 = turn_angle(xp, alpha*still - at*far, sine*slope)
+    case1 = at > 2.0
+    half = xp.atan2(xp.where(case1, square_root(xp, still), square_root(xp, at)),
+        xp.where(case1, square_root(xp, at), square_root(xp, still)))
+    late = d + 2.0
+    halves3 = halves2 - halves_ + halves3 - xp.where(case1, late, 0.0)
+    share = (
+        0.5*(turned2 - late*xp.where(case1, -2.0*half, 2.0*half) - turned + turned3)/
+        3.141592653589793
+    )
+    even = xp.floor(0.5*halves3)
+    left = 0.5*halves3 - even
+    return even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
 
 
 def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
@@ -13982,52 +1598,22 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
         def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
             together_, x, y, zone):
             off = xp.where(zone == 0.0, x - center, xp.where(zone == 1.0, x, beyond - x))
-            at = xp.where(0.0 > y, 0.0, y)
-            still = xp.where(0.0 > rest, 0.0, rest)
-            sine = 2.0*square_root(xp, at*still)
-            x2 = off*(2.0*loss - 4.0)
-            y2 = loss*sine
-            case1 = x2 < 0.0
-            halves_ = xp.where(case1, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
-            turned = xp.atan2(xp.where(case1, -y2, y2), xp.abs(x2))
-            x2 = still*together_ - apart_*at
-            y2 = n1*sine
-            case2 = x2 < 0.0
-            halves2 = xp.where(case2, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
-            turned2 = xp.atan2(xp.where(case2, -y2, y2), xp.abs(x2))
-            x2 = alpha*still - at*far
-            y2 = sine*slope
-            case3 = x2 < 0.0
-            halves3 = xp.where(case3, xp.where(y2 < 0.0, xp.full_like(y2, -1.0), 1.0), 0.0)
-            turned3 = xp.atan2(xp.where(case3, -y2, y2), xp.abs(x2))
-            case4 = at > 2.0
-            half = xp.atan2(xp.where(case4, square_root(xp, still), square_root(xp, at)),
-                xp.where(case4, square_root(xp, at), square_root(xp, still)))
-            late = d + 2.0
-            halves3 = halves2 - halves_ + halves3 - xp.where(case4, late, 0.0)
-            share = (
-                0.5*(turned2 - late*xp.where(case4, -2.0*half, 2.0*half) - turned + turned3)/
-                3.141592653589793
-            )
-            even = xp.floor(0.5*halves3)
-            left = 0.5*halves3 - even
-            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0,
-                xp.floor(left + share + 0.5))
+            found = phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together_, apart_)
             rises = (
                 xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
                 xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
             )
-            turned3 = -2.0*rises*turns
-            return turned3
+            turned = -2.0*found*rises
+            return turned
 
         def no(rest):
             return 0.0
 
-        turned4 = select(xp, (rest > 0.0) & (y > 0.0), yes,
+        turned = select(xp, (rest > 0.0) & (y > 0.0), yes,
             (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
             together_, x, y, zone), no, (rest,))
 
-        return turned4
+        return turned
 
     def no(at_high):
         return 0.0
@@ -14055,12 +1641,10 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
         q = -k2 - xp.where(k2 < 0.0, -root, root)
         some2 = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
         at2 = q/some2
-        cut2 = xp.where((at2 < high) & (at2 > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at2, low)
         some2 = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
-        at2 = k1/some2
-        cut3 = xp.where((at2 < high) & (at2 > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at2, low)
-        one = cut2
-        two = cut3
+        at3 = k1/some2
+        one = xp.where((at2 < high) & (at2 > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at2, low)
+        two = xp.where((at3 < high) & (at3 > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at3, low)
         return one, two
 
     one, two = select(xp, disc < 0.0, yes, (low,), no, (disc, high, k1, k2, k3, low))
@@ -14080,9 +1664,8 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
         slope, far, n1, loss, together_, apart_, center, beyond, d)
     found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha,
         slope, far, n1, loss, together_, apart_, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha,
+    return found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha,
         slope, far, n1, loss, together_, apart_, center, beyond, d)
-    return found
 
 
 def late_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together_, apart_):
@@ -14182,6 +1765,51 @@ def whole_part(xp, d):
     return xp.floor(d)
 
 
+def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together_,
+    apart_):
+    """the turns at a crossing, if there is one"""
+    edge = xp.where(rest > y, y, rest)
+
+    def yes(alpha, apart_, beyond, center, d, edge, far, loss, n1, off, rest, slope, together_, y):
+        inside_ = xp.where((beyond - off > 0.0) & (center + off > 0.0) & (edge > xp.abs(off)),
+            xp.full_like(beyond, 1.0), 0.0)
+        case1 = rest > y
+        case2 = inside_ > 0.0
+        at = xp.where(case2, center + off, xp.where(case1, y, 4.0 - rest))
+        still = xp.where(case2, beyond - off, xp.where(case1, 4.0 - y, rest))
+        away = xp.where(case2, off, xp.where(case1, y - center, beyond - rest))
+        return phase_turns(xp, at, still, away, alpha, slope, far, d, n1, loss, together_, apart_)
+
+    def no(edge):
+        return 0.0
+
+    return select(xp, (edge < 4.0) & (rest > 0.0) & (y > 0.0), yes,
+        (alpha, apart_, beyond, center, d, edge, far, loss, n1, off, rest, slope, together_, y),
+        no, (edge,))
+
+
+def quadratic_roots(xp, c, b, a, root):
+    """(-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite"""
+
+    def yes(a, b, c, root):
+        q = -0.5*b - 0.5*root
+        case1 = a == 0.0
+        lead_ = xp.where(case1, 1.0, a)
+        case2 = q == 0.0
+        own = xp.where(case2, 1.0, q)
+        return xp.where(case1, -1.0, q/lead_), xp.where(case2, -1.0, c/own)
+
+    def no(a, b, c, root):
+        q = 0.5*root - 0.5*b
+        case1 = a == 0.0
+        lead_ = xp.where(case1, 1.0, a)
+        case2 = q == 0.0
+        own = xp.where(case2, 1.0, q)
+        return xp.where(case2, -1.0, c/own), xp.where(case1, -1.0, q/lead_)
+
+    return select(xp, b >= 0.0, yes, (a, b, c, root), no, (a, b, c, root))
+
+
 def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together_, apart_):
     """roots outside the unit circle"""
     e = 1.0 - loss
@@ -14225,18 +1853,18 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
     )
 
     def yes(product2, square3):
-        disc2 = square3 - product2
-        return disc2
+        disc4 = square3 - product2
+        return disc4
 
     def no(product, product3, size, size2, size3, square2, square4):
 
         def yes(product3, square4):
-            disc3 = square4 - product3
-            return disc3
+            disc4 = square4 - product3
+            return disc4
 
         def no(product, square2):
-            disc = square2 - product
-            return disc
+            disc4 = square2 - product
+            return disc4
 
         disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no,
             (product, square2))
@@ -14247,326 +1875,26 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         (product, product3, size, size2, size3, square2, square4))
 
 
-    def yes(alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0,
+    def yes(alpha, apart_, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
         own1, own2, slope, square, together_, wall_far):
-
-        def yes(disc4, near0, near1, square):
-            positive = disc4
-            root = square_root(xp, positive)
-            q = -0.5*near1 - 0.5*root
-
-            def yes(square):
-                return -1.0
-
-            def no(q, square):
-                lead_ = square
-                one = q/lead_
-                return one
-
-            one = select(xp, square == 0.0, yes, (square,), no, (q, square))
-
-
-            def yes(q):
-                return -1.0
-
-            def no(near0, q):
-                own = q
-                two = near0/own
-                return two
-
-            two = select(xp, q == 0.0, yes, (q,), no, (near0, q))
-
-            low = one
-            high = two
-            return low, high
-
-        def no(disc4, near0, near1, square):
-            positive = disc4
-            root = square_root(xp, positive)
-            q = 0.5*root - 0.5*near1
-
-            def yes(square):
-                return -1.0
-
-            def no(q, square):
-                lead_ = square
-                one = q/lead_
-                return one
-
-            one = select(xp, square == 0.0, yes, (square,), no, (q, square))
-
-
-            def yes(q):
-                return -1.0
-
-            def no(near0, q):
-                own = q
-                two = near0/own
-                return two
-
-            two = select(xp, q == 0.0, yes, (q,), no, (near0, q))
-
-            low = two
-            high = one
-            return low, high
-
-        low, high = select(xp, near1 >= 0.0, yes, (disc4, near0, near1, square), no,
-            (disc4, near0, near1, square))
-
-
-        def yes(disc4, far0, far1, square):
-            positive = disc4
-            root = square_root(xp, positive)
-            q3 = -0.5*far1 - 0.5*root
-
-            def yes(square):
-                return -1.0
-
-            def no(q3, square):
-                lead3 = square
-                one3 = q3/lead3
-                return one3
-
-            one3 = select(xp, square == 0.0, yes, (square,), no, (q3, square))
-
-
-            def yes(q3):
-                return -1.0
-
-            def no(far0, q3):
-                own4 = q3
-                two3 = far0/own4
-                return two3
-
-            two3 = select(xp, q3 == 0.0, yes, (q3,), no, (far0, q3))
-
-            low3 = one3
-            high3 = two3
-            return low3, high3
-
-        def no(disc4, far0, far1, square):
-            positive = disc4
-            root = square_root(xp, positive)
-            q3 = 0.5*root - 0.5*far1
-
-            def yes(square):
-                return -1.0
-
-            def no(q3, square):
-                lead3 = square
-                one3 = q3/lead3
-                return one3
-
-            one3 = select(xp, square == 0.0, yes, (square,), no, (q3, square))
-
-
-            def yes(q3):
-                return -1.0
-
-            def no(far0, q3):
-                own4 = q3
-                two3 = far0/own4
-                return two3
-
-            two3 = select(xp, q3 == 0.0, yes, (q3,), no, (far0, q3))
-
-            low3 = two3
-            high3 = one3
-            return low3, high3
-
-        low3, high3 = select(xp, far1 >= 0.0, yes, (disc4, far0, far1, square), no,
-            (disc4, far0, far1, square))
-
-        edge = xp.where(high3 > low, low, high3)
-        edge2 = xp.where(high < low3, high, low3)
-
-        def yes(alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1,
-            own2, slope, together_, wall_far):
-            late = d + 2.0
-
-            def yes(disc4, own1, own2):
-
-                def yes(own2):
-                    return -1.0
-
-                def no(disc4, own1, own2):
-                    positive = disc4
-                    root = square_root(xp, positive)
-                    q2 = -0.5*own1 - 0.5*root
-                    lead2 = own2
-                    one2 = q2/lead2
-                    return one2
-
-                one2 = select(xp, own2 == 0.0, yes, (own2,), no, (disc4, own1, own2))
-
-                low2 = one2
-                return low2
-
-            def no(disc4, own0, own1):
-                positive = disc4
-                root = square_root(xp, positive)
-                q2 = 0.5*root - 0.5*own1
-
-                def yes(q2):
-                    return -1.0
-
-                def no(own0, q2):
-                    own3 = q2
-                    two2 = own0/own3
-                    return two2
-
-                two2 = select(xp, q2 == 0.0, yes, (q2,), no, (own0, q2))
-
-                low2 = two2
-                return low2
-
-            low2 = select(xp, own1 >= 0.0, yes, (disc4, own1, own2), no, (disc4, own0, own1))
-
-            case1 = high3 > low
-            case2 = (beyond - low2 > 0.0) & (center + low2 > 0.0) & (edge > xp.abs(low2))
-            at = xp.where(case2, center + low2, xp.where(case1, low, 4.0 - high3))
-            still = xp.where(case2, beyond - low2, xp.where(case1, 4.0 - low, high3))
-            away = xp.where(case2, low2, xp.where(case1, low - center, beyond - high3))
-            at = xp.where(0.0 > at, 0.0, at)
-            still = xp.where(0.0 > still, 0.0, still)
-            sine2 = 2.0*square_root(xp, at*still)
-            x = away*(-2.0*e - 2.0)
-            y = loss*sine2
-            case3 = x < 0.0
-            halves_ = xp.where(case3, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-            turned = xp.atan2(xp.where(case3, -y, y), xp.abs(x))
-            x = still*together_ - apart_*at
-            y = n1*sine2
-            case4 = x < 0.0
-            halves2 = xp.where(case4, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-            turned2 = xp.atan2(xp.where(case4, -y, y), xp.abs(x))
-            x = alpha*still - at*wall_far
-            y = sine2*slope
-            case5 = x < 0.0
-            halves3 = xp.where(case5, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0)
-            turned3 = xp.atan2(xp.where(case5, -y, y), xp.abs(x))
-            case6 = at > 2.0
-            half = xp.atan2(xp.where(case6, square_root(xp, still), square_root(xp, at)),
-                xp.where(case6, square_root(xp, at), square_root(xp, still)))
-            halves3 = halves2 - halves_ + halves3 - xp.where(case6, late, 0.0)
-            share = (
-                0.5*(turned2 - late*xp.where(case6, -2.0*half, 2.0*half) - turned + turned3)/
-                3.141592653589793
-            )
-            even = xp.floor(0.5*halves3)
-            left = 0.5*halves3 - even
-            turns = even + xp.where(left == 0.5, xp.floor(share) + 1.0,
-                xp.floor(left + share + 0.5))
-            found = 2.0*turns
-            return found
-
-        def no(edge):
-            return 0.0
-
-        found = select(xp, (edge < 4.0) & (high3 > 0.0) & (low > 0.0), yes,
-            (alpha, apart_, beyond, center, d, disc4, e, edge, high3, loss, low, n1, own0, own1,
-            own2, slope, together_, wall_far), no, (edge,))
-
-        total = found
-
-        def yes(alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0,
-            own1, own2, slope, together_, wall_far):
-            late2 = d + 2.0
-
-            def yes(disc4, own0, own1):
-                positive = disc4
-                root = square_root(xp, positive)
-                q2 = -0.5*own1 - 0.5*root
-
-                def yes(q2):
-                    return -1.0
-
-                def no(own0, q2):
-                    own3 = q2
-                    two2 = own0/own3
-                    return two2
-
-                two2 = select(xp, q2 == 0.0, yes, (q2,), no, (own0, q2))
-
-                high2 = two2
-                return high2
-
-            def no(disc4, own1, own2):
-
-                def yes(own2):
-                    return -1.0
-
-                def no(disc4, own1, own2):
-                    positive = disc4
-                    root = square_root(xp, positive)
-                    q2 = 0.5*root - 0.5*own1
-                    lead2 = own2
-                    one2 = q2/lead2
-                    return one2
-
-                one2 = select(xp, own2 == 0.0, yes, (own2,), no, (disc4, own1, own2))
-
-                high2 = one2
-                return high2
-
-            high2 = select(xp, own1 >= 0.0, yes, (disc4, own0, own1), no, (disc4, own1, own2))
-
-            case1 = high < low3
-            case2 = (beyond - high2 > 0.0) & (center + high2 > 0.0) & (edge2 > xp.abs(high2))
-            at4 = xp.where(case2, center + high2, xp.where(case1, high, 4.0 - low3))
-            still4 = xp.where(case2, beyond - high2, xp.where(case1, 4.0 - high, low3))
-            away2 = xp.where(case2, high2, xp.where(case1, high - center, beyond - low3))
-            at4 = xp.where(0.0 > at4, 0.0, at4)
-            still4 = xp.where(0.0 > still4, 0.0, still4)
-            sine3 = 2.0*square_root(xp, at4*still4)
-            x4 = away2*(-2.0*e - 2.0)
-            y4 = loss*sine3
-            case3 = x4 < 0.0
-            halves5 = xp.where(case3, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
-            turned4 = xp.atan2(xp.where(case3, -y4, y4), xp.abs(x4))
-            x4 = still4*together_ - apart_*at4
-            y4 = n1*sine3
-            case4 = x4 < 0.0
-            halves6 = xp.where(case4, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
-            turned5 = xp.atan2(xp.where(case4, -y4, y4), xp.abs(x4))
-            x4 = alpha*still4 - at4*wall_far
-            y4 = sine3*slope
-            case5 = x4 < 0.0
-            halves7 = xp.where(case5, xp.where(y4 < 0.0, xp.full_like(y4, -1.0), 1.0), 0.0)
-            turned6 = xp.atan2(xp.where(case5, -y4, y4), xp.abs(x4))
-            case6 = at4 > 2.0
-            half2 = xp.atan2(xp.where(case6, square_root(xp, still4), square_root(xp, at4)),
-                xp.where(case6, square_root(xp, at4), square_root(xp, still4)))
-            halves7 = halves6 - halves5 + halves7 - xp.where(case6, late2, 0.0)
-            share2 = 0.5*(turned5 - late2*xp.where(case6, -2.0*half2, 2.0*half2) - turned4 +
-                turned6)/3.141592653589793
-            even2 = xp.floor(0.5*halves7)
-            left2 = 0.5*halves7 - even2
-            turns2 = even2 + xp.where(left2 == 0.5, xp.floor(share2) + 1.0,
-                xp.floor(left2 + share2 + 0.5))
-            found2 = -2.0*turns2
-            return found2
-
-        def no(edge2):
-            return 0.0
-
-        found2 = select(xp, (edge2 < 4.0) & (high > 0.0) & (low3 > 0.0), yes,
-            (alpha, apart_, beyond, center, d, disc4, e, edge2, high, loss, low3, n1, own0, own1,
-            own2, slope, together_, wall_far), no, (edge2,))
-
-        total = found2 + total
+        root = square_root(xp, disc4)
+        low, high = quadratic_roots(xp, near0, near1, square, root)
+        low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
+        low3, high3 = quadratic_roots(xp, far0, far1, square, root)
+        total = 2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope, wall_far, d,
+            n1, loss, together_, apart_) - 2.0*crossing_turns(xp, high, low3, high2, center,
+            beyond, alpha, slope, wall_far, d, n1, loss, together_, apart_)
         return total
 
     def no(disc4):
         return 0.0
 
-    total3 = select(xp, disc4 >= 0.0, yes,
-        (alpha, apart_, beyond, center, d, disc4, e, far0, far1, loss, n1, near0, near1, own0,
-        own1, own2, slope, square, together_, wall_far), no, (disc4,))
+    total = select(xp, disc4 >= 0.0, yes, (alpha, apart_, beyond, center, d, disc4, far0, far1,
+        loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far), no, (disc4,))
 
-    total4 = total3 + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
+    total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
         (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-    return total4 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) |
+    return total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) |
         (far0 < 0.0), end, 0.0)
 
 
@@ -14579,2147 +1907,61 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, acros
     t_halves = halves(xp, t)
     low = product_error(square, t_halves, t_halves)
     taken = at_minus_one*square
-    total = at_one - taken
-    back = total - at_one
-    rest = total - back
-    one = at_one - rest
-    two = -back - taken
-    lost = one + two
+    total, lost = two_diff(xp, at_one, taken)
     at_minus_one_halves = halves(xp, at_minus_one)
     square_halves = halves(xp, square)
     missed = at_minus_one*low + product_error(taken, at_minus_one_halves, square_halves)
     lost = lost - missed
-    total2 = lost + total
-    back = total2 - total
-    lost = lost - back
+    total, lost = fast_two_sum(xp, total, lost)
     taken = apart_*square
-    total = together_ - taken
-    back = total - together_
-    rest = total - back
-    one = together_ - rest
-    two = -back - taken
-    lost4 = one + two
+    total3, lost4 = two_diff(xp, together_, taken)
     apart__halves = halves(xp, apart_)
     missed = apart_*low + product_error(taken, apart__halves, square_halves)
     lost4 = lost4 - missed
-    total4 = lost4 + total
-    back = total4 - total
-    lost4 = lost4 - back
+    total3, lost4 = fast_two_sum(xp, total3, lost4)
     above_j = 2.0*loss*t
     below_j = across*t
-    rest = (below_j*below_j) + 2.0*lost4*total4
-    size = rest + (total4*total4)
+    rest = (below_j*below_j) + 2.0*lost4*total3
+    size = rest + (total3*total3)
     low = above_j*lost4 - below_j*lost
-    found = above_j*total4 - below_j*total2
+    found = above_j*total3 - below_j*total
     found = found + low
-    ahead_of = found/size
-    low = lost*total4 + lost4*total2
+    low = lost*total3 + lost4*total
     rest = above_j*below_j + low
-    found = rest + total2*total4
-    in_phase_of = found/size
-    return ahead_of, in_phase_of
-
-
-def apart_nyquist_together_single(xp, gamma, delta):
-    """The same in single precision."""
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, half, lost2, total2):
-            square2 = total2
-            envelope = xp.exp(-half)
-            rest5 = apart_series(xp, half, total2)
-            total27 = rest5 + 0.16666666666666666
-            back17 = total27 - rest5
-            rest6 = total27 - back17
-            one4 = rest5 - rest6
-            two4 = 0.16666666666666666 - back17
-            lost27 = one4 + two4
-            total28 = envelope*total27
-            envelope_halves = halves(xp, envelope)
-            total27_halves = halves(xp, total27)
-            lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-            twice2 = 2.0*envelope
-            rest6 = together_series(xp, half, total2)
-            total27 = rest6 + 0.5
-            back17 = total27 - rest6
-            rest5 = total27 - back17
-            one4 = rest6 - rest5
-            two4 = 0.5 - back17
-            lost55 = one4 + two4
-            total56 = envelope*total27
-            total27_halves = halves(xp, total27)
-            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
-
-            def yes(square2):
-                given3 = square2
-                total19 = 0.5*given3 + 1.0
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total19 = curved3 + total19
-                even = total19
-                return even
-
-            def no(total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                cosine = xp.cos(root)
-                even = cosine
-                return even
-
-            even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
-
-            total27 = even*twice2
-
-            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28,
-                total56, twice2):
-                e = xp.exp(-delta)
-                total252 = e + 1.0
-                back18 = total252 - 1.0
-                lost252 = e - back18
-                total272 = total252 + total262
-                back18 = total272 - total252
-                lost272 = total262 - back18
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    return even_low
-
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    even_low2 = -root_low*sine
-                    return even_low2
-
-                even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
-
-                twice2_halves = halves(xp, twice2)
-                even_halves = halves(xp, even)
-                lost262 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
-                apart_of = lost28 + total28
-                nyquist_of = lost252 + lost262 + lost272 + total272
-                together_of = 2.0*lost56 + 2.0*total56
-                return apart_of, nyquist_of, together_of
-
-            def no(envelope, half, lost2, lost28, lost56, total2, total28, total56):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                expm1_of = xp.expm1(-half)
-                grown = -0.5*expm1_of
-                angle = 0.5*root
-                wave = xp.cos(angle)
-                sin_of = xp.sin(angle)
-                back72 = 0.5*root_low*sin_of
-                total92 = wave - back72
-                back82 = total92 - wave
-                rest32 = total92 - back82
-                one22 = wave - rest32
-                two22 = -back72 - back82
-                lost92 = one22 + two22
-                total102 = (total92*total92)
-                total92_halves = halves(xp, total92)
-                lost102 = product_error(total102, total92_halves, total92_halves)
-                low2 = lost102 + 2.0*lost92*total92
-                total92 = envelope*total102
-                envelope_halves = halves(xp, envelope)
-                total102_halves = halves(xp, total102)
-                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
-                total102 = (grown*grown) + total92
-                back82 = total102 - total92
-                rest32 = total102 - back82
-                one22 = total92 - rest32
-                two22 = (grown*grown) - back82
-                lost102 = one22 + two22
-                low2 = lost92 + lost102
-                apart_of = lost28 + total28
-                nyquist_of = 4.0*low2 + 4.0*total102
-                together_of = 2.0*lost56 + 2.0*total56
-                return apart_of, nyquist_of, together_of
-
-            apart_of, nyquist_of, together_of = (
-                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2,
-                total2, total27, total28, total56, twice2), no,
-                (envelope, half, lost2, lost27, lost55, total2, total28, total56))
-            )
-
-            return apart_of, nyquist_of, together_of
-
-        def no(delta, gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-            mean3 = decay(xp, delta)
-            twice2 = 2.0*envelope
-
-            def yes(lost2, square2):
-                given3 = square2
-                total19 = 0.5*given3 + 1.0
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total19 = curved3 + total19
-                sin_series_of = sin_series(xp, given3)
-                bent = given3*sin_series_of
-                total21 = bent + 1.0
-                back15 = total21 - 1.0
-                lost21 = bent - back15
-                odd_low = 0.16666666666666666*lost2 + lost21
-                even = total19
-                odd = total21
-                return even, odd, odd_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total22 = sine/some
-                left = sine - some*total22
-                total22_halves = halves(xp, total22)
-                some_halves = halves(xp, some)
-                left = left - product_error(total22*some, total22_halves, some_halves)
-                left = cosine*root_low + left - root_low*total22
-                lost22 = left/some
-                even = cosine
-                odd = total22
-                odd_low2 = lost22
-                return even, odd, odd_low2
-
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total24 = envelope*odd
-            envelope_halves = halves(xp, envelope)
-            odd_halves = halves(xp, odd)
-            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-            total25 = mean3 - total24
-            back16 = total25 - mean3
-            rest4 = total25 - back16
-            one3 = mean3 - rest4
-            two3 = -back16 - total24
-            lost25 = one3 + two3
-            total24 = total25/stiff
-            left13 = total25 - stiff*total24
-            total24_halves = halves(xp, total24)
-            stiff_halves = halves(xp, stiff)
-            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
-            left13 = left13 - lost24 + lost25
-            lost25 = left13/stiff
-            total25 = even*twice2
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 4096.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total142 = 39.478416442871094*turns
-            turns_halves = halves(xp, turns)
-            number5_halves = halves(xp, xp.full_like(turns, 39.478416442871094))
-            lost24 = product_error(total142, turns_halves, number5_halves)
-            total152 = 1.1614863524300745e-06*turns
-            number6_halves = halves(xp, xp.full_like(turns, 1.1614863524300745e-06))
-            lost152 = product_error(total152, turns_halves, number6_halves)
-            total162 = -total142 - total2
-            back16 = total162 + total2
-            rest4 = total162 - back16
-            one3 = -rest4 - total2
-            two3 = -back16 - total142
-            lost162 = one3 + two3
-            total142 = total162 - lost24
-            back16 = total142 - total162
-            rest4 = total142 - back16
-            one3 = total162 - rest4
-            two3 = -back16 - lost24
-            lost24 = one3 + two3
-            total162 = total142 - total152
-            back16 = total162 - total142
-            rest4 = total162 - back16
-            one3 = total142 - rest4
-            two3 = -back16 - total152
-            lost182 = one3 + two3
-            total152 = total162 - lost2
-            back16 = total152 - total162
-            rest4 = total152 - back16
-            one3 = total162 - rest4
-            two3 = -back16 - lost2
-            lost192 = one3 + two3
-            low32 = lost162 - lost152 + lost24 + lost182 + lost192 + 1.1704736640094811e-14*turns
-            total162 = low32 + total152
-            total142 = 6.2831854820251465*count
-            total222 = root + total142
-            whole32 = xp.where(total222 == 0.0, 1.0, total222)
-            total232 = total162/whole32
-            far = (total232*total232)
-
-            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size,
-                square2, stiff, total192, total202, total212, total222, total232, total26,
-                total262, twice2, whole32):
-
-                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff,
-                    total192, total202, total212, total222, total232, total26, total262, twice2,
-                    whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    e = xp.exp(-delta)
-                    total252 = e + 1.0
-                    back18 = total252 - 1.0
-                    lost252 = e - back18
-                    total272 = total252 + total262
-                    back18 = total272 - total252
-                    lost272 = total262 - back18
-                    back18 = total202 - total192
-                    rest9 = total202 - back18
-                    one8 = total192 - rest9
-                    two8 = low32 - back18
-                    lost202 = one8 + two8
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                    lost212 = product_error(count*6.2831854820251465, count_halves, number2_halves)
-                    back18 = total222 - root
-                    rest9 = total222 - back18
-                    one8 = root - rest9
-                    two8 = total212 - back18
-                    lost222 = one8 + two8
-                    both_low = lost212 - 1.7484555314695172e-07*count + lost222 + root_low
-                    left = total202 - total232*whole32
-                    total232_halves = halves(xp, total232)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
-                    left = left - both_low*total232 + lost202
-                    lost202 = left/whole32
-                    eta = total232
-                    eta_low = lost202
-                    total252 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost202 = 2.0*eta*eta_low + product_error(total252, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total252)
-                    bent2 = cos_series_of2*(total252*total252)
-                    total253 = 0.5*total252 - bent2
-                    back18 = total253 - 0.5*total252
-                    lost222 = -back18 - bent2
-                    sin_series_of2 = sin_series(xp, -total252)
-                    total252 = 1.0 - sin_series_of2*total252
-                    lift_low = 0.5*lost202*total252 + lost222
-                    given22 = half
-                    total252 = 1.0 - 0.5*given22
-                    back18 = total252 - 1.0
-                    lost222 = -back18 - 0.5*given22
-                    decay_series_of3 = decay_series(xp, given22)
-                    curved22 = decay_series_of3*(given22*given22)
-                    total302 = curved22 + total252
-                    back18 = total302 - total252
-                    lost202 = curved22 - back18
-                    mean_low5 = lost222 + lost202
-                    total252 = given22*total302
-                    given22_halves = halves(xp, given22)
-                    total302_halves = halves(xp, total302)
-                    lost202 = given22*mean_low5 + product_error(total252, given22_halves,
-                        total302_halves)
-                    total302 = 1.0 - total252
-                    back18 = total302 - 1.0
-                    lost222 = -back18 - total252
-                    fall_low5 = lost222 - lost202
-                    total252 = 1.0 - total302
-                    back18 = total252 - 1.0
-                    lost222 = -back18 - total302
-                    low42 = lost222 - fall_low5
-                    total34 = low42 + total252
-                    back18 = total34 - total252
-                    lost222 = low42 - back18
-                    total252 = (total34*total34)
-                    total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves,
-                        total34_halves)
-                    total34 = total253*total302
-                    total302_halves = halves(xp, total302)
-                    total253_halves = halves(xp, total253)
-                    lost202 = lift_low*total302 + product_error(total34, total302_halves,
-                        total253_halves)
-                    total302 = total252 + 2.0*total34
-                    back18 = total302 - total252
-                    rest9 = total302 - back18
-                    one8 = total252 - rest9
-                    two8 = 2.0*total34 - back18
-                    lost212 = one8 + two8
-                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost202 + lost212
-                    total253 = total302/stiff
-                    left = total302 - stiff*total253
-                    total253_halves = halves(xp, total253)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
-                    left = left + low42
-                    lost212 = left/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost26 + total26
-                    nyquist_of = lost252 + lost202 + lost272 + total272
-                    together_of = lost212 + total253
-                    return apart_of, nyquist_of, together_of
-
-                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff,
-                    total26, total262, twice2):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    e = xp.exp(-delta)
-                    total252 = e + 1.0
-                    back18 = total252 - 1.0
-                    lost252 = e - back18
-                    total272 = total252 + total262
-                    back18 = total272 - total252
-                    lost272 = total262 - back18
-                    back18 = -0.5*root_low*wave
-                    total252 = sin_of - back18
-                    back83 = total252 - sin_of
-                    rest33 = total252 - back83
-                    one23 = sin_of - rest33
-                    two23 = -back18 - back83
-                    lost93 = one23 + two23
-                    total103 = (total252*total252)
-                    total252_halves = halves(xp, total252)
-                    lost103 = product_error(total103, total252_halves, total252_halves)
-                    low4 = lost103 + 2.0*lost93*total252
-                    total252 = envelope*total103
-                    envelope_halves = halves(xp, envelope)
-                    total103_halves = halves(xp, total103)
-                    lost93 = envelope*low4 + product_error(total252, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total252
-                    back83 = total103 - total252
-                    rest33 = total103 - back83
-                    one23 = total252 - rest33
-                    two23 = (grown*grown) - back83
-                    lost103 = one23 + two23
-                    low4 = lost93 + lost103
-                    total252 = total103/stiff
-                    left = total103 - stiff*total252
-                    total252_halves = halves(xp, total252)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total252*stiff, total252_halves, stiff_halves)
-                    left = left + low4
-                    lost103 = left/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost26 + total26
-                    nyquist_of = lost252 + lost93 + lost272 + total272
-                    together_of = 4.0*lost103 + 4.0*total252
-                    return apart_of, nyquist_of, together_of
-
-                apart_of, nyquist_of, together_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, delta, even, half, lost2, lost26, low32, root, size, square2,
-                    stiff, total192, total202, total212, total222, total232, total26, total262,
-                    twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root,
-                    size, square2, stiff, total26, total262, twice2))
-                )
-
-                return apart_of, nyquist_of, together_of
-
-            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192,
-                total202, total212, total222, total232, total26, whole32):
-
-                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
-                    total202, total212, total222, total232, total26, whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back72 = 0.5*root_low*sin_of
-                    total92 = wave - back72
-                    back82 = total92 - wave
-                    rest32 = total92 - back82
-                    one22 = wave - rest32
-                    two22 = -back72 - back82
-                    lost92 = one22 + two22
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low2 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest32 = total102 - back82
-                    one22 = total92 - rest32
-                    two22 = (grown*grown) - back82
-                    lost102 = one22 + two22
-                    low2 = lost92 + lost102
-                    back82 = total202 - total192
-                    rest32 = total202 - back82
-                    one22 = total192 - rest32
-                    two22 = low32 - back82
-                    lost102 = one22 + two22
-                    count_halves = halves(xp, count)
-                    number5_halves = halves(xp, xp.full_like(count, 6.2831854820251465))
-                    lost92 = product_error(count*6.2831854820251465, count_halves, number5_halves)
-                    back82 = total222 - root
-                    rest32 = total222 - back82
-                    one22 = root - rest32
-                    two22 = total212 - back82
-                    lost222 = one22 + two22
-                    both_low = lost92 - 1.7484555314695172e-07*count + lost222 + root_low
-                    left = total202 - total232*whole32
-                    total232_halves = halves(xp, total232)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
-                    left = left - both_low*total232 + lost102
-                    lost102 = left/whole32
-                    eta = total232
-                    eta_low = lost102
-                    total92 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost102 = 2.0*eta*eta_low + product_error(total92, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total92)
-                    bent2 = cos_series_of2*(total92*total92)
-                    total253 = 0.5*total92 - bent2
-                    back82 = total253 - 0.5*total92
-                    lost222 = -back82 - bent2
-                    sin_series_of2 = sin_series(xp, -total92)
-                    total92 = 1.0 - sin_series_of2*total92
-                    lift_low = 0.5*lost102*total92 + lost222
-                    given22 = half
-                    total92 = 1.0 - 0.5*given22
-                    back82 = total92 - 1.0
-                    lost222 = -back82 - 0.5*given22
-                    decay_series_of3 = decay_series(xp, given22)
-                    curved22 = decay_series_of3*(given22*given22)
-                    total302 = curved22 + total92
-                    back82 = total302 - total92
-                    lost102 = curved22 - back82
-                    mean_low5 = lost222 + lost102
-                    total92 = given22*total302
-                    given22_halves = halves(xp, given22)
-                    total302_halves = halves(xp, total302)
-                    lost102 = given22*mean_low5 + product_error(total92, given22_halves,
-                        total302_halves)
-                    total302 = 1.0 - total92
-                    back82 = total302 - 1.0
-                    lost222 = -back82 - total92
-                    fall_low5 = lost222 - lost102
-                    total92 = 1.0 - total302
-                    back82 = total92 - 1.0
-                    lost222 = -back82 - total302
-                    low42 = lost222 - fall_low5
-                    total34 = low42 + total92
-                    back82 = total34 - total92
-                    lost222 = low42 - back82
-                    total92 = (total34*total34)
-                    total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves,
-                        total34_halves)
-                    total34 = total253*total302
-                    total302_halves = halves(xp, total302)
-                    total253_halves = halves(xp, total253)
-                    lost102 = lift_low*total302 + product_error(total34, total302_halves,
-                        total253_halves)
-                    total302 = total92 + 2.0*total34
-                    back82 = total302 - total92
-                    rest32 = total302 - back82
-                    one22 = total92 - rest32
-                    two22 = 2.0*total34 - back82
-                    lost92 = one22 + two22
-                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost102 + lost92
-                    total253 = total302/stiff
-                    left = total302 - stiff*total253
-                    total253_halves = halves(xp, total253)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
-                    left = left + low42
-                    lost92 = left/stiff
-                    apart_of = lost26 + total26
-                    nyquist_of = 4.0*low2 + 4.0*total102
-                    together_of = lost92 + total253
-                    return apart_of, nyquist_of, together_of
-
-                def no(envelope, half, lost2, lost26, root, size, stiff, total26):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back72 = 0.5*root_low*sin_of
-                    total92 = wave - back72
-                    back82 = total92 - wave
-                    rest32 = total92 - back82
-                    one22 = wave - rest32
-                    two22 = -back72 - back82
-                    lost92 = one22 + two22
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low2 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest32 = total102 - back82
-                    one22 = total92 - rest32
-                    two22 = (grown*grown) - back82
-                    lost102 = one22 + two22
-                    low2 = lost92 + lost102
-                    back82 = -0.5*root_low*wave
-                    total92 = sin_of - back82
-                    back72 = total92 - sin_of
-                    rest32 = total92 - back72
-                    one22 = sin_of - rest32
-                    two22 = -back82 - back72
-                    lost102 = one22 + two22
-                    total103 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost92 = product_error(total103, total92_halves, total92_halves)
-                    low4 = lost92 + 2.0*lost102*total92
-                    total92 = envelope*total103
-                    total103_halves = halves(xp, total103)
-                    lost102 = envelope*low4 + product_error(total92, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total92
-                    back72 = total103 - total92
-                    rest32 = total103 - back72
-                    one22 = total92 - rest32
-                    two22 = (grown*grown) - back72
-                    lost92 = one22 + two22
-                    low4 = lost102 + lost92
-                    total92 = total103/stiff
-                    left = total103 - stiff*total92
-                    total92_halves = halves(xp, total92)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total92*stiff, total92_halves, stiff_halves)
-                    left = left + low4
-                    lost92 = left/stiff
-                    apart_of = lost26 + total26
-                    nyquist_of = 4.0*low2 + 4.0*total102
-                    together_of = 4.0*lost92 + 4.0*total92
-                    return apart_of, nyquist_of, together_of
-
-                apart_of, nyquist_of, together_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
-                    total202, total212, total222, total232, total26, whole32), no,
-                    (envelope, half, lost2, lost26, root, size, stiff, total26))
-                )
-
-                return apart_of, nyquist_of, together_of
-
-            apart_of, nyquist_of, together_of = (
-                select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2,
-                lost25, low32, root, size, square2, stiff, total152, total162, total142,
-                total222, total232, total24, total25, twice2, whole32), no,
-                (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152,
-                total162, total142, total222, total232, total24, whole32))
-            )
-
-            return apart_of, nyquist_of, together_of
-
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
-            (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
-
-        return apart_of, nyquist_of, together_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(gamma, half, lost2, root, size, total2, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            envelope = xp.exp(-half)
-            rest5 = apart_series(xp, half, total2)
-            total27 = rest5 + 0.16666666666666666
-            back3 = total27 - rest5
-            rest6 = total27 - back3
-            one4 = rest5 - rest6
-            two4 = 0.16666666666666666 - back3
-            lost3 = one4 + two4
-            total28 = envelope*total27
-            envelope_halves = halves(xp, envelope)
-            total27_halves = halves(xp, total27)
-            lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-            rest6 = together_series(xp, half, total2)
-            total27 = rest6 + 0.5
-            back3 = total27 - rest6
-            rest5 = total27 - back3
-            one4 = rest6 - rest5
-            two4 = 0.5 - back3
-            lost55 = one4 + two4
-            total56 = envelope*total27
-            total27_halves = halves(xp, total27)
-            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                return fall_, fall_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                fall_ = sunk
-                fall_low2 = sunk_low
-                return fall_, fall_low2
-
-            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-            total27 = fall_ + 1.0
-            back3 = total27 - 1.0
-            lost282 = fall_ - back3
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
-
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            fast = fall_*fall2
-            fall__halves = halves(xp, fall_)
-            fall2_halves = halves(xp, fall2)
-            lost29 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-            low3 = fall2*fall_low2 + lost29
-            total30 = fast + 1.0
-            back3 = total30 - 1.0
-            lost29 = fast - back3
-            total31 = total27*total30
-            total27_halves = halves(xp, total27)
-            total30_halves = halves(xp, total30)
-            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves,
-                total30_halves)
-            apart_of = lost3 + total28
-            nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
-            together_of = 2.0*lost55 + 2.0*total56
-            return apart_of, nyquist_of, together_of
-
-        def no(delta, gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-            twice = 2.0*fall_
-            total282 = fall_ + 1.0
-            back3 = total282 - 1.0
-            lost3 = fall_ - back3
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            fast = fall_*fall2
-            total16 = mean2*twice
-            twice_halves = halves(xp, twice)
-            mean2_halves = halves(xp, mean2)
-            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
-            total17 = mean - total16
-            back3 = total17 - mean
-            rest3 = total17 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total16
-            lost17 = one2 + two2
-            total16 = fast*mean
-            fast_halves = halves(xp, fast)
-            mean_halves = halves(xp, mean)
-            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
-            top = total17 + total16
-            low = lost17 - lost16 + lost18 + mean_low2
-            fall__halves = halves(xp, fall_)
-            fall2_halves = halves(xp, fall2)
-            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-            low3 = fall2*fall_low2 + lost18
-            total16 = fast + 1.0
-            back3 = total16 - 1.0
-            lost18 = fast - back3
-            total17 = total282*total16
-            total282_halves = halves(xp, total282)
-            total16_halves = halves(xp, total16)
-            lost18 = (
-                total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
-            )
-            total282 = 1.0 - fast
-            back3 = total282 - 1.0
-            lost17 = -back3 - fast
-            total53 = mean*total282
-            total282_halves = halves(xp, total282)
-            lost17 = mean*(lost17 - low3) + product_error(total53, mean_halves, total282_halves)
-            moved_low = lost17 + mean_low2*total282
-            total282 = total53/whole
-            left = total53 - total282*whole
-            total282_halves = halves(xp, total282)
-            left = left - product_error(total282*whole, total282_halves, whole_halves)
-            left = left + moved_low - p_low*total282
-            lost17 = left/whole
-            apart_of = (low + top)/whole3
-            nyquist_of = lost18 + total16*(fall_low2 + lost3) + total17
-            together_of = lost17 + total282
-            return apart_of, nyquist_of, together_of
-
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
-            (gamma, half, lost2, root, size, total2, total3), no,
-            (delta, gamma, half, lost2, root, size, total3))
-
-        return apart_of, nyquist_of, together_of
-
-    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes,
-        (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
-
-    return apart_of, nyquist_of, together_of
+    found3 = rest + total*total3
+    return found/size, found3/size
 
 
 def apart_nyquist_together(xp, gamma, delta):
     """(n1 - n0)/delta; 1 + a + e; n1 + n0"""
-    if gamma.dtype == xp.float32:
-        return apart_nyquist_together_single(xp, gamma, delta)
-    half = 0.5*delta
-    square = (half*half)
-    total = square - gamma
-    back = total - square
-    rest = total - back
-    one = square - rest
-    two = -back - gamma
-    lost = one + two
-    half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
-    total2 = rest + total
-    back = total2 - total
-    lost = rest - back
-
-    def yes(delta, gamma, half, lost2, total2):
-        reach = 0.25*gamma
-
-        def yes(delta, half, lost2, total2):
-            square2 = total2
-            envelope = xp.exp(-half)
-            rest5 = apart_series(xp, half, total2)
-            total27 = rest5 + 0.16666666666666666
-            back17 = total27 - rest5
-            rest6 = total27 - back17
-            one4 = rest5 - rest6
-            two4 = 0.16666666666666666 - back17
-            lost27 = one4 + two4
-            total28 = envelope*total27
-            envelope_halves = halves(xp, envelope)
-            total27_halves = halves(xp, total27)
-            lost27 = envelope*lost27 + product_error(total28, envelope_halves, total27_halves)
-            twice2 = 2.0*envelope
-            rest6 = together_series(xp, half, total2)
-            total27 = rest6 + 0.5
-            back17 = total27 - rest6
-            rest5 = total27 - back17
-            one4 = rest6 - rest5
-            two4 = 0.5 - back17
-            lost55 = one4 + two4
-            total56 = envelope*total27
-            total27_halves = halves(xp, total27)
-            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
-
-            def yes(square2):
-                given3 = square2
-                total19 = 0.5*given3 + 1.0
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total19 = curved3 + total19
-                even = total19
-                return even
-
-            def no(total2):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                cosine = xp.cos(root)
-                even = cosine
-                return even
-
-            even = select(xp, square2 > -1.5, yes, (square2,), no, (total2,))
-
-            total27 = even*twice2
-
-            def yes(delta, even, lost2, lost28, lost56, square2, total2, total262, total28,
-                total56, twice2):
-                e = xp.exp(-delta)
-                total252 = e + 1.0
-                back18 = total252 - 1.0
-                lost252 = e - back18
-                total272 = total252 + total262
-                back18 = total272 - total252
-                lost272 = total262 - back18
-
-                def yes(lost2, square2):
-                    given3 = square2
-                    total19 = 0.5*given3 + 1.0
-                    back13 = total19 - 1.0
-                    lost19 = 0.5*given3 - back13
-                    cos_series_of = cos_series(xp, given3)
-                    curved3 = cos_series_of*(given3*given3)
-                    total20 = curved3 + total19
-                    back13 = total20 - total19
-                    lost20 = curved3 - back13
-                    even_low = lost19 + 0.5*lost2 + lost20
-                    return even_low
-
-                def no(lost2, total2):
-                    size = xp.abs(total2)
-                    root = square_root(xp, size)
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    sine = xp.sin(root)
-                    even_low2 = -root_low*sine
-                    return even_low2
-
-                even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no, (lost2, total2))
-
-                twice2_halves = halves(xp, twice2)
-                even_halves = halves(xp, even)
-                lost262 = even_low2*twice2 + product_error(twice2*even, twice2_halves, even_halves)
-                apart_of = lost28 + total28
-                nyquist_of = lost252 + lost262 + lost272 + total272
-                together_of = 2.0*lost56 + 2.0*total56
-                return apart_of, nyquist_of, together_of
-
-            def no(envelope, half, lost2, lost28, lost56, total2, total28, total56):
-                size = xp.abs(total2)
-                root = square_root(xp, size)
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                expm1_of = xp.expm1(-half)
-                grown = -0.5*expm1_of
-                angle = 0.5*root
-                wave = xp.cos(angle)
-                sin_of = xp.sin(angle)
-                back72 = 0.5*root_low*sin_of
-                total92 = wave - back72
-                back82 = total92 - wave
-                rest32 = total92 - back82
-                one22 = wave - rest32
-                two22 = -back72 - back82
-                lost92 = one22 + two22
-                total102 = (total92*total92)
-                total92_halves = halves(xp, total92)
-                lost102 = product_error(total102, total92_halves, total92_halves)
-                low2 = lost102 + 2.0*lost92*total92
-                total92 = envelope*total102
-                envelope_halves = halves(xp, envelope)
-                total102_halves = halves(xp, total102)
-                lost92 = envelope*low2 + product_error(total92, envelope_halves, total102_halves)
-                total102 = (grown*grown) + total92
-                back82 = total102 - total92
-                rest32 = total102 - back82
-                one22 = total92 - rest32
-                two22 = (grown*grown) - back82
-                lost102 = one22 + two22
-                low2 = lost92 + lost102
-                apart_of = lost28 + total28
-                nyquist_of = 4.0*low2 + 4.0*total102
-                together_of = 2.0*lost56 + 2.0*total56
-                return apart_of, nyquist_of, together_of
-
-            apart_of, nyquist_of, together_of = (
-                select(xp, total27 > 0.0, yes, (delta, even, lost2, lost27, lost55, square2,
-                total2, total27, total28, total56, twice2), no,
-                (envelope, half, lost2, lost27, lost55, total2, total28, total56))
-            )
-
-            return apart_of, nyquist_of, together_of
-
-        def no(delta, gamma, half, lost2, total2):
-            size = xp.abs(total2)
-            root = square_root(xp, size)
-            square2 = total2
-            envelope = xp.exp(-half)
-            stiff = gamma
-            mean3 = decay(xp, delta)
-            twice2 = 2.0*envelope
-
-            def yes(lost2, square2):
-                given3 = square2
-                total19 = 0.5*given3 + 1.0
-                cos_series_of = cos_series(xp, given3)
-                curved3 = cos_series_of*(given3*given3)
-                total19 = curved3 + total19
-                sin_series_of = sin_series(xp, given3)
-                bent = given3*sin_series_of
-                total21 = bent + 1.0
-                back15 = total21 - 1.0
-                lost21 = bent - back15
-                odd_low = 0.16666666666666666*lost2 + lost21
-                even = total19
-                odd = total21
-                return even, odd, odd_low
-
-            def no(lost2, root, size):
-                sign_low = -lost2
-                left = size - (root*root)
-                root_halves = halves(xp, root)
-                left = left - product_error(root*root, root_halves, root_halves)
-                left = left + sign_low
-                whole = xp.where(root == 0.0, 1.0, root)
-                root_low = 0.5*left/whole
-                sine = xp.sin(root)
-                cosine = xp.cos(root)
-                some = root
-                total22 = sine/some
-                left = sine - some*total22
-                total22_halves = halves(xp, total22)
-                some_halves = halves(xp, some)
-                left = left - product_error(total22*some, total22_halves, some_halves)
-                left = cosine*root_low + left - root_low*total22
-                lost22 = left/some
-                even = cosine
-                odd = total22
-                odd_low2 = lost22
-                return even, odd, odd_low2
-
-            even, odd, odd_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                (lost2, root, size))
-
-            total24 = envelope*odd
-            envelope_halves = halves(xp, envelope)
-            odd_halves = halves(xp, odd)
-            lost24 = envelope*odd_low2 + product_error(total24, envelope_halves, odd_halves)
-            total25 = mean3 - total24
-            back16 = total25 - mean3
-            rest4 = total25 - back16
-            one3 = mean3 - rest4
-            two3 = -back16 - total24
-            lost25 = one3 + two3
-            total24 = total25/stiff
-            left13 = total25 - stiff*total24
-            total24_halves = halves(xp, total24)
-            stiff_halves = halves(xp, stiff)
-            left13 = left13 - product_error(total24*stiff, total24_halves, stiff_halves)
-            left13 = left13 - lost24 + lost25
-            lost25 = left13/stiff
-            total25 = even*twice2
-
-            def yes(root):
-                count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-                return count
-
-            def no(root):
-                return 0.0
-
-            count = select(xp, root < 67108864.0, yes, (root,), no, (root,))
-
-            turns = (count*count)
-            total142 = 39.47841760435743*turns
-            turns_halves = halves(xp, turns)
-            number5_halves = halves(xp, xp.full_like(turns, 39.47841760435743))
-            lost24 = product_error(total142, turns_halves, number5_halves)
-            total152 = 2.5061182034958845e-15*turns
-            number6_halves = halves(xp, xp.full_like(turns, 2.5061182034958845e-15))
-            lost152 = product_error(total152, turns_halves, number6_halves)
-            total162 = -total142 - total2
-            back16 = total162 + total2
-            rest4 = total162 - back16
-            one3 = -rest4 - total2
-            two3 = -back16 - total142
-            lost162 = one3 + two3
-            total142 = total162 - lost24
-            back16 = total142 - total162
-            rest4 = total142 - back16
-            one3 = total162 - rest4
-            two3 = -back16 - lost24
-            lost24 = one3 + two3
-            total162 = total142 - total152
-            back16 = total162 - total142
-            rest4 = total162 - back16
-            one3 = total142 - rest4
-            two3 = -back16 - total152
-            lost182 = one3 + two3
-            total152 = total162 - lost2
-            back16 = total152 - total162
-            rest4 = total152 - back16
-            one3 = total162 - rest4
-            two3 = -back16 - lost2
-            lost192 = one3 + two3
-            low32 = lost162 - lost152 + lost24 + lost182 + lost192 - 1.4920070805839235e-31*turns
-            total162 = low32 + total152
-            total142 = 6.283185307179586*count
-            total222 = root + total142
-            whole32 = xp.where(total222 == 0.0, 1.0, total222)
-            total232 = total162/whole32
-            far = (total232*total232)
-
-            def yes(count, delta, envelope, even, far, half, lost2, lost26, low32, root, size,
-                square2, stiff, total192, total202, total212, total222, total232, total26,
-                total262, twice2, whole32):
-
-                def yes(count, delta, even, half, lost2, lost26, low32, root, size, square2, stiff,
-                    total192, total202, total212, total222, total232, total26, total262, twice2,
-                    whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    e = xp.exp(-delta)
-                    total252 = e + 1.0
-                    back18 = total252 - 1.0
-                    lost252 = e - back18
-                    total272 = total252 + total262
-                    back18 = total272 - total252
-                    lost272 = total262 - back18
-                    back18 = total202 - total192
-                    rest9 = total202 - back18
-                    one8 = total192 - rest9
-                    two8 = low32 - back18
-                    lost202 = one8 + two8
-                    count_halves = halves(xp, count)
-                    number2_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                    lost212 = product_error(count*6.283185307179586, count_halves, number2_halves)
-                    back18 = total222 - root
-                    rest9 = total222 - back18
-                    one8 = root - rest9
-                    two8 = total212 - back18
-                    lost222 = one8 + two8
-                    both_low = 2.4492935982947064e-16*count + lost212 + lost222 + root_low
-                    left = total202 - total232*whole32
-                    total232_halves = halves(xp, total232)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
-                    left = left - both_low*total232 + lost202
-                    lost202 = left/whole32
-                    eta = total232
-                    eta_low = lost202
-                    total252 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost202 = 2.0*eta*eta_low + product_error(total252, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total252)
-                    bent2 = cos_series_of2*(total252*total252)
-                    total253 = 0.5*total252 - bent2
-                    back18 = total253 - 0.5*total252
-                    lost222 = -back18 - bent2
-                    sin_series_of2 = sin_series(xp, -total252)
-                    total252 = 1.0 - sin_series_of2*total252
-                    lift_low = 0.5*lost202*total252 + lost222
-                    given22 = half
-                    total252 = 1.0 - 0.5*given22
-                    back18 = total252 - 1.0
-                    lost222 = -back18 - 0.5*given22
-                    decay_series_of3 = decay_series(xp, given22)
-                    curved22 = decay_series_of3*(given22*given22)
-                    total302 = curved22 + total252
-                    back18 = total302 - total252
-                    lost202 = curved22 - back18
-                    mean_low5 = lost222 + lost202
-                    total252 = given22*total302
-                    given22_halves = halves(xp, given22)
-                    total302_halves = halves(xp, total302)
-                    lost202 = given22*mean_low5 + product_error(total252, given22_halves,
-                        total302_halves)
-                    total302 = 1.0 - total252
-                    back18 = total302 - 1.0
-                    lost222 = -back18 - total252
-                    fall_low5 = lost222 - lost202
-                    total252 = 1.0 - total302
-                    back18 = total252 - 1.0
-                    lost222 = -back18 - total302
-                    low42 = lost222 - fall_low5
-                    total34 = low42 + total252
-                    back18 = total34 - total252
-                    lost222 = low42 - back18
-                    total252 = (total34*total34)
-                    total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total252, total34_halves,
-                        total34_halves)
-                    total34 = total253*total302
-                    total302_halves = halves(xp, total302)
-                    total253_halves = halves(xp, total253)
-                    lost202 = lift_low*total302 + product_error(total34, total302_halves,
-                        total253_halves)
-                    total302 = total252 + 2.0*total34
-                    back18 = total302 - total252
-                    rest9 = total302 - back18
-                    one8 = total252 - rest9
-                    two8 = 2.0*total34 - back18
-                    lost212 = one8 + two8
-                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost202 + lost212
-                    total253 = total302/stiff
-                    left = total302 - stiff*total253
-                    total253_halves = halves(xp, total253)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
-                    left = left + low42
-                    lost212 = left/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost202 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost26 + total26
-                    nyquist_of = lost252 + lost202 + lost272 + total272
-                    together_of = lost212 + total253
-                    return apart_of, nyquist_of, together_of
-
-                def no(delta, envelope, even, half, lost2, lost26, root, size, square2, stiff,
-                    total26, total262, twice2):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    e = xp.exp(-delta)
-                    total252 = e + 1.0
-                    back18 = total252 - 1.0
-                    lost252 = e - back18
-                    total272 = total252 + total262
-                    back18 = total272 - total252
-                    lost272 = total262 - back18
-                    back18 = -0.5*root_low*wave
-                    total252 = sin_of - back18
-                    back83 = total252 - sin_of
-                    rest33 = total252 - back83
-                    one23 = sin_of - rest33
-                    two23 = -back18 - back83
-                    lost93 = one23 + two23
-                    total103 = (total252*total252)
-                    total252_halves = halves(xp, total252)
-                    lost103 = product_error(total103, total252_halves, total252_halves)
-                    low4 = lost103 + 2.0*lost93*total252
-                    total252 = envelope*total103
-                    envelope_halves = halves(xp, envelope)
-                    total103_halves = halves(xp, total103)
-                    lost93 = envelope*low4 + product_error(total252, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total252
-                    back83 = total103 - total252
-                    rest33 = total103 - back83
-                    one23 = total252 - rest33
-                    two23 = (grown*grown) - back83
-                    lost103 = one23 + two23
-                    low4 = lost93 + lost103
-                    total252 = total103/stiff
-                    left = total103 - stiff*total252
-                    total252_halves = halves(xp, total252)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total252*stiff, total252_halves, stiff_halves)
-                    left = left + low4
-                    lost103 = left/stiff
-
-                    def yes(lost2, square2):
-                        given3 = square2
-                        total19 = 0.5*given3 + 1.0
-                        back13 = total19 - 1.0
-                        lost19 = 0.5*given3 - back13
-                        cos_series_of = cos_series(xp, given3)
-                        curved3 = cos_series_of*(given3*given3)
-                        total20 = curved3 + total19
-                        back13 = total20 - total19
-                        lost20 = curved3 - back13
-                        even_low = lost19 + 0.5*lost2 + lost20
-                        return even_low
-
-                    def no(root, root_low):
-                        sine = xp.sin(root)
-                        even_low2 = -root_low*sine
-                        return even_low2
-
-                    even_low2 = select(xp, square2 > -1.5, yes, (lost2, square2), no,
-                        (root, root_low))
-
-                    twice2_halves = halves(xp, twice2)
-                    even_halves = halves(xp, even)
-                    lost93 = even_low2*twice2 + product_error(twice2*even, twice2_halves,
-                        even_halves)
-                    apart_of = lost26 + total26
-                    nyquist_of = lost252 + lost93 + lost272 + total272
-                    together_of = 4.0*lost103 + 4.0*total252
-                    return apart_of, nyquist_of, together_of
-
-                apart_of, nyquist_of, together_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, delta, even, half, lost2, lost26, low32, root, size, square2,
-                    stiff, total192, total202, total212, total222, total232, total26, total262,
-                    twice2, whole32), no, (delta, envelope, even, half, lost2, lost26, root,
-                    size, square2, stiff, total26, total262, twice2))
-                )
-
-                return apart_of, nyquist_of, together_of
-
-            def no(count, envelope, far, half, lost2, lost26, low32, root, size, stiff, total192,
-                total202, total212, total222, total232, total26, whole32):
-
-                def yes(count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
-                    total202, total212, total222, total232, total26, whole32):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back72 = 0.5*root_low*sin_of
-                    total92 = wave - back72
-                    back82 = total92 - wave
-                    rest32 = total92 - back82
-                    one22 = wave - rest32
-                    two22 = -back72 - back82
-                    lost92 = one22 + two22
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low2 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest32 = total102 - back82
-                    one22 = total92 - rest32
-                    two22 = (grown*grown) - back82
-                    lost102 = one22 + two22
-                    low2 = lost92 + lost102
-                    back82 = total202 - total192
-                    rest32 = total202 - back82
-                    one22 = total192 - rest32
-                    two22 = low32 - back82
-                    lost102 = one22 + two22
-                    count_halves = halves(xp, count)
-                    number5_halves = halves(xp, xp.full_like(count, 6.283185307179586))
-                    lost92 = product_error(count*6.283185307179586, count_halves, number5_halves)
-                    back82 = total222 - root
-                    rest32 = total222 - back82
-                    one22 = root - rest32
-                    two22 = total212 - back82
-                    lost222 = one22 + two22
-                    both_low = 2.4492935982947064e-16*count + lost92 + lost222 + root_low
-                    left = total202 - total232*whole32
-                    total232_halves = halves(xp, total232)
-                    whole32_halves = halves(xp, whole32)
-                    left = left - product_error(total232*whole32, total232_halves, whole32_halves)
-                    left = left - both_low*total232 + lost102
-                    lost102 = left/whole32
-                    eta = total232
-                    eta_low = lost102
-                    total92 = (eta*eta)
-                    eta_halves = halves(xp, eta)
-                    lost102 = 2.0*eta*eta_low + product_error(total92, eta_halves, eta_halves)
-                    cos_series_of2 = cos_series(xp, -total92)
-                    bent2 = cos_series_of2*(total92*total92)
-                    total253 = 0.5*total92 - bent2
-                    back82 = total253 - 0.5*total92
-                    lost222 = -back82 - bent2
-                    sin_series_of2 = sin_series(xp, -total92)
-                    total92 = 1.0 - sin_series_of2*total92
-                    lift_low = 0.5*lost102*total92 + lost222
-                    given22 = half
-                    total92 = 1.0 - 0.5*given22
-                    back82 = total92 - 1.0
-                    lost222 = -back82 - 0.5*given22
-                    decay_series_of3 = decay_series(xp, given22)
-                    curved22 = decay_series_of3*(given22*given22)
-                    total302 = curved22 + total92
-                    back82 = total302 - total92
-                    lost102 = curved22 - back82
-                    mean_low5 = lost222 + lost102
-                    total92 = given22*total302
-                    given22_halves = halves(xp, given22)
-                    total302_halves = halves(xp, total302)
-                    lost102 = given22*mean_low5 + product_error(total92, given22_halves,
-                        total302_halves)
-                    total302 = 1.0 - total92
-                    back82 = total302 - 1.0
-                    lost222 = -back82 - total92
-                    fall_low5 = lost222 - lost102
-                    total92 = 1.0 - total302
-                    back82 = total92 - 1.0
-                    lost222 = -back82 - total302
-                    low42 = lost222 - fall_low5
-                    total34 = low42 + total92
-                    back82 = total34 - total92
-                    lost222 = low42 - back82
-                    total92 = (total34*total34)
-                    total34_halves = halves(xp, total34)
-                    lost222 = 2.0*lost222*total34 + product_error(total92, total34_halves,
-                        total34_halves)
-                    total34 = total253*total302
-                    total302_halves = halves(xp, total302)
-                    total253_halves = halves(xp, total253)
-                    lost102 = lift_low*total302 + product_error(total34, total302_halves,
-                        total253_halves)
-                    total302 = total92 + 2.0*total34
-                    back82 = total302 - total92
-                    rest32 = total302 - back82
-                    one22 = total92 - rest32
-                    two22 = 2.0*total34 - back82
-                    lost92 = one22 + two22
-                    low42 = 2.0*fall_low5*total253 + lost222 + 2.0*lost102 + lost92
-                    total253 = total302/stiff
-                    left = total302 - stiff*total253
-                    total253_halves = halves(xp, total253)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total253*stiff, total253_halves, stiff_halves)
-                    left = left + low42
-                    lost92 = left/stiff
-                    apart_of = lost26 + total26
-                    nyquist_of = 4.0*low2 + 4.0*total102
-                    together_of = lost92 + total253
-                    return apart_of, nyquist_of, together_of
-
-                def no(envelope, half, lost2, lost26, root, size, stiff, total26):
-                    sign_low = -lost2
-                    left = size - (root*root)
-                    root_halves = halves(xp, root)
-                    left = left - product_error(root*root, root_halves, root_halves)
-                    left = left + sign_low
-                    whole = xp.where(root == 0.0, 1.0, root)
-                    root_low = 0.5*left/whole
-                    expm1_of = xp.expm1(-half)
-                    grown = -0.5*expm1_of
-                    angle = 0.5*root
-                    wave = xp.cos(angle)
-                    sin_of = xp.sin(angle)
-                    back72 = 0.5*root_low*sin_of
-                    total92 = wave - back72
-                    back82 = total92 - wave
-                    rest32 = total92 - back82
-                    one22 = wave - rest32
-                    two22 = -back72 - back82
-                    lost92 = one22 + two22
-                    total102 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost102 = product_error(total102, total92_halves, total92_halves)
-                    low2 = lost102 + 2.0*lost92*total92
-                    total92 = envelope*total102
-                    envelope_halves = halves(xp, envelope)
-                    total102_halves = halves(xp, total102)
-                    lost92 = envelope*low2 + product_error(total92, envelope_halves,
-                        total102_halves)
-                    total102 = (grown*grown) + total92
-                    back82 = total102 - total92
-                    rest32 = total102 - back82
-                    one22 = total92 - rest32
-                    two22 = (grown*grown) - back82
-                    lost102 = one22 + two22
-                    low2 = lost92 + lost102
-                    back82 = -0.5*root_low*wave
-                    total92 = sin_of - back82
-                    back72 = total92 - sin_of
-                    rest32 = total92 - back72
-                    one22 = sin_of - rest32
-                    two22 = -back82 - back72
-                    lost102 = one22 + two22
-                    total103 = (total92*total92)
-                    total92_halves = halves(xp, total92)
-                    lost92 = product_error(total103, total92_halves, total92_halves)
-                    low4 = lost92 + 2.0*lost102*total92
-                    total92 = envelope*total103
-                    total103_halves = halves(xp, total103)
-                    lost102 = envelope*low4 + product_error(total92, envelope_halves,
-                        total103_halves)
-                    total103 = (grown*grown) + total92
-                    back72 = total103 - total92
-                    rest32 = total103 - back72
-                    one22 = total92 - rest32
-                    two22 = (grown*grown) - back72
-                    lost92 = one22 + two22
-                    low4 = lost102 + lost92
-                    total92 = total103/stiff
-                    left = total103 - stiff*total92
-                    total92_halves = halves(xp, total92)
-                    stiff_halves = halves(xp, stiff)
-                    left = left - product_error(total92*stiff, total92_halves, stiff_halves)
-                    left = left + low4
-                    lost92 = left/stiff
-                    apart_of = lost26 + total26
-                    nyquist_of = 4.0*low2 + 4.0*total102
-                    together_of = 4.0*lost92 + 4.0*total92
-                    return apart_of, nyquist_of, together_of
-
-                apart_of, nyquist_of, together_of = (
-                    select(xp, (count > 0.0) & (far < 1.5) & (half < 0.75), yes,
-                    (count, envelope, half, lost2, lost26, low32, root, size, stiff, total192,
-                    total202, total212, total222, total232, total26, whole32), no,
-                    (envelope, half, lost2, lost26, root, size, stiff, total26))
-                )
-
-                return apart_of, nyquist_of, together_of
-
-            apart_of, nyquist_of, together_of = (
-                select(xp, total25 > 0.0, yes, (count, delta, envelope, even, far, half, lost2,
-                lost25, low32, root, size, square2, stiff, total152, total162, total142,
-                total222, total232, total24, total25, twice2, whole32), no,
-                (count, envelope, far, half, lost2, lost25, low32, root, size, stiff, total152,
-                total162, total142, total222, total232, total24, whole32))
-            )
-
-            return apart_of, nyquist_of, together_of
-
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
-            (delta, half, lost2, total2), no, (delta, gamma, half, lost2, total2))
-
-        return apart_of, nyquist_of, together_of
-
-    def no(delta, gamma, half, lost2, total2):
-        size = xp.abs(total2)
-        root = square_root(xp, size)
-        total3 = half + root
-        reach = 0.4444444444444444*total3
-
-        def yes(gamma, half, lost2, root, size, total2, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            envelope = xp.exp(-half)
-            rest5 = apart_series(xp, half, total2)
-            total27 = rest5 + 0.16666666666666666
-            back3 = total27 - rest5
-            rest6 = total27 - back3
-            one4 = rest5 - rest6
-            two4 = 0.16666666666666666 - back3
-            lost3 = one4 + two4
-            total28 = envelope*total27
-            envelope_halves = halves(xp, envelope)
-            total27_halves = halves(xp, total27)
-            lost3 = envelope*lost3 + product_error(total28, envelope_halves, total27_halves)
-            rest6 = together_series(xp, half, total2)
-            total27 = rest6 + 0.5
-            back3 = total27 - rest6
-            rest5 = total27 - back3
-            one4 = rest6 - rest5
-            two4 = 0.5 - back3
-            lost55 = one4 + two4
-            total56 = envelope*total27
-            total27_halves = halves(xp, total27)
-            lost55 = envelope*lost55 + product_error(total56, envelope_halves, total27_halves)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                return fall_, fall_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                fall_ = sunk
-                fall_low2 = sunk_low
-                return fall_, fall_low2
-
-            fall_, fall_low2 = select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-
-            total27 = fall_ + 1.0
-            back3 = total27 - 1.0
-            lost282 = fall_ - back3
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                return fall2, fall_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                return fall2, fall_low4
-
-            fall2, fall_low4 = select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-
-            fast = fall_*fall2
-            fall__halves = halves(xp, fall_)
-            fall2_halves = halves(xp, fall2)
-            lost29 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-            low3 = fall2*fall_low2 + lost29
-            total30 = fast + 1.0
-            back3 = total30 - 1.0
-            lost29 = fast - back3
-            total31 = total27*total30
-            total27_halves = halves(xp, total27)
-            total30_halves = halves(xp, total30)
-            lost29 = total27*(lost29 + low3) + product_error(total31, total27_halves,
-                total30_halves)
-            apart_of = lost3 + total28
-            nyquist_of = lost29 + total30*(fall_low2 + lost282) + total31
-            together_of = 2.0*lost55 + 2.0*total56
-            return apart_of, nyquist_of, together_of
-
-        def no(delta, gamma, half, lost2, root, size, total3):
-            sign_low = lost2
-            left = size - (root*root)
-            root_halves = halves(xp, root)
-            left = left - product_error(root*root, root_halves, root_halves)
-            left = left + sign_low
-            whole = xp.where(root == 0.0, 1.0, root)
-            root_low = 0.5*left/whole
-            back3 = total3 - half
-            lost3 = root - back3
-            p_low = lost3 + root_low
-            whole = xp.where(total3 == 0.0, 1.0, total3)
-            q = gamma/whole
-            off = gamma - q*whole
-            whole_halves = halves(xp, whole)
-            q_halves = halves(xp, q)
-            off = off - product_error(whole*q, whole_halves, q_halves)
-            off = off - p_low*q
-            q_low = off/whole
-            rate2 = 2.0*root
-            whole3 = xp.where(delta*total3 == 0.0, 1.0, delta*total3)
-
-            def yes(q, q_low):
-                given = q
-                total4 = 1.0 - 0.5*given
-                back4 = total4 - 1.0
-                lost4 = -back4 - 0.5*given
-                decay_series_of = decay_series(xp, given)
-                curved = decay_series_of*(given*given)
-                total5 = curved + total4
-                back4 = total5 - total4
-                lost5 = curved - back4
-                mean_low = lost4 + lost5 - q_low*(0.125*(given*given) - 0.3333333333333333*given +
-                    0.5)
-                total4 = given*total5
-                given_halves = halves(xp, given)
-                total5_halves = halves(xp, total5)
-                lost5 = given*mean_low + product_error(total4, given_halves, total5_halves)
-                total7 = 1.0 - total4
-                back4 = total7 - 1.0
-                lost4 = -back4 - total4
-                fall_low = lost4 - lost5 - q_low*total5
-                fall_ = total7
-                mean = total5
-                return fall_, fall_low, mean, mean_low
-
-            def no(q, q_low):
-                sunk = xp.exp(-q)
-                sunk_low = -q_low*sunk
-                total8 = 1.0 - sunk
-                back7 = total8 - 1.0
-                lost8 = -back7 - sunk
-                bottom = q
-                total9 = total8/bottom
-                left4 = total8 - bottom*total9
-                total9_halves = halves(xp, total9)
-                bottom_halves = halves(xp, bottom)
-                left4 = left4 - product_error(total9*bottom, total9_halves, bottom_halves)
-                left4 = left4 + lost8 - q_low*total9 - sunk_low
-                lost8 = left4/bottom
-                fall_ = sunk
-                fall_low2 = sunk_low
-                mean = total9
-                mean_low2 = lost8
-                return fall_, fall_low2, mean, mean_low2
-
-            fall_, fall_low2, mean, mean_low2 = (
-                select(xp, q < 0.75, yes, (q, q_low), no, (q, q_low))
-            )
-
-            twice = 2.0*fall_
-            total282 = fall_ + 1.0
-            back3 = total282 - 1.0
-            lost3 = fall_ - back3
-
-            def yes(root, root_low):
-                given2 = 2.0*root
-                total10 = 1.0 - 0.5*given2
-                back8 = total10 - 1.0
-                lost10 = -back8 - 0.5*given2
-                decay_series_of2 = decay_series(xp, given2)
-                curved2 = decay_series_of2*(given2*given2)
-                total11 = curved2 + total10
-                back8 = total11 - total10
-                lost11 = curved2 - back8
-                mean_low3 = (
-                    lost10 + lost11 - 2.0*root_low*(0.125*(given2*given2) - 0.3333333333333333*
-                    given2 + 0.5)
-                )
-                total10 = given2*total11
-                given2_halves = halves(xp, given2)
-                total11_halves = halves(xp, total11)
-                lost11 = given2*mean_low3 + product_error(total10, given2_halves, total11_halves)
-                total13 = 1.0 - total10
-                back8 = total13 - 1.0
-                lost10 = -back8 - total10
-                fall_low3 = lost10 - lost11 - 2.0*root_low*total11
-                fall2 = total13
-                mean2 = total11
-                return fall2, fall_low3, mean2, mean_low3
-
-            def no(root, root_low):
-                sunk2 = xp.exp(-2.0*root)
-                sunk_low2 = -2.0*root_low*sunk2
-                total14 = 1.0 - sunk2
-                back11 = total14 - 1.0
-                lost14 = -back11 - sunk2
-                bottom2 = 2.0*root
-                total15 = total14/bottom2
-                left7 = total14 - bottom2*total15
-                total15_halves = halves(xp, total15)
-                bottom2_halves = halves(xp, bottom2)
-                left7 = left7 - product_error(total15*bottom2, total15_halves, bottom2_halves)
-                left7 = left7 + lost14 - 2.0*root_low*total15 - sunk_low2
-                lost14 = left7/bottom2
-                fall2 = sunk2
-                fall_low4 = sunk_low2
-                mean2 = total15
-                mean_low4 = lost14
-                return fall2, fall_low4, mean2, mean_low4
-
-            fall2, fall_low4, mean2, mean_low4 = (
-                select(xp, rate2 < 0.75, yes, (root, root_low), no, (root, root_low))
-            )
-
-            fast = fall_*fall2
-            total16 = mean2*twice
-            twice_halves = halves(xp, twice)
-            mean2_halves = halves(xp, mean2)
-            lost16 = mean_low4*twice + product_error(total16, twice_halves, mean2_halves)
-            total17 = mean - total16
-            back3 = total17 - mean
-            rest3 = total17 - back3
-            one2 = mean - rest3
-            two2 = -back3 - total16
-            lost17 = one2 + two2
-            total16 = fast*mean
-            fast_halves = halves(xp, fast)
-            mean_halves = halves(xp, mean)
-            lost18 = fast*mean_low2 + product_error(total16, fast_halves, mean_halves)
-            top = total17 + total16
-            low = lost17 - lost16 + lost18 + mean_low2
-            fall__halves = halves(xp, fall_)
-            fall2_halves = halves(xp, fall2)
-            lost18 = fall_*fall_low4 + product_error(fast, fall__halves, fall2_halves)
-            low3 = fall2*fall_low2 + lost18
-            total16 = fast + 1.0
-            back3 = total16 - 1.0
-            lost18 = fast - back3
-            total17 = total282*total16
-            total282_halves = halves(xp, total282)
-            total16_halves = halves(xp, total16)
-            lost18 = (
-                total282*(lost18 + low3) + product_error(total17, total282_halves, total16_halves)
-            )
-            total282 = 1.0 - fast
-            back3 = total282 - 1.0
-            lost17 = -back3 - fast
-            total53 = mean*total282
-            total282_halves = halves(xp, total282)
-            lost17 = mean*(lost17 - low3) + product_error(total53, mean_halves, total282_halves)
-            moved_low = lost17 + mean_low2*total282
-            total282 = total53/whole
-            left = total53 - total282*whole
-            total282_halves = halves(xp, total282)
-            left = left - product_error(total282*whole, total282_halves, whole_halves)
-            left = left + moved_low - p_low*total282
-            lost17 = left/whole
-            apart_of = (low + top)/whole3
-            nyquist_of = lost18 + total16*(fall_low2 + lost3) + total17
-            together_of = lost17 + total282
-            return apart_of, nyquist_of, together_of
-
-        apart_of, nyquist_of, together_of = select(xp, reach < 1.0, yes,
-            (gamma, half, lost2, root, size, total2, total3), no,
-            (delta, gamma, half, lost2, root, size, total3))
-
-        return apart_of, nyquist_of, together_of
-
-    apart_of, nyquist_of, together_of = select(xp, total2 < 0.0, yes,
-        (delta, gamma, half, lost, total2), no, (delta, gamma, half, lost, total2))
-
-    return apart_of, nyquist_of, together_of
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, gamma, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        half = 0.5*delta
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        envelope = xp.exp(-half)
+        return (
+            apart_swing(xp, reach, half, w, envelope, odd, odd_low, gamma, delta),
+            nyquist_swing(xp, half, w, w_low, envelope, even, even_low, root),
+            together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, moved)
+        )
+
+    def no(delta, gamma, reach, root, w, w_low):
+        half = 0.5*delta
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        return (
+            apart_creep(xp, reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
+            mean_low2), nyquist_creep(xp, fall_, fall_low, fall2, fall_low2),
+            together_creep(xp, reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
+            fall2, fall_low2)
+        )
+
+    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
 def cos_next_sin_next_single(xp, k, x):
@@ -16732,32 +1974,13 @@ def cos_next_sin_next_single(xp, k, x):
     left = angle - 1.5707963705062866*quarters
     quarters_halves = halves(xp, quarters)
     number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-    total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-    back = total - left
-    rest = total - back
-    one = left - rest
-    two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-    lost = one + two
-    total2 = 4.371138828673793e-08*quarters + total
-    back = total2 - total
-    rest = total2 - back
-    one = total - rest
-    two = 4.371138828673793e-08*quarters - back
-    lost2 = one + two
+    total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866, quarters_halves,
+        number1_halves))
+    total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    total = total2 + product_error(angle, count_halves, x_halves)
-    back = total - total2
-    rest = total - back
-    one = total2 - rest
-    two = product_error(angle, count_halves, x_halves) - back
-    lost3 = one + two
-    total2 = missed*x + total
-    back = total2 - total
-    rest = total2 - back
-    one = total - rest
-    two = missed*x - back
-    lost4 = one + two
+    total, lost3 = two_diff(xp, total, -product_error(angle, count_halves, x_halves))
+    total, lost4 = two_diff(xp, total, -missed*x)
     number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
     low = (
         lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
@@ -16765,30 +1988,18 @@ def cos_next_sin_next_single(xp, k, x):
     )
     missed_halves = halves(xp, missed)
     low = low + product_error(missed*x, missed_halves, x_halves)
-    wave = xp.sin(total2)
-    still = xp.cos(total2)
+    wave = xp.sin(total)
+    still = xp.cos(total)
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
-
-    def yes(low2, still, wave):
-        sine = low2*still + wave
-        cosine = still - low2*wave
-        value = sine
-        value2 = cosine
-        return value, value2
-
-    def no(low2, still, wave):
-        sine = low2*still + wave
-        cosine = still - low2*wave
-        value = cosine
-        value2 = sine
-        return value, value2
-
-    value, value2 = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
-        (low, still, wave))
-
-    cos_next_of = xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value, value)
-    sin_next_of = xp.where(turn_ >= 2.0, -value2, value2)
-    return cos_next_of, sin_next_of
+    sine = low*still + wave
+    cosine = still - low*wave
+    case1 = (turn_ == 1.0) | (turn_ == 3.0)
+    value = xp.where(case1, sine, cosine)
+    value2 = xp.where(case1, cosine, sine)
+    return (
+        xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value, value),
+        xp.where(turn_ >= 2.0, -value2, value2)
+    )
 
 
 def cos_next_sin_next(xp, k, x):
@@ -16804,9 +2015,7 @@ def cos_next_sin_next(xp, k, x):
     off = missed*x + product_error(angle, count_halves, x_halves)
     cosine = xp.cos(angle)
     sine = xp.sin(angle)
-    cos_next_of = cosine - off*sine
-    sin_next_of = cosine*off + sine
-    return cos_next_of, sin_next_of
+    return cosine - off*sine, cosine*off + sine
 
 
 def cos_next_single(xp, k, x):
@@ -16822,32 +2031,13 @@ def cos_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        back = total - left
-        rest = total - back
-        one = left - rest
-        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        lost = one + two
-        total2 = 4.371138828673793e-08*quarters + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = 4.371138828673793e-08*quarters - back
-        lost2 = one + two
+        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+            quarters_halves, number1_halves))
+        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total = total2 + product_error(count*x, count_halves, x_halves)
-        back = total - total2
-        rest = total - back
-        one = total2 - rest
-        two = product_error(count*x, count_halves, x_halves) - back
-        lost3 = one + two
-        total2 = missed*x + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = missed*x - back
-        lost4 = one + two
+        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
@@ -16855,22 +2045,11 @@ def cos_next_single(xp, k, x):
         )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total2)
-        still = xp.cos(total2)
-
-        def yes(low2, still, wave):
-            sine = low2*still + wave
-            value = sine
-            return value
-
-        def no(low2, still, wave):
-            cosine = still - low2*wave
-            value = cosine
-            return value
-
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
-            (low, still, wave))
-
+        wave = xp.sin(total)
+        still = xp.cos(total)
+        sine = low*still + wave
+        cosine = still - low*wave
+        value = xp.where((turn_ == 1.0) | (turn_ == 3.0), sine, cosine)
         return -value
 
     def no(angle, count, k, quarters, turn_, x):
@@ -16879,32 +2058,13 @@ def cos_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        back = total - left
-        rest = total - back
-        one = left - rest
-        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        lost = one + two
-        total2 = 4.371138828673793e-08*quarters + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = 4.371138828673793e-08*quarters - back
-        lost2 = one + two
+        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+            quarters_halves, number1_halves))
+        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total = total2 + product_error(count*x, count_halves, x_halves)
-        back = total - total2
-        rest = total - back
-        one = total2 - rest
-        two = product_error(count*x, count_halves, x_halves) - back
-        lost3 = one + two
-        total2 = missed*x + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = missed*x - back
-        lost4 = one + two
+        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
@@ -16912,23 +2072,11 @@ def cos_next_single(xp, k, x):
         )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total2)
-        still = xp.cos(total2)
-
-        def yes(low2, still, wave):
-            sine = low2*still + wave
-            value = sine
-            return value
-
-        def no(low2, still, wave):
-            cosine = still - low2*wave
-            value = cosine
-            return value
-
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
-            (low, still, wave))
-
-        return value
+        wave = xp.sin(total)
+        still = xp.cos(total)
+        sine = low*still + wave
+        cosine = still - low*wave
+        return xp.where((turn_ == 1.0) | (turn_ == 3.0), sine, cosine)
 
     return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x),
         no, (angle, count, k, quarters, turn_, x))
@@ -16956,97 +2104,75 @@ def early_slope(xp, theta, k4, k3, k2, k1, k0):
     cosine = xp.cos(0.5*theta)
     up = (sine*sine)
     along = (cosine*cosine)
-    power = along
-    found = k3*power + k4*up
-    power = along*power
-    found = found*up + k2*power
-    power = along*power
-    found = found*up + k1*power
-    power = along*power
-    found = found*up + k0*power
-    return found
+    found = along*k3 + k4*up
+    power2 = (along*along)
+    found = found*up + k2*power2
+    power2 = along*power2
+    found = found*up + k1*power2
+    power2 = along*power2
+    return found*up + k0*power2
 
 
 def end_slope(xp, at_minus_one, loss, together_, apart_, last):
     """has the sign of the slope of the boundary's alpha next to pi"""
-    total = together_ - 4.0*last
-    back = total - together_
-    rest = total - back
-    one = together_ - rest
-    two = -back - 4.0*last
-    lost = one + two
-    total2 = (total*total)
-    total_halves = halves(xp, total)
-    lost2 = 2.0*lost*total + product_error(total2, total_halves, total_halves)
-    total3 = apart_*together_
-    apart__halves = halves(xp, apart_)
-    together__halves = halves(xp, together_)
-    lost3 = product_error(total3, apart__halves, together__halves)
-    total4 = total3 - total2
-    back = total4 - total3
-    rest = total4 - back
-    one = total3 - rest
-    two = -back - total2
-    lost4 = one + two
+    total, lost = two_diff(xp, together_, 4.0*last)
+    total2, lost2 = wide_prod(xp, total, total, 2.0*lost)
+    total3, lost3 = two_prod(xp, apart_, together_)
+    total4, lost4 = two_diff(xp, total3, total2)
+    total2, lost5 = two_diff(xp, total2, 2.0*total3)
+    total3, lost7 = wide_prod(xp, apart_, total3, lost3)
+    total12, lost12 = two_diff(xp, 2.0*apart_, total)
+    total13, lost13 = two_prod(xp, apart_, apart_)
+    total13, lost12 = wide_prod(xp, total13, total12, lost12 - lost)
     gap_low = lost3 - lost2 + lost4
-    total5 = total2 - 2.0*total3
-    back = total5 - total2
-    rest = total5 - back
-    one = total2 - rest
-    two = -back - 2.0*total3
-    lost4 = one + two
-    lean_low = lost2 - 2.0*lost3 + lost4
-    total2 = total*total5
-    total5_halves = halves(xp, total5)
-    lost4 = lean_low*total + product_error(total2, total_halves, total5_halves)
-    total7 = apart_*total3
-    total3_halves = halves(xp, total3)
-    lost3 = apart_*lost3 + product_error(total7, apart__halves, total3_halves)
-    total3 = total2 + total7
-    back = total3 - total2
-    rest = total3 - back
-    one = total2 - rest
-    two = total7 - back
-    lost2 = one + two
-    bent_low = lost*total5 + lost4 + lost3 + lost2
-    total5 = at_minus_one*total3
-    at_minus_one_halves = halves(xp, at_minus_one)
-    total3_halves = halves(xp, total3)
-    lost2 = at_minus_one*bent_low + product_error(total5, at_minus_one_halves, total3_halves)
-    total3 = apart_*total4
-    total4_halves = halves(xp, total4)
-    lost3 = apart_*gap_low + product_error(total3, apart__halves, total4_halves)
-    total4 = loss*total3
-    loss_halves = halves(xp, loss)
-    total3_halves = halves(xp, total3)
-    lost3 = loss*lost3 + product_error(total4, loss_halves, total3_halves)
-    total3 = 2.0*apart_ - total
-    back = total3 - 2.0*apart_
-    rest = total3 - back
-    one = 2.0*apart_ - rest
-    two = -back - total
-    lost4 = one + two
-    total = (apart_*apart_)
-    lost13 = product_error(total, apart__halves, apart__halves)
-    total7 = total3*total
-    total_halves = halves(xp, total)
-    total3_halves = halves(xp, total3)
-    lost4 = total*(lost4 - lost) + product_error(total7, total_halves, total3_halves)
-    three_low = lost13*total3 + lost4
-    total3 = 4.0*total7 - total5
-    back = total3 - 4.0*total7
-    rest = total3 - back
-    one = 4.0*total7 - rest
-    two = -back - total5
-    lost4 = one + two
-    total5 = total3 - 2.0*total4
-    back = total5 - total3
-    rest = total5 - back
-    one = total3 - rest
-    two = -back - 2.0*total4
-    lost13 = one + two
-    low = lost4 - 2.0*lost3 + lost13 - lost2 + 4.0*three_low
-    return low + total5
+    total4, lost4 = wide_prod(xp, apart_, total4, gap_low)
+    total4, lost4 = wide_prod(xp, loss, total4, lost4)
+    lean_low = lost2 - 2.0*lost3 + lost5
+    total, lost5 = wide_prod(xp, total, total2, lean_low)
+    total3, lost2 = two_diff(xp, total, -total3)
+    bent_low = lost*total2 + lost5 + lost7 + lost2
+    total3, lost2 = wide_prod(xp, at_minus_one, total3, bent_low)
+    total3, lost7 = two_diff(xp, 4.0*total13, total3)
+    total3, lost5 = two_diff(xp, total3, 2.0*total4)
+    three_low = lost13*total12 + lost12
+    low = lost7 - 2.0*lost4 + lost5 - lost2 + 4.0*three_low
+    return low + total3
+
+
+def next_guess(xp, b, fb, a, fa, c, fc, close):
+    """the next point of a search between a and b, where f is fa and fb, after c"""
+    span = c - b
+    rise_ = fc - fb
+    whole = xp.where(span == 0.0, 1.0, span)
+    place = (a - b)/whole
+    whole = xp.where(rise_ == 0.0, 1.0, rise_)
+    height = (fa - fb)/whole
+    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)),
+        xp.full_like(height, 1.0), 0.0)
+    width = b - a
+    whole = xp.where(width == 0.0, 1.0, width)
+    edge = close*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
+    edge = xp.where(0.5 < edge, 0.5, edge)
+
+    def yes(a, c, fa, fb, fc, whole3):
+        one = fb - fa
+        two = fb - fc
+        three = fa - fc
+        here = fa/one
+        there = fc/two
+        other = fa/three
+        last = fb/two
+        guess = here*there + last*other*(c - a)/whole3
+        return guess
+
+    def no(safe):
+        return 0.5
+
+    guess = select(xp, safe > 0.0, yes, (a, c, fa, fb, fc, whole), no, (safe,))
+
+    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
+    share = xp.where(edge > share, edge, share)
+    return a + share*width
 
 
 def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
@@ -17107,19 +2233,18 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
             high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
-        def yes(low2):
-            root = low2
+        def yes(low):
+            root = low
             return root
 
-        def no(above, high, k, k2, k3, k4, k5, low2):
-            high2 = high
-            below = early_slope(xp, high2, k, k2, k3, k4, k5)
+        def no(above, high, k, k2, k3, k4, k5, low):
+            below = early_slope(xp, high, k, k2, k3, k4, k5)
 
-            def yes(high2):
-                root = high2
+            def yes(high):
+                root = high
                 return root
 
-            def no(above, below, high2, k, k2, k3, k4, k5, low2):
+            def no(above, below, high, k, k2, k3, k4, k5, low):
 
                 def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
                     return (
@@ -17129,50 +2254,25 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     )
 
                 def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    span = c - b
-                    rise_ = fc - fb
-                    whole = xp.where(span == 0.0, 1.0, span)
-                    place = (a - b)/whole
-                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                    height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                    case1 = safe > 0.0
-                    one = xp.where(case1, fb - fa, 1.0)
-                    two = xp.where(case1, fb - fc, 1.0)
-                    three = xp.where(case1, fa - fc, 1.0)
-                    width = b - a
-                    here = fa/one
-                    there = fc/two
-                    whole = xp.where(width == 0.0, 1.0, width)
-                    other = fa/three
-                    last2 = fb/two
-                    guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                    edge = (
-                        2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                        xp.abs(whole)
-                    )
-                    edge = xp.where(0.5 < edge, 0.5, edge)
-                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                    share = xp.where(edge > share, edge, share)
-                    new = a + share*width
+                    new = next_guess(xp, b, fb, a, fa, c, fc,
+                        xp.full_like(a, 2.384185791015625e-07))
                     value = early_slope(xp, new, k, k2, k3, k4, k5)
-                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                    next_b = xp.where(case2, b, a)
-                    next_fb = xp.where(case2, fb, fa)
-                    next_a = new
-                    next_fa = value
-                    next_c = xp.where(case2, a, b)
-                    next_fc = xp.where(case2, fa, fb)
-                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                        xp.full_like(fa, 1.0), 0.0)
+                    case1 = same > 0.0
+                    next_b = xp.where(case1, b, a)
+                    next_fb = xp.where(case1, fb, fa)
+                    next_c = xp.where(case1, a, b)
+                    next_fc = xp.where(case1, fa, fb)
+                    return next_b, next_fb, new, value, next_c, next_fc
 
                 b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                    (low, above, high, below, high, below), (k, k2, k3, k4, k5))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no,
-                (above, below, high2, k, k2, k3, k4, k5, low2))
+            root = select(xp, below >= 0.0, yes, (high,), no,
+                (above, below, high, k, k2, k3, k4, k5, low))
 
             return root
 
@@ -17246,19 +2346,18 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
             high, 0.041666666666666664*3.141592653589793*(count - 1.0))
         above = early_slope(xp, low, k, k2, k3, k4, k5)
 
-        def yes(low2):
-            root = low2
+        def yes(low):
+            root = low
             return root
 
-        def no(above, high, k, k2, k3, k4, k5, low2):
-            high2 = high
-            below = early_slope(xp, high2, k, k2, k3, k4, k5)
+        def no(above, high, k, k2, k3, k4, k5, low):
+            below = early_slope(xp, high, k, k2, k3, k4, k5)
 
-            def yes(high2):
-                root = high2
+            def yes(high):
+                root = high
                 return root
 
-            def no(above, below, high2, k, k2, k3, k4, k5, low2):
+            def no(above, below, high, k, k2, k3, k4, k5, low):
 
                 def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
                     return (
@@ -17268,50 +2367,25 @@ def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
                     )
 
                 def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    span = c - b
-                    rise_ = fc - fb
-                    whole = xp.where(span == 0.0, 1.0, span)
-                    place = (a - b)/whole
-                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                    height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                    case1 = safe > 0.0
-                    one = xp.where(case1, fb - fa, 1.0)
-                    two = xp.where(case1, fb - fc, 1.0)
-                    three = xp.where(case1, fa - fc, 1.0)
-                    width = b - a
-                    here = fa/one
-                    there = fc/two
-                    whole = xp.where(width == 0.0, 1.0, width)
-                    other = fa/three
-                    last2 = fb/two
-                    guess = xp.where(case1, here*there + last2*other*(c - a)/whole, 0.5)
-                    edge = (
-                        4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                        xp.abs(whole)
-                    )
-                    edge = xp.where(0.5 < edge, 0.5, edge)
-                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                    share = xp.where(edge > share, edge, share)
-                    new = a + share*width
+                    new = next_guess(xp, b, fb, a, fa, c, fc,
+                        xp.full_like(a, 4.440892098500626e-16))
                     value = early_slope(xp, new, k, k2, k3, k4, k5)
-                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                    next_b = xp.where(case2, b, a)
-                    next_fb = xp.where(case2, fb, fa)
-                    next_a = new
-                    next_fa = value
-                    next_c = xp.where(case2, a, b)
-                    next_fc = xp.where(case2, fa, fb)
-                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                        xp.full_like(fa, 1.0), 0.0)
+                    case1 = same > 0.0
+                    next_b = xp.where(case1, b, a)
+                    next_fb = xp.where(case1, fb, fa)
+                    next_c = xp.where(case1, a, b)
+                    next_fc = xp.where(case1, fa, fb)
+                    return next_b, next_fb, new, value, next_c, next_fc
 
                 b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low2, above, high2, below, high2, below), (k, k2, k3, k4, k5))
+                    (low, above, high, below, high, below), (k, k2, k3, k4, k5))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no,
-                (above, below, high2, k, k2, k3, k4, k5, low2))
+            root = select(xp, below >= 0.0, yes, (high,), no,
+                (above, below, high, k, k2, k3, k4, k5, low))
 
             return root
 
@@ -17338,32 +2412,13 @@ def sin_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        back = total - left
-        rest = total - back
-        one = left - rest
-        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        lost = one + two
-        total2 = 4.371138828673793e-08*quarters + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = 4.371138828673793e-08*quarters - back
-        lost2 = one + two
+        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+            quarters_halves, number1_halves))
+        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total = total2 + product_error(count*x, count_halves, x_halves)
-        back = total - total2
-        rest = total - back
-        one = total2 - rest
-        two = product_error(count*x, count_halves, x_halves) - back
-        lost3 = one + two
-        total2 = missed*x + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = missed*x - back
-        lost4 = one + two
+        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
@@ -17371,22 +2426,11 @@ def sin_next_single(xp, k, x):
         )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total2)
-        still = xp.cos(total2)
-
-        def yes(low2, still, wave):
-            cosine = still - low2*wave
-            value = cosine
-            return value
-
-        def no(low2, still, wave):
-            sine = low2*still + wave
-            value = sine
-            return value
-
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
-            (low, still, wave))
-
+        wave = xp.sin(total)
+        still = xp.cos(total)
+        sine = low*still + wave
+        cosine = still - low*wave
+        value = xp.where((turn_ == 1.0) | (turn_ == 3.0), cosine, sine)
         return -value
 
     def no(angle, count, k, quarters, turn_, x):
@@ -17395,32 +2439,13 @@ def sin_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total = left - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        back = total - left
-        rest = total - back
-        one = left - rest
-        two = -back - product_error(quarters*1.5707963705062866, quarters_halves, number1_halves)
-        lost = one + two
-        total2 = 4.371138828673793e-08*quarters + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = 4.371138828673793e-08*quarters - back
-        lost2 = one + two
+        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+            quarters_halves, number1_halves))
+        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total = total2 + product_error(count*x, count_halves, x_halves)
-        back = total - total2
-        rest = total - back
-        one = total2 - rest
-        two = product_error(count*x, count_halves, x_halves) - back
-        lost3 = one + two
-        total2 = missed*x + total
-        back = total2 - total
-        rest = total2 - back
-        one = total - rest
-        two = missed*x - back
-        lost4 = one + two
+        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
@@ -17428,23 +2453,11 @@ def sin_next_single(xp, k, x):
         )
         missed_halves = halves(xp, missed)
         low = low + product_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total2)
-        still = xp.cos(total2)
-
-        def yes(low2, still, wave):
-            cosine = still - low2*wave
-            value = cosine
-            return value
-
-        def no(low2, still, wave):
-            sine = low2*still + wave
-            value = sine
-            return value
-
-        value = select(xp, (turn_ == 1.0) | (turn_ == 3.0), yes, (low, still, wave), no,
-            (low, still, wave))
-
-        return value
+        wave = xp.sin(total)
+        still = xp.cos(total)
+        sine = low*still + wave
+        cosine = still - low*wave
+        return xp.where((turn_ == 1.0) | (turn_ == 3.0), cosine, sine)
 
     return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no,
         (angle, count, k, quarters, turn_, x))
@@ -17518,20 +2531,19 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
             0.041666666666666664*turn_*(count - 1.0))
         above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
-        def yes(low2):
-            root = low2
+        def yes(low):
+            root = low
             return root
 
-        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
-            high2 = high
-            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_,
+        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_):
+            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together_, apart_,
                 across)
 
-            def yes(high2):
-                root = high2
+            def yes(high):
+                root = high
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+            def no(above, across, apart_, at_minus_one, at_one, below, high, l, loss, low,
                 together_):
 
                 def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
@@ -17544,53 +2556,27 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
 
                 def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
                     together_):
-                    span = c - b
-                    rise_ = fc - fb
-                    whole = xp.where(span == 0.0, 1.0, span)
-                    place = (a - b)/whole
-                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                    height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                    case1 = safe > 0.0
-                    one = xp.where(case1, fb - fa, 1.0)
-                    two = xp.where(case1, fb - fc, 1.0)
-                    three = xp.where(case1, fa - fc, 1.0)
-                    width = b - a
-                    here = fa/one
-                    there = fc/two
-                    whole = xp.where(width == 0.0, 1.0, width)
-                    other = fa/three
-                    last = fb/two
-                    guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                    edge = (
-                        2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                        xp.abs(whole)
-                    )
-                    edge = xp.where(0.5 < edge, 0.5, edge)
-                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                    share = xp.where(edge > share, edge, share)
-                    new = a + share*width
+                    new = next_guess(xp, b, fb, a, fa, c, fc,
+                        xp.full_like(a, 2.384185791015625e-07))
                     value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
                         apart_, across)
-                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                    next_b = xp.where(case2, b, a)
-                    next_fb = xp.where(case2, fb, fa)
-                    next_a = new
-                    next_fa = value
-                    next_c = xp.where(case2, a, b)
-                    next_fc = xp.where(case2, fa, fb)
-                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                        xp.full_like(fa, 1.0), 0.0)
+                    case1 = same > 0.0
+                    next_b = xp.where(case1, b, a)
+                    next_fb = xp.where(case1, fb, fa)
+                    next_c = xp.where(case1, a, b)
+                    next_fc = xp.where(case1, fa, fb)
+                    return next_b, next_fb, new, value, next_c, next_fc
 
                 b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low2, above, high2, below, high2, below),
+                    (low, above, high, below, high, below),
                     (across, apart_, at_minus_one, at_one, l, loss, together_))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no,
-                (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
-                together_))
+            root = select(xp, below >= 0.0, yes, (high,), no,
+                (above, across, apart_, at_minus_one, at_one, below, high, l, loss, low, together_))
 
             return root
 
@@ -17632,20 +2618,19 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
             0.041666666666666664*turn_*(count - 1.0))
         above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
 
-        def yes(low2):
-            root = low2
+        def yes(low):
+            root = low
             return root
 
-        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low2, together_):
-            high2 = high
-            below = boundary_slope(xp, high2, l, at_one, at_minus_one, loss, together_, apart_,
+        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_):
+            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together_, apart_,
                 across)
 
-            def yes(high2):
-                root = high2
+            def yes(high):
+                root = high
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
+            def no(above, across, apart_, at_minus_one, at_one, below, high, l, loss, low,
                 together_):
 
                 def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
@@ -17658,53 +2643,27 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
 
                 def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
                     together_):
-                    span = c - b
-                    rise_ = fc - fb
-                    whole = xp.where(span == 0.0, 1.0, span)
-                    place = (a - b)/whole
-                    whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                    height = (fa - fb)/whole
-                    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                        (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                    case1 = safe > 0.0
-                    one = xp.where(case1, fb - fa, 1.0)
-                    two = xp.where(case1, fb - fc, 1.0)
-                    three = xp.where(case1, fa - fc, 1.0)
-                    width = b - a
-                    here = fa/one
-                    there = fc/two
-                    whole = xp.where(width == 0.0, 1.0, width)
-                    other = fa/three
-                    last = fb/two
-                    guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                    edge = (
-                        4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                        xp.abs(whole)
-                    )
-                    edge = xp.where(0.5 < edge, 0.5, edge)
-                    share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                    share = xp.where(edge > share, edge, share)
-                    new = a + share*width
+                    new = next_guess(xp, b, fb, a, fa, c, fc,
+                        xp.full_like(a, 4.440892098500626e-16))
                     value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
                         apart_, across)
-                    case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                    next_b = xp.where(case2, b, a)
-                    next_fb = xp.where(case2, fb, fa)
-                    next_a = new
-                    next_fa = value
-                    next_c = xp.where(case2, a, b)
-                    next_fc = xp.where(case2, fa, fb)
-                    return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                        xp.full_like(fa, 1.0), 0.0)
+                    case1 = same > 0.0
+                    next_b = xp.where(case1, b, a)
+                    next_fb = xp.where(case1, fb, fa)
+                    next_c = xp.where(case1, a, b)
+                    next_fc = xp.where(case1, fa, fb)
+                    return next_b, next_fb, new, value, next_c, next_fc
 
                 b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low2, above, high2, below, high2, below),
+                    (low, above, high, below, high, below),
                     (across, apart_, at_minus_one, at_one, l, loss, together_))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
-            root = select(xp, below >= 0.0, yes, (high2,), no,
-                (above, across, apart_, at_minus_one, at_one, below, high2, l, loss, low2,
-                together_))
+            root = select(xp, below >= 0.0, yes, (high,), no,
+                (above, across, apart_, at_minus_one, at_one, below, high, l, loss, low, together_))
 
             return root
 
@@ -17810,26 +2769,23 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
 
         def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
             t14, together_):
-            damping = t14
             inside_ = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
 
-            def yes(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
-                together_):
-                outside = whole_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
-                    loss, together_, apart_)
+            def yes(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
+                outside = whole_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
+                    together_, apart_)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_):
-                outside = late_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
-                    loss, together_, apart_)
+            def no(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
+                outside = late_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
+                    together_, apart_)
                 return outside
 
             outside = select(xp, part == 0.0, yes,
-                (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_),
-                no, (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
-                together_))
+                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_), no,
+                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_))
 
-            good = stable(xp, outside, inside_, damping, gamma, delta)
+            good = stable(xp, outside, inside_, t14, gamma, delta)
             return good
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
@@ -17900,26 +2856,23 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
 
         def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
             t14, together_):
-            damping = t14
             inside_ = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
 
-            def yes(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
-                together_):
-                outside = whole_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
-                    loss, together_, apart_)
+            def yes(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
+                outside = whole_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
+                    together_, apart_)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_):
-                outside = late_roots(xp, inside_, damping, l, first, last, at_one, at_minus_one,
-                    loss, together_, apart_)
+            def no(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
+                outside = late_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
+                    together_, apart_)
                 return outside
 
             outside = select(xp, part == 0.0, yes,
-                (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss, together_),
-                no, (apart_, at_minus_one, at_one, damping, first, inside_, l, last, loss,
-                together_))
+                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_), no,
+                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_))
 
-            good = stable(xp, outside, inside_, damping, gamma, delta)
+            good = stable(xp, outside, inside_, t14, gamma, delta)
             return good
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
@@ -17941,21 +2894,15 @@ def gap_single(xp, x):
     """The same in single precision."""
 
     def yes(x):
-        near = x
-        square = -(near*near)
-        b6 = 2.8114572543455206e-15*square + 7.647163731819816e-13
-        b6 = b6*square + 1.6059043836821613e-10
-        b6 = b6*square + 2.505210838544172e-08
-        b6 = b6*square + 2.7557319223985893e-06
-        b6 = b6*square + 0.0001984126984126984
-        b6 = b6*square + 0.008333333333333333
-        rest = b6*square - 4.967053879312289e-09
-        total = rest + 0.1666666716337204
-        return total
+        square = -(x*x)
+        rest = square*(square*(square*(square*
+            (square*(square*(2.8114572543455206e-15*square + 7.647163731819816e-13) +
+            1.6059043836821613e-10) + 2.505210838544172e-08) + 2.7557319223985893e-06) +
+            0.0001984126984126984) + 0.008333333333333333) - 4.967053879312289e-09
+        return rest + 0.1666666716337204
 
     def no(x):
-        whole = x
-        return (x - xp.sin(x))/(whole*whole*whole)
+        return (x - xp.sin(x))/(x*x*x)
 
     return select(xp, xp.abs(x) < 2.0, yes, (x,), no, (x,))
 
@@ -17966,25 +2913,19 @@ def gap(xp, x):
         return gap_single(xp, x)
 
     def yes(x):
-        near = x
-        square = -(near*near)
-        b10 = 6.446950284384474e-26*square + 3.868170170630684e-23
-        b10 = b10*square + 1.9572941063391263e-20
-        b10 = b10*square + 8.22063524662433e-18
-        b10 = b10*square + 2.8114572543455206e-15
-        b10 = b10*square + 7.647163731819816e-13
-        b10 = b10*square + 1.6059043836821613e-10
-        b10 = b10*square + 2.505210838544172e-08
-        b10 = b10*square + 2.7557319223985893e-06
-        b10 = b10*square + 0.0001984126984126984
-        b10 = b10*square + 0.008333333333333333
-        rest = b10*square + 9.25185853854297e-18
-        total = rest + 0.16666666666666666
-        return total
+        square = -(x*x)
+        rest = (
+            square*(square*(square*(square*(square*
+            (square*(square*(square*(square*(square*
+            (6.446950284384474e-26*square + 3.868170170630684e-23) + 1.9572941063391263e-20) +
+            8.22063524662433e-18) + 2.8114572543455206e-15) + 7.647163731819816e-13) +
+            1.6059043836821613e-10) + 2.505210838544172e-08) + 2.7557319223985893e-06) +
+            0.0001984126984126984) + 0.008333333333333333) + 9.25185853854297e-18
+        )
+        return rest + 0.16666666666666666
 
     def no(x):
-        whole = x
-        return (x - xp.sin(x))/(whole*whole*whole)
+        return (x - xp.sin(x))/(x*x*x)
 
     return select(xp, xp.abs(x) < 2.0, yes, (x,), no, (x,))
 
@@ -17993,8 +2934,7 @@ def sinc(xp, x):
     """sin(x)/x"""
 
     def yes(x):
-        near = x
-        return 1.0 - (near*near)*gap(xp, near)
+        return 1.0 - (x*x)*gap(xp, x)
 
     def no(x):
         whole = xp.where(x == 0.0, 1.0, x)
@@ -18007,11 +2947,10 @@ def need(xp, alpha, beta, l, epsilon, psi):
     """the damping that the wall needs at the angle 2 psi"""
 
     def yes(alpha, beta, l, psi):
-        early = (
+        return (
             0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
             cos_next(xp, l, 2.0*psi)
         )
-        return early
 
     def no(alpha, beta, epsilon, l, psi):
         early = (
@@ -18034,18 +2973,16 @@ def chord(xp, k, x):
     turn_ = x*(k + 1.0)
 
     def yes(k, turn_, x):
-        angle = turn_
         order = 2.0*k + 2.0
         along = cos_next(xp, k, x)
-        wave = sinc(xp, 0.5*angle)
-        inner = 0.5*(wave*wave) - gap(xp, angle)
+        wave = sinc(xp, 0.5*turn_)
+        inner = 0.5*(wave*wave) - gap(xp, turn_)
         return order*(along*gap(xp, x) + 0.25*inner*(order*order))
 
     def no(k, x):
-        some = x
         order = 2.0*k + 2.0
         along = cos_next(xp, k, x)
-        return (2.0*sin_next(xp, k, x) - along*order*xp.sin(x))/(some*some*some)
+        return (2.0*sin_next(xp, k, x) - along*order*xp.sin(x))/(x*x*x)
 
     return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
 
@@ -18071,11 +3008,10 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
 
     def yes(alpha, beta, l, psi):
         t = 2.0*l + 2.0
-        early = (
+        return (
             (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/
             (sinc(xp, psi)*sinc(xp, psi))
         )
-        return early
 
     def no(alpha, beta, epsilon, l, psi):
         phase = (
@@ -18089,8 +3025,7 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
             return -xp.abs(rising_)
 
         def no(alpha, beta, epsilon, l, psi):
-            rising_ = rising(xp, alpha, beta, l, epsilon, psi)
-            return rising_
+            return rising(xp, alpha, beta, l, epsilon, psi)
 
         return select(xp, phase > 0.0, yes, (alpha, beta, epsilon, l, psi), no,
             (alpha, beta, epsilon, l, psi))
@@ -18128,41 +3063,16 @@ def worst_angle_single(xp, alpha, beta, l, epsilon):
                 )
 
             def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                span = c - b
-                rise_ = fc - fb
-                whole2 = xp.where(span == 0.0, 1.0, span)
-                place = (a - b)/whole2
-                whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
-                height = (fa - fb)/whole2
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                case1 = safe > 0.0
-                one = xp.where(case1, fb - fa, 1.0)
-                two = xp.where(case1, fb - fc, 1.0)
-                three = xp.where(case1, fa - fc, 1.0)
-                width = b - a
-                here = fa/one
-                there = fc/two
-                whole2 = xp.where(width == 0.0, 1.0, width)
-                other = fa/three
-                last = fb/two
-                guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
-                edge = (
-                    7.62939453125e-06*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole2)
-                )
-                edge = xp.where(0.5 < edge, 0.5, edge)
-                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                share = xp.where(edge > share, edge, share)
-                new = a + share*width
+                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 7.62939453125e-06))
                 value = steepness(xp, stiffness, damping, l, epsilon, new)
-                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                next_b = xp.where(case2, b, a)
-                next_fb = xp.where(case2, fb, fa)
-                next_a = new
-                next_fa = value
-                next_c = xp.where(case2, a, b)
-                next_fc = xp.where(case2, fa, fb)
-                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                    xp.full_like(fa, 1.0), 0.0)
+                case1 = same > 0.0
+                next_b = xp.where(case1, b, a)
+                next_fb = xp.where(case1, fb, fa)
+                next_c = xp.where(case1, a, b)
+                next_fc = xp.where(case1, fa, fb)
+                return next_b, next_fb, new, value, next_c, next_fc
 
             b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                 (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
@@ -18210,42 +3120,16 @@ def worst_angle(xp, alpha, beta, l, epsilon):
                 )
 
             def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                span = c - b
-                rise_ = fc - fb
-                whole2 = xp.where(span == 0.0, 1.0, span)
-                place = (a - b)/whole2
-                whole2 = xp.where(rise_ == 0.0, 1.0, rise_)
-                height = (fa - fb)/whole2
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                case1 = safe > 0.0
-                one = xp.where(case1, fb - fa, 1.0)
-                two = xp.where(case1, fb - fc, 1.0)
-                three = xp.where(case1, fa - fc, 1.0)
-                width = b - a
-                here = fa/one
-                there = fc/two
-                whole2 = xp.where(width == 0.0, 1.0, width)
-                other = fa/three
-                last = fb/two
-                guess = xp.where(case1, here*there + last*other*(c - a)/whole2, 0.5)
-                edge = (
-                    4.656612873077393e-10*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                    xp.abs(whole2)
-                )
-                edge = xp.where(0.5 < edge, 0.5, edge)
-                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                share = xp.where(edge > share, edge, share)
-                new = a + share*width
+                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 4.656612873077393e-10))
                 value = steepness(xp, stiffness, damping, l, epsilon, new)
-                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                next_b = xp.where(case2, b, a)
-                next_fb = xp.where(case2, fb, fa)
-                next_a = new
-                next_fa = value
-                next_c = xp.where(case2, a, b)
-                next_fc = xp.where(case2, fa, fb)
-                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                    xp.full_like(fa, 1.0), 0.0)
+                case1 = same > 0.0
+                next_b = xp.where(case1, b, a)
+                next_fb = xp.where(case1, fb, fa)
+                next_c = xp.where(case1, a, b)
+                next_fc = xp.where(case1, fa, fb)
+                return next_b, next_fb, new, value, next_c, next_fc
 
             b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                 (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
@@ -18289,8 +3173,7 @@ def lead(xp, theta, l, epsilon):
     def yes(epsilon, l, theta):
         early = sin_next(xp, l, theta)
         late = sin_next(xp, l + 1.0, theta)
-        sine = early + epsilon*(late - early)
-        return sine
+        return early + epsilon*(late - early)
 
     def no(l):
         return -1.0
@@ -18308,14 +3191,12 @@ def spread(xp, k, x):
     turn_ = x*(k + 1.0)
 
     def yes(k, turn_, x):
-        angle = turn_
         order = 2.0*k + 2.0
-        return order*((order*order)*gap(xp, 2.0*angle) - gap(xp, x))
+        return order*((order*order)*gap(xp, 2.0*turn_) - gap(xp, x))
 
     def no(k, x):
-        some = x
         order = 2.0*k + 2.0
-        return (order*xp.sin(x) - 2.0*cos_next(xp, k, x)*sin_next(xp, k, x))/(some*some*some)
+        return (order*xp.sin(x) - 2.0*cos_next(xp, k, x)*sin_next(xp, k, x))/(x*x*x)
 
     return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
 
@@ -18324,34 +3205,15 @@ def straight(xp, stiffness, damping, k, angle):
     """what straight motions need at a whole delay of k periods"""
     order = 2.0*k + 1.0
     wave = sinc(xp, angle*order)
+    total, lost = two_prod(xp, order, wave)
     near = 2.0*sinc(xp, angle)
-    total = order*wave
-    order_halves = halves(xp, order)
-    wave_halves = halves(xp, wave)
-    lost = product_error(total, order_halves, wave_halves)
-    total2 = total/near
-    left = total - near*total2
-    total2_halves = halves(xp, total2)
-    near_halves = halves(xp, near)
-    left = left - product_error(total2*near, total2_halves, near_halves)
-    left = left + lost
-    lost = left/near
-    total = stiffness*total2
-    stiffness_halves = halves(xp, stiffness)
-    lost = lost*stiffness + product_error(total, stiffness_halves, total2_halves)
+    total, lost = wide_quot(xp, total, near, lost, xp.full_like(lost, 0.0))
+    total, lost = wide_prod(xp, stiffness, total, lost)
     along = cos_next(xp, k, 2.0*angle)
-    total2 = along*damping
-    damping_halves = halves(xp, damping)
-    along_halves = halves(xp, along)
-    lost4 = product_error(total2, damping_halves, along_halves)
-    total5 = total - total2
-    back = total5 - total
-    rest = total5 - back
-    one = total - rest
-    two = -back - total2
-    lost5 = one + two
+    total4, lost4 = two_prod(xp, damping, along)
+    total4, lost5 = two_diff(xp, total, total4)
     low = lost - lost4 + lost5
-    return low + total5
+    return low + total4
 
 
 def turn_single(xp, psi, l, epsilon):
@@ -18395,12 +3257,11 @@ def turn_single(xp, psi, l, epsilon):
         t23 = epsilon*(1.0 - epsilon)
         t24 = 2.0*l
         t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
-        t27 = wave5
-        t32 = epsilon*(t27 - wave6)
+        t32 = epsilon*(wave5 - wave6)
         below = (
             -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
-            (0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
-            ((t32 - t27)*(t32 - t27))))
+            (0.5*t32 - 0.5*wave5 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
+            ((t32 - wave5)*(t32 - wave5))))
         )
 
         def yes(below):
@@ -18419,33 +3280,7 @@ def turn_single(xp, psi, l, epsilon):
 
             def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
                 wave4, wave5, wave6, wave7, wave8, wave9):
-                span = c - b
-                rise_ = fc - fb
-                whole = xp.where(span == 0.0, 1.0, span)
-                place = (a - b)/whole
-                whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                case1 = safe > 0.0
-                one = xp.where(case1, fb - fa, 1.0)
-                two = xp.where(case1, fb - fc, 1.0)
-                three = xp.where(case1, fa - fc, 1.0)
-                width = b - a
-                here = fa/one
-                there = fc/two
-                whole = xp.where(width == 0.0, 1.0, width)
-                other = fa/three
-                last = fb/two
-                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = (
-                    2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                    xp.abs(whole)
-                )
-                edge = xp.where(0.5 < edge, 0.5, edge)
-                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                share = xp.where(edge > share, edge, share)
-                new = a + share*width
+                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 2.384185791015625e-07))
                 t33 = xp.sin(new)
                 t34 = l + 1.0
                 t35 = xp.cos(new)
@@ -18469,14 +3304,14 @@ def turn_single(xp, psi, l, epsilon):
                     square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
                     (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
                 )
-                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                next_b = xp.where(case2, b, a)
-                next_fb = xp.where(case2, fb, fa)
-                next_a = new
-                next_fa = value
-                next_c = xp.where(case2, a, b)
-                next_fc = xp.where(case2, fa, fb)
-                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                    xp.full_like(fa, 1.0), 0.0)
+                case1 = same > 0.0
+                next_b = xp.where(case1, b, a)
+                next_fb = xp.where(case1, fb, fa)
+                next_c = xp.where(case1, a, b)
+                next_fc = xp.where(case1, fa, fb)
+                return next_b, next_fb, new, value, next_c, next_fc
 
             b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                 (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
@@ -18540,12 +3375,11 @@ def turn(xp, psi, l, epsilon):
         t23 = epsilon*(1.0 - epsilon)
         t24 = 2.0*l
         t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
-        t27 = wave5
-        t32 = epsilon*(t27 - wave6)
+        t32 = epsilon*(wave5 - wave6)
         below = (
             -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
-            (0.5*t32 - 0.5*t27 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
-            ((t32 - t27)*(t32 - t27))))
+            (0.5*t32 - 0.5*wave5 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
+            ((t32 - wave5)*(t32 - wave5))))
         )
 
         def yes(below):
@@ -18564,33 +3398,7 @@ def turn(xp, psi, l, epsilon):
 
             def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
                 wave4, wave5, wave6, wave7, wave8, wave9):
-                span = c - b
-                rise_ = fc - fb
-                whole = xp.where(span == 0.0, 1.0, span)
-                place = (a - b)/whole
-                whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                case1 = safe > 0.0
-                one = xp.where(case1, fb - fa, 1.0)
-                two = xp.where(case1, fb - fc, 1.0)
-                three = xp.where(case1, fa - fc, 1.0)
-                width = b - a
-                here = fa/one
-                there = fc/two
-                whole = xp.where(width == 0.0, 1.0, width)
-                other = fa/three
-                last = fb/two
-                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = (
-                    4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                    xp.abs(whole)
-                )
-                edge = xp.where(0.5 < edge, 0.5, edge)
-                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                share = xp.where(edge > share, edge, share)
-                new = a + share*width
+                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 4.440892098500626e-16))
                 t33 = xp.sin(new)
                 t34 = l + 1.0
                 t35 = xp.cos(new)
@@ -18614,14 +3422,14 @@ def turn(xp, psi, l, epsilon):
                     square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
                     (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
                 )
-                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                next_b = xp.where(case2, b, a)
-                next_fb = xp.where(case2, fb, fa)
-                next_a = new
-                next_fa = value
-                next_c = xp.where(case2, a, b)
-                next_fc = xp.where(case2, fa, fb)
-                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                    xp.full_like(fa, 1.0), 0.0)
+                case1 = same > 0.0
+                next_b = xp.where(case1, b, a)
+                next_fb = xp.where(case1, fb, fa)
+                next_c = xp.where(case1, a, b)
+                next_fc = xp.where(case1, fa, fb)
+                return next_b, next_fb, new, value, next_c, next_fc
 
             b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                 (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
@@ -18648,18 +3456,23 @@ def touching(xp, theta, l, epsilon):
     return xp.where(found < 0.5*3.141592653589793, found, xp.nan)
 
 
+def passive_slope(xp, psi, l, epsilon):
+    """whether another angle allows more stiffness, at a fraction"""
+    turned = turn(xp, psi, l, epsilon)
+    wall = xp.cos(turned)/(l + 1.0)
+    wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
+    need_ = need(xp, wall, wall2, l, epsilon, psi)
+    return (
+        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*psi) - cos_next(xp, l, 2.0*psi)) +
+        cos_next(xp, l, 2.0*psi)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
+        (xp.sin(psi)*xp.sin(psi))
+    )
+
+
 def passive_angle_single(xp, l, epsilon):
     """The same in single precision."""
     low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    turned = turn(xp, low, l, epsilon)
-    wall = xp.cos(turned)/(l + 1.0)
-    wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
-    need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = (
-        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) +
-        cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
-        (xp.sin(low)*xp.sin(low))
-    )
+    above = passive_slope(xp, low, l, epsilon)
 
     def yes(low):
         root = low
@@ -18667,15 +3480,7 @@ def passive_angle_single(xp, l, epsilon):
 
     def no(above, epsilon, l, low):
         high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-        turned2 = turn(xp, high, l, epsilon)
-        wall3 = xp.cos(turned2)/(l + 1.0)
-        wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
-        need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = (
-            need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) +
-            cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*
-            (xp.sin(high)*xp.sin(high))
-        )
+        below = passive_slope(xp, high, l, epsilon)
 
         def yes(high):
             root = high
@@ -18691,50 +3496,16 @@ def passive_angle_single(xp, l, epsilon):
                 )
 
             def step(b, fb, a, fa, c, fc, epsilon, l):
-                span = c - b
-                rise_ = fc - fb
-                whole = xp.where(span == 0.0, 1.0, span)
-                place = (a - b)/whole
-                whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                case1 = safe > 0.0
-                one = xp.where(case1, fb - fa, 1.0)
-                two = xp.where(case1, fb - fc, 1.0)
-                three = xp.where(case1, fa - fc, 1.0)
-                width = b - a
-                here = fa/one
-                there = fc/two
-                whole = xp.where(width == 0.0, 1.0, width)
-                other = fa/three
-                last = fb/two
-                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = (
-                    2.384185791015625e-07*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                    xp.abs(whole)
-                )
-                edge = xp.where(0.5 < edge, 0.5, edge)
-                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                share = xp.where(edge > share, edge, share)
-                new = a + share*width
-                turned3 = turn(xp, new, l, epsilon)
-                wall5 = xp.cos(turned3)/(l + 1.0)
-                wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
-                need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = (
-                    need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) +
-                    cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*
-                    (xp.sin(new)*xp.sin(new))
-                )
-                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                next_b = xp.where(case2, b, a)
-                next_fb = xp.where(case2, fb, fa)
-                next_a = new
-                next_fa = value
-                next_c = xp.where(case2, a, b)
-                next_fc = xp.where(case2, fa, fb)
-                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 2.384185791015625e-07))
+                value = passive_slope(xp, new, l, epsilon)
+                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                    xp.full_like(fa, 1.0), 0.0)
+                case1 = same > 0.0
+                next_b = xp.where(case1, b, a)
+                next_fb = xp.where(case1, fb, fa)
+                next_c = xp.where(case1, a, b)
+                next_fc = xp.where(case1, fa, fb)
+                return next_b, next_fb, new, value, next_c, next_fc
 
             b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                 (low, above, high, below, high, below), (epsilon, l))
@@ -18755,15 +3526,7 @@ def passive_angle(xp, l, epsilon):
     if l.dtype == xp.float32:
         return passive_angle_single(xp, l, epsilon)
     low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    turned = turn(xp, low, l, epsilon)
-    wall = xp.cos(turned)/(l + 1.0)
-    wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
-    need_ = need(xp, wall, wall2, l, epsilon, low)
-    above = (
-        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*low) - cos_next(xp, l, 2.0*low)) +
-        cos_next(xp, l, 2.0*low)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
-        (xp.sin(low)*xp.sin(low))
-    )
+    above = passive_slope(xp, low, l, epsilon)
 
     def yes(low):
         root = low
@@ -18771,15 +3534,7 @@ def passive_angle(xp, l, epsilon):
 
     def no(above, epsilon, l, low):
         high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-        turned2 = turn(xp, high, l, epsilon)
-        wall3 = xp.cos(turned2)/(l + 1.0)
-        wall4 = xp.sin(turned2) - 0.5*xp.cos(turned2)/(l + 1.0)
-        need2 = need(xp, wall3, wall4, l, epsilon, high)
-        below = (
-            need2*(epsilon*(cos_next(xp, l + 1.0, 2.0*high) - cos_next(xp, l, 2.0*high)) +
-            cos_next(xp, l, 2.0*high)) - epsilon*(1.0 - epsilon)*(wall3 + 2.0*wall4)*
-            (xp.sin(high)*xp.sin(high))
-        )
+        below = passive_slope(xp, high, l, epsilon)
 
         def yes(high):
             root = high
@@ -18795,50 +3550,16 @@ def passive_angle(xp, l, epsilon):
                 )
 
             def step(b, fb, a, fa, c, fc, epsilon, l):
-                span = c - b
-                rise_ = fc - fb
-                whole = xp.where(span == 0.0, 1.0, span)
-                place = (a - b)/whole
-                whole = xp.where(rise_ == 0.0, 1.0, rise_)
-                height = (fa - fb)/whole
-                safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) &
-                    (place > (height*height)), xp.full_like(height, 1.0), 0.0)
-                case1 = safe > 0.0
-                one = xp.where(case1, fb - fa, 1.0)
-                two = xp.where(case1, fb - fc, 1.0)
-                three = xp.where(case1, fa - fc, 1.0)
-                width = b - a
-                here = fa/one
-                there = fc/two
-                whole = xp.where(width == 0.0, 1.0, width)
-                other = fa/three
-                last = fb/two
-                guess = xp.where(case1, here*there + last*other*(c - a)/whole, 0.5)
-                edge = (
-                    4.440892098500626e-16*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/
-                    xp.abs(whole)
-                )
-                edge = xp.where(0.5 < edge, 0.5, edge)
-                share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
-                share = xp.where(edge > share, edge, share)
-                new = a + share*width
-                turned3 = turn(xp, new, l, epsilon)
-                wall5 = xp.cos(turned3)/(l + 1.0)
-                wall6 = xp.sin(turned3) - 0.5*xp.cos(turned3)/(l + 1.0)
-                need3 = need(xp, wall5, wall6, l, epsilon, new)
-                value = (
-                    need3*(epsilon*(cos_next(xp, l + 1.0, 2.0*new) - cos_next(xp, l, 2.0*new)) +
-                    cos_next(xp, l, 2.0*new)) - epsilon*(1.0 - epsilon)*(wall5 + 2.0*wall6)*
-                    (xp.sin(new)*xp.sin(new))
-                )
-                case2 = ((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0))
-                next_b = xp.where(case2, b, a)
-                next_fb = xp.where(case2, fb, fa)
-                next_a = new
-                next_fa = value
-                next_c = xp.where(case2, a, b)
-                next_fc = xp.where(case2, fa, fb)
-                return next_b, next_fb, next_a, next_fa, next_c, next_fc
+                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 4.440892098500626e-16))
+                value = passive_slope(xp, new, l, epsilon)
+                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
+                    xp.full_like(fa, 1.0), 0.0)
+                case1 = same > 0.0
+                next_b = xp.where(case1, b, a)
+                next_fb = xp.where(case1, fb, fa)
+                next_c = xp.where(case1, a, b)
+                next_fc = xp.where(case1, fa, fb)
+                return next_b, next_fb, new, value, next_c, next_fc
 
             b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                 (low, above, high, below, high, below), (epsilon, l))
@@ -18939,9 +3660,10 @@ def is_stable(alpha, beta, gamma, delta, d):
         apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
             apart_fall_nyquist_rise_together(xp, gamma, delta)
         )
-        t1 = gamma*together_of
-        t3 = delta*decay(xp, delta)
-        return apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3
+        return (
+            apart_of, fall_of2, nyquist_of, rise_of3, together_of, gamma*together_of, delta*
+            decay(xp, delta)
+        )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
@@ -19016,9 +3738,10 @@ def unstable_roots(alpha, beta, gamma, delta, d):
         apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
             apart_fall_nyquist_rise_together(xp, gamma, delta)
         )
-        t1 = gamma*together_of
-        t3 = delta*decay(xp, delta)
-        return apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3
+        return (
+            apart_of, fall_of2, nyquist_of, rise_of3, together_of, gamma*together_of, delta*
+            decay(xp, delta)
+        )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
@@ -19088,11 +3811,10 @@ def stability_boundary(theta, gamma, delta, d):
 
     def plant(gamma, delta):
         apart_of, nyquist_of, together_of = apart_nyquist_together(xp, gamma, delta)
-        t3 = gamma*together_of
-        t5 = delta*decay(xp, delta)
         t6 = apart_of*delta
-        t7 = t6 + together_of
-        return nyquist_of, together_of, t3, t5, t6, t7
+        return (
+            nyquist_of, together_of, gamma*together_of, delta*decay(xp, delta), t6, t6 + together_of
+        )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
@@ -19116,29 +3838,29 @@ def stability_boundary(theta, gamma, delta, d):
             t13 = xp.sin(theta)
             t14 = whole_part(xp, d)
             cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t14, theta)
-            t16 = some_part(xp, d)
-            t17 = 1.0 - t16
+            t14 = some_part(xp, d)
+            t17 = 1.0 - t14
             t18 = (t17*t17)
             t19 = gamma*t18
             t20 = delta*t17
             apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2 = (
                 apart_fall_kick_kick_low_rise(xp, t19, t20)
             )
-            t21 = (t16*t16)
+            t21 = (t14*t14)
             t22 = gamma*t21
-            t23 = delta*t16
+            t23 = delta*t14
             apart_of3, fall_of, kick_of, kick_low_of2, rise_of = (
                 apart_fall_kick_kick_low_rise(xp, t22, t23)
             )
             t25 = fall_of*t21
-            t23 = late_apart(xp, t16, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
-                (t17*t17*t17), apart_of3*delta*(t16*t16*t16), fall_of2*t18*
+            t23 = late_apart(xp, t14, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
+                (t17*t17*t17), apart_of3*delta*(t14*t14*t14), fall_of2*t18*
                 (kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(xp, t20))
             t25 = 2.0*rise_of2*t18 - 2.0*t25*xp.exp(-t20)
             ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t23,
                 t25)
-            t20 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2
-            return ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t20, -t20/t13
+            t25 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2
+            return ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t25, -t25/t13
 
         return select(xp, late_part(xp, d) == 0.0, yes,
             (d, nyquist_of, t3, t5, t6, t7, theta, together_of), no,
@@ -19175,12 +3897,12 @@ def max_stable_stiffness(gamma, delta, d):
         apart_of, fall_of, nyquist_of, rise_of, together_of = (
             apart_fall_nyquist_rise_together(xp, gamma, delta)
         )
-        t1 = gamma*together_of
         t3 = delta*decay(xp, delta)
         t4 = apart_of*delta
-        t10 = t4 + together_of
-        t16 = 2.0*t3
-        return fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16
+        return (
+            fall_of, nyquist_of, rise_of, together_of, gamma*together_of, t3, t4, t4 + together_of,
+            2.0*t3
+        )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
@@ -19235,21 +3957,21 @@ def max_stable_stiffness(gamma, delta, d):
             t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3,
                 together_of, t33)
             cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t22, t23)
-            t32 = 0.5*t23
-            t31 = xp.sin(t32)
-            t32 = xp.cos(t32)
+            t22 = 0.5*t23
+            t32 = xp.sin(t22)
+            t22 = xp.cos(t22)
             t34 = 2.0*t29 - 2.0*t34
-            t29 = (t32*t32)
-            t30 = (t31*t31)
-            t27 = t29*t30
-            t33 = t29*together_of - t33*t30
-            t26 = 1.0/((t34*t34)*t27 + (t33*t33))
-            t29 = t1*t29 - nyquist_of*t30
-            t25 = t16*t33 - t34*t29
-            t29 = t16*t34*t27 + t33*t29
-            t33 = cos_next_of2*t26
-            t27 = -sin_next_of2*t26*t29/xp.sin(t23) - 0.5*t25*t33
-            return sin_next_of2*t31*t32*t26*t25 - 2.0*t30*t27 - t29*t33, t27, t23
+            t29 = (t22*t22)
+            t31 = (t32*t32)
+            t30 = t29*t31
+            t33 = t29*together_of - t33*t31
+            t27 = 1.0/((t34*t34)*t30 + (t33*t33))
+            t29 = t1*t29 - nyquist_of*t31
+            t26 = t16*t33 - t34*t29
+            t29 = t16*t34*t30 + t33*t29
+            t33 = cos_next_of2*t27
+            t30 = -sin_next_of2*t27*t29/xp.sin(t23) - 0.5*t26*t33
+            return sin_next_of2*t32*t22*t27*t26 - 2.0*t31*t30 - t29*t33, t30, t23
 
         return select(xp, late_part(xp, d) == 0.0, yes,
             (d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of), no,

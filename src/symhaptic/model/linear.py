@@ -79,3 +79,8 @@ def arc(delay: int) -> Arc:
             for part in (stiffness + gamma * size, damping, above, size)
         )
     )
+
+
+def on_the_line(stiffness: Expr, delay: Expr | int) -> Expr:
+    """The damping of the wall on the line, beta = (d + 1/2) alpha - delta."""
+    return (delay + sp.Rational(1, 2)) * stiffness - delta

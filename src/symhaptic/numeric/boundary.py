@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device
@@ -120,6 +121,7 @@ def end(x: Device, steps: Array) -> tuple[Array, Array]:
         return 2 * both - line, line - both
 
 
+@at_once("stability_boundary")
 @kept(alpha=float, beta=float)
 def stability_boundary(
     theta: ArrayLike,

@@ -19,7 +19,7 @@ from array_api_compat import (
 )
 
 from symhaptic.kernels import haptic
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, compiled
 from symhaptic.numeric.arguments import Array
 
 
@@ -43,11 +43,16 @@ class Given:
 
     def __call__(self, kernel: Callable[..., Any]) -> Any:
         """What a kernel makes of them; where it divides by 0 there is no result, which is NaN."""
+        kernel = self.kernel(kernel)
         if not is_numpy_array(self.values[0]):
             return kernel(*self.values)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
             found = kernel(*self.values)
         return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
+
+    def kernel(self, kernel: Callable[..., Any]) -> Callable[..., Any]:
+        """For NumPy's arrays the compiled one, where there is one."""
+        return compiled.of(kernel) if is_numpy_array(self.values[0]) else kernel
 
     def each(self, work: Callable[..., Any]) -> Any:
         """What ``work``, given the namespace and flat pieces, makes of them element by element."""

@@ -6,10 +6,12 @@ from numpy.typing import ArrayLike
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
 
 
+@at_once("linear_limit")
 @kept(alpha=float)
 def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
     """alpha = (beta + delta)/(delay + 1/2), the stiffness at which (25) is an equality.

@@ -12,16 +12,31 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from array_api_compat import is_numpy_array
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given
 
 SHEETS = ("exact", "principal")
+
+
+def _margin(kernel: Any, alpha: Any, beta: Any, delta: Any, delay: Any) -> Any:
+    """The margin by its kernel, which gets walls of size one: squares of a tiny one vanish."""
+    size = abs(alpha) + abs(beta)
+    scale = size + (size == 0)
+    return delta + scale * kernel(alpha / scale, beta / scale, 0.0, delay)
+
+
+def _stiffest(kernel: Any, delta: Any, delay: Any) -> tuple[Any, Any, Any]:
+    """The stiffest passive wall by its kernel, for a damping of 1; not a difference at 0."""
+    alpha, beta, theta = kernel(1.0, delay)
+    return delta * alpha, delta * (beta * (delay > 0)), theta + 0 * delta
 
 
 def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
@@ -34,6 +49,7 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
     return xp.where(alpha < 0, math.inf, scale * need)
 
 
+@at_once("passivity_margin", work=_margin)
 @kept(margin=float)
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
@@ -55,6 +71,9 @@ def passivity_margin(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay)
+
+    if sheet == "exact" and is_numpy_array(given.values[0]):
+        return given(partial(_margin, given.kernel(haptic.passivity_margin)))  # type: ignore[no-any-return]
 
     def margin(xp: Any, al: Any, be: Any, dl: Any, dy: Any) -> Any:
         steps = dy if sheet == "principal" else xp.floor(dy)
@@ -116,13 +135,14 @@ def passivity_boundary(
         if sheet == "principal":
             unit = haptic.elementwise(xp, partial(_printed, xp), theta, late)
         else:
-            unit = haptic.passivity_boundary(theta, 1.0, late)
+            unit = given.kernel(haptic.passivity_boundary)(theta, 1.0, late)
         return damping * unit[0], damping * unit[1]
 
     given = Given(omega=omega, delta=delta, delay=delay)
     return given(partial(walls, given.xp))  # type: ignore[no-any-return]
 
 
+@at_once("max_passive_stiffness", into=Extremum, work=_stiffest)
 @kept(Extremum, alpha=float, beta=float, theta=float)
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
@@ -144,7 +164,7 @@ def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exac
             theta = math.pi / (2 * (late + 1))
             alpha, beta = haptic.elementwise(xp, partial(_printed, xp), theta, late)
         else:
-            alpha, beta, theta = haptic.max_passive_stiffness(1.0, late)
+            alpha, beta, theta = given.kernel(haptic.max_passive_stiffness)(1.0, late)
         beta = xp.where(late == 0, xp.zeros_like(beta), beta)  # exactly, not a difference
         return damping * alpha, damping * beta, theta + 0 * damping
 

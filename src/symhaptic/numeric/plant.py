@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
 
@@ -101,6 +102,7 @@ def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:
     return np.asarray(haptic.stable(np, 0 * one, one, 0 * one, gamma, delta) == 0)
 
 
+@at_once("discretize")
 @kept(n1=float, n0=float, a=float, e=float)
 def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array, Array]:
     """Exact discrete equivalent of the device behind a zero-order hold: n1, n0, a, e.

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept, numbers_only
 from symhaptic.numeric.crossings import Crossing, Wall, crossings, surplus, wall
 from symhaptic.numeric.cubic import Terms
@@ -215,6 +216,7 @@ def _stable(given: Given, sheet: str) -> Any:
     return haptic.stable(given.xp, _outside(given, sheet), *numbers) > 0
 
 
+@at_once("is_stable")
 @kept(is_stable=bool)
 def is_stable(
     alpha: ArrayLike,

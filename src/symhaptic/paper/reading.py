@@ -8,6 +8,7 @@ than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
 from __future__ import annotations
 
 import re
+from typing import TypeAlias
 
 import sympy as sp
 from sympy import Expr
@@ -41,7 +42,11 @@ class Unreadable(ValueError):
     """LaTeX that is not a formula in the paper's notation."""
 
 
-def read(latex: str) -> Printed:
+Notation: TypeAlias = tuple[tuple[str, str], ...]
+"""What another source calls something, as LaTeX, and the name that it has here."""
+
+
+def read(latex: str, notation: Notation = ()) -> Printed:
     r"""The relations (or the one expression) that a line of LaTeX says.
 
     A chain of relations gives one relation per link, an equation between vectors one per
@@ -51,13 +56,16 @@ def read(latex: str) -> Printed:
     (Eq(omega, pi/(T*(d + 1))),)
     >>> read(r"b > \frac{KT}{2} + |B|")
     (b > K*T/2 + Abs(B),)
+    >>> read(r"k_w < 2b/T", notation=(("k_w", "K"),))
+    (K < 2*b/T,)
     """
-    return _Reader(latex).line()
+    return _Reader(latex, notation).line()
 
 
 class _Reader:
-    def __init__(self, latex: str) -> None:
+    def __init__(self, latex: str, notation: Notation = ()) -> None:
         self.latex = latex
+        self.names = {**_SYMBOLS, **dict(notation)}
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
@@ -228,8 +236,8 @@ class _Reader:
             return _E
         if spelled in FUNCTIONS and self.peek() == "(":
             return sp.Function(spelled)(self.group())
-        if spelled in _SYMBOLS:
-            return sp.Symbol(_SYMBOLS[spelled])
+        if spelled in self.names:
+            return sp.Symbol(self.names[spelled])
         raise Unreadable(f"{spelled!r} is not in the notation, in {self.latex!r}")
 
 

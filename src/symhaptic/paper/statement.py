@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symhaptic.paper.quoted import Quoted
-from symhaptic.paper.reading import Printed, read
+from symhaptic.paper.reading import Notation, Printed, read
 
 
 @dataclass(frozen=True)
@@ -19,6 +19,8 @@ class Source:
     year: str = ""
     where: str = ""
     """Journal, or where else it is found."""
+    notation: Notation = ()
+    """What it calls otherwise: its LaTeX, and the symbol's name in ``notation.SYMBOLS``."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,8 @@ class Statement:
     reading: tuple[str, ...] | None = None
     quoted: tuple[Quoted, ...] = ()
     """Numbers that the text quotes."""
+    notation: Notation = ()
+    """What its source calls otherwise."""
 
     def __getstate__(self) -> dict[str, object]:
         """Without what was read from the LaTeX, which not every SymPy can send to a process."""
@@ -48,7 +52,7 @@ class Statement:
     def printed(self) -> Printed:
         """The printed formula as SymPy relations or expressions; empty for one in words."""
         lines = self.latex if self.reading is None else self.reading
-        return tuple(part for line in lines for part in read(line))
+        return tuple(part for line in lines for part in read(line, self.notation))
 
     @property
     def text(self) -> str:

@@ -126,7 +126,8 @@ def largest_root(
     exponents = {s: v for s, v in point.items() if s in polynomial.free_symbols and v.is_Integer}
     polynomial = polynomial.subs(exponents)
     variable = sorted(polynomial.free_symbols - {*point, *meant}, key=str)
-    coefficients = sp.Poly(polynomial, *variable).all_coeffs()
+    named: dict[Expr, Expr] = {}
+    coefficients = sp.Poly(_by_name(polynomial, set(variable), named), *variable).all_coeffs()
     if all(c.is_Rational for c in coefficients):
         exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
@@ -135,6 +136,7 @@ def largest_root(
         ctx.prec = bits
         try:
             values = {**point, **{s: _ball(v, dict(point)) for s, v in meant.items()}}
+            values |= {name: _ball(v, values) for v, name in named.items()}
             roots = acb_poly([_ball(c, values) for c in reversed(coefficients)]).complex_roots()
             return _largest([abs(root) for root in roots if keep(root)])
         except ValueError:  # not isolated at this precision
@@ -142,6 +144,15 @@ def largest_root(
         finally:
             ctx.prec = before
     raise Unsupported(f"roots not isolated: {polynomial}")
+
+
+def _by_name(expr: Expr, variable: set[Expr], named: dict[Expr, Expr]) -> Expr:
+    """A polynomial with a name for each of its constants, so that none of them is expanded."""
+    if expr.is_Rational or expr in variable:
+        return expr
+    if not expr.free_symbols & variable:
+        return named.setdefault(expr, sp.Dummy())
+    return expr.func(*(_by_name(part, variable, named) for part in expr.args))
 
 
 def _largest(sizes: list[arb]) -> arb:

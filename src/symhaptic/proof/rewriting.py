@@ -33,6 +33,7 @@ _MIRRORED = (
     sp.tanh,
     sp.Abs,
     sp.re,
+    sp.im,
     sp.conjugate,
 )
 """What takes conjugate arguments to the conjugate value, wherever it is defined.
@@ -100,6 +101,9 @@ def as_exponentials(expr: Expr) -> Expr:
     if isinstance(expr, sp.re):
         inside = expr.args[0]
         return (as_exponentials(inside) + as_exponentials(conjugated(inside))) / 2
+    if isinstance(expr, sp.im):
+        inside = expr.args[0]
+        return (as_exponentials(inside) - as_exponentials(conjugated(inside))) / (2 * j)
     if isinstance(expr, sp.exp):
         return sp.exp(as_exponentials(expr.args[0]), evaluate=False)
     if expr.is_Add or expr.is_Mul:

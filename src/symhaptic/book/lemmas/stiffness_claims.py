@@ -80,12 +80,12 @@ def stable_beside_passive(
         # c alpha < g x, where alpha <= most delta and delta <= 0.02
         share = wanted.left.coeff(alpha)
         rest = wanted.right - share * most * delta
-        return positive(wanted, [share, least], *_linear(rest, ranges[delta]))
+        return positive(wanted, [share, least], *linear(rest, ranges[delta]))
 
     return beside(claim, stable_wall(delay, wall, ranges), wall, bound)
 
 
-def _linear(expr: Expr, ends: tuple[Any, Any]) -> list[list[Any]]:
+def linear(expr: Expr, ends: tuple[Any, Any]) -> list[list[Any]]:
     """A linear function of delta by its value at one end and its slope."""
     low, high = ends
     steep = diff(expr, delta)

@@ -252,15 +252,26 @@ def _spring(turn: Any, low: Theorem, high: Theorem) -> list[Theorem]:
     return [positive(turn**2 > 0, [low, low]), positive(turn**2 < pi**2, [gap, more])]
 
 
-def pushes(held: Proposition) -> Theorem:
-    """``held`` is false of a wall with 0 <= alpha."""
-    more = positive(2 * d + 2 > 0, [2, d >= 0], [2])
+def excluded() -> Theorem:
+    """No wall with 0 <= alpha is stable beside the spring with (d + 1) Omega = pi/2, 0 <= d."""
+    more = _more()
     turn, angle = pi / (2 * d + 2), pi / ((2 * d + 2) * (q + 1))
     delay, share = assume(Eq(d * (q + 1), p)), sizes()["share"]
     product = positive((2 * d + 2) * (q + 1) > 0, [more, share])
     apart = [not_zero(t) for t in (share, more, product)]
     whole_turn = closed(combined(TURN.at({psi: angle}), [delay, -angle]), *apart)
     found = without(turn**2, closed(placed(outpaced(), {psi: angle}), whole_turn, *apart))
+    return closed(found, not_zero(more))
+
+
+def _more() -> Theorem:
+    """0 < 2d + 2."""
+    return positive(2 * d + 2 > 0, [2, d >= 0], [2])
+
+
+def pushes(held: Proposition) -> Theorem:
+    """``held`` is false of a wall with 0 <= alpha."""
+    more, turn = _more(), pi / (2 * d + 2)
     low = over(turn > 0, number(Relation(S.Zero, "<", pi)), more)
     half = positive(
         pi * (2 * d + 1) > 0,
@@ -270,7 +281,7 @@ def pushes(held: Proposition) -> Theorem:
     high = over(pi - turn > 0, half, more)
     high = positive(turn < pi, [high])
     stable = at(assume(held), {gamma: turn**2}, *_spring(turn, low, high))
-    return closed(found, closed(stable, not_zero(more)), not_zero(more))
+    return closed(excluded(), closed(stable, not_zero(more)), not_zero(more))
 
 
 def pulls(held: Proposition) -> Theorem:

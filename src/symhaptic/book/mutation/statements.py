@@ -16,7 +16,7 @@ from sympy.core.relational import Relational
 from symhaptic.book.mutation.judgements import changes_of_judgement
 from symhaptic.book.record import Settled
 from symhaptic.paper.quoted import Quoted
-from symhaptic.paper.reading import Printed, Unreadable, read
+from symhaptic.paper.reading import Notation, Printed, Unreadable, read
 from symhaptic.proof import second
 from symhaptic.proof.change import Change, because
 from symhaptic.proof.changes import AGAIN, opposite
@@ -61,7 +61,7 @@ def _print(settled: Settled) -> Iterator[Change]:
         return
     right = ACCEPTED if settlement.external is None else ACCEPTED | {Kind.EXTERNAL}
     lines = statement.latex if statement.reading is None else statement.reading
-    digits = {form: what for form, what in _misread(lines) if form != printed}
+    digits = {form: what for form, what in _misread(lines, statement.notation) if form != printed}
     for mutant in mutants(printed):
         check = Decided(settlement, mutant.form, right)
         yield Change("formula", mutant.change, check, _excuse(settled, mutant.form))
@@ -70,12 +70,12 @@ def _print(settled: Settled) -> Iterator[Change]:
         yield Change("digit", what, Decided(settlement, form, right), _excuse(settled, form))
 
 
-def _misread(lines: Sequence[str]) -> Iterator[tuple[Printed, str]]:
+def _misread(lines: Sequence[str], notation: Notation = ()) -> Iterator[tuple[Printed, str]]:
     """Print read with one digit or sign changed, where that is a formula still."""
     for i, line in enumerate(lines):
         for other, what in misprints(line):
             try:
-                read_ = [read(text) for text in (*lines[:i], other, *lines[i + 1 :])]
+                read_ = [read(text, notation) for text in (*lines[:i], other, *lines[i + 1 :])]
             except (Unreadable, ZeroDivisionError):
                 continue
             yield tuple(part for form in read_ for part in form), what

@@ -18,8 +18,9 @@ from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.rests import between, shown_in
-from symhaptic.book.site import mathml, tables
+from symhaptic.book.site import explorer, mathml, tables
 from symhaptic.book.site.chapter import Place, chapter_page, kind
+from symhaptic.book.site.guides import guides
 from symhaptic.book.site.place import MARK, allowed
 from symhaptic.book.site.words import heading, table, words
 from symhaptic.book.tex.build import MEANINGS
@@ -51,8 +52,10 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
             "results": tables.results(entries),
             "errata": tables.errata(entries),
             "ledger": tables.ledger(entries, names),
+            **guides(),
         }
     pages["believed"] = tables.believed(entries)
+    pages[explorer.NAME] = explorer.page({chapter.name for _, chapter in numbered})
     pages["index"] = _index([chapter for _, chapter in numbered], entries, whole)
     return {f"{name}.rst": text for name, text in pages.items()}
 
@@ -64,8 +67,9 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         out += [told, ""]
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
         out += [
-            "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, or "
-            ":ref:`every statement with its verdict <ledger>`.",
+            "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, "
+            ":ref:`every statement with its verdict <ledger>`, or "
+            ":ref:`explore a wall of your own <explorer>`.",
             "",
             ".. figure:: figures/graph.svg",
             "   :alt: Which chapter applies theorems of which",
@@ -75,6 +79,7 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         ]
     before = ["results", "errata", "ledger"] if whole else []
     out += _tree("Results", [*before, "believed"])
+    out += _tree("Use it", [explorer.NAME, *(guides() if whole else ())])
     for part in (*PARTS, OWN):
         inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
         if inside:
@@ -125,6 +130,9 @@ def _sources(
                 say(f"figure {block.title} of the site")
                 place = source / "figures" / f"{block.title}.svg"
                 save(block.draw, place, block.panels, block.height)
+    (source / "scripts" / explorer.NAME).mkdir(parents=True)
+    for name, text in explorer.files():
+        (source / "scripts" / name).write_text(text, encoding="utf-8")
     if whole:
         titles = {number: chapter.title for number, chapter in numbered}
         draw = partial(graph, edges=between(numbered), titles=titles)
@@ -139,7 +147,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_title": TITLE,
         "html_theme": "furo",
         "html_math_renderer": "mathml",
-        "html_static_path": [str(STATIC)],
+        "html_static_path": [str(STATIC), "scripts"],
         "html_css_files": ["site.css"],
         "html_js_files": ["site.js"],
         "html_copy_source": False,

@@ -43,7 +43,7 @@ def turned(wanted: Iterable[tuple[str, bool]]) -> dict[str, str]:
     ]
     document = {"pandoc-api-version": [1, 23, 1], "meta": {}, "blocks": blocks}
     run = subprocess.run(
-        [_pandoc(), "-f", "json", "-t", "html5", "--mathml"],
+        [pandoc(), "-f", "json", "-t", "html5", "--mathml"],
         input=json.dumps(document),
         capture_output=True,
         text=True,
@@ -79,7 +79,8 @@ def _style(alone: bool) -> str:
     return "DisplayMath" if alone else "InlineMath"
 
 
-def _pandoc() -> str:
+def pandoc() -> str:
+    """The program."""
     import pypandoc
 
     return str(pypandoc.get_pandoc_path())

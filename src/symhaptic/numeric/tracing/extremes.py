@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize.elementwise import find_root
 
+from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.boundary import end, point, tangent
+from symhaptic.numeric.compiled import at_once, of
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.extremum import Extremum
@@ -35,6 +37,7 @@ _FARTHEST = 1e60
 """Where no force reaches the device, the boundary is at infinity."""
 
 
+@at_once("max_stable_stiffness", into=Extremum)
 @kept(Extremum, alpha=float, beta=float, theta=float)
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
@@ -69,17 +72,25 @@ def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
     known = ~np.isnan(g + dl + dy) & ~stuck(g, dl)
     simple = known & (g <= _STIFFEST) & ((np.sqrt(g) * (dy + 1) <= np.pi) | (dy <= 1))
     if np.any(simple):
-        found[:, simple] = _first_maximum(g[simple], dl[simple], dy[simple], sheet)
+        first = _by_kernel if sheet == "exact" else _first_maximum
+        found[:, simple] = first(g[simple], dl[simple], dy[simple])
     for i in np.flatnonzero(known & np.isnan(found[0])):
         loop = Loop(float(g[i]), float(dl[i]), float(dy[i]), sheet)
         found[:, i] = farthest(loop, np.array([1.0, 0.0]))
     return found.reshape(3, *shape)
 
 
-def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
-    """The first maximum of alpha along the curve; NaN where it does not border the region."""
-    steps, part = stability.split(delay, sheet)
-    x = device(gamma, delta, part)
+def _by_kernel(gamma: Array, delta: Array, delay: Array) -> Array:
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+        return np.stack(of(haptic.max_stable_stiffness)(gamma, delta, delay))
+
+
+def _first_maximum(gamma: Array, delta: Array, delay: Array) -> Array:
+    """The first maximum of alpha along the curve of the principal sheet.
+
+    NaN where it does not border the region.
+    """
+    steps, x = delay, device(gamma, delta)
     whole = np.pi / (delay + 1)
     low, high = np.full_like(whole, np.nan), np.full_like(whole, np.nan)
     before, rose = np.zeros_like(whole), np.ones_like(whole, dtype=bool)
@@ -96,9 +107,7 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array, sheet: str) -> Arra
         """alpha, beta and theta, NaN where another root is outside."""
         some, st = Device(*(v[at] for v in numbers)), steps[at]
         alpha, beta = point(some, theta, st)
-        others = stability.count(
-            some, wall(alpha, beta), st, part is None, sheet == "principal", on_circle=theta
-        )
+        others = stability.count(some, wall(alpha, beta), st, principal=True, on_circle=theta)
         stable = (others == 0) & (alpha > -gamma[at])
         return np.where(stable, [alpha, beta, theta], np.nan)
 

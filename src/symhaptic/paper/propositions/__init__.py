@@ -18,6 +18,7 @@ from symhaptic.paper.propositions import (
     ratio,
     slips,
     stability,
+    systems,
     words,
 )
 from symhaptic.paper.propositions.registry import CLAIMED, Claim
@@ -35,5 +36,6 @@ __all__ = [
     "ratio",
     "slips",
     "stability",
+    "systems",
     "words",
 ]

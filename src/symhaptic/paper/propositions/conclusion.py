@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Symbol
+from sympy import Rational, Symbol
 
-from symhaptic.notation import B, K, T, b, d, k, k_H, m, omega, v, y
-from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied
-from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS
+from symhaptic.notation import B, K, T, alpha, b, d, delta, gamma, k, k_H, m, omega, v, x, y
+from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied, whole
+from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS, transcribed
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
+from symhaptic.paper.propositions.ratio import BEST, outdoes, stable
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, LOOPS, SPRING, in_units
 from symhaptic.paper.reading import Printed
@@ -70,3 +71,32 @@ def _stiffness_per_mass_is_kept(printed: Printed) -> Proposition:
     same = sp.Eq(STIFFER / HEAVY, K / m)
     symbols = (K, B, T, m, b, k, d, HEAVY, STIFFER)
     return ForAll(symbols, implied(given, both([same, stable])))
+
+
+HARDLY = Rational(105, 100)
+"""What is less than 1.05 times as much is hardly more."""
+
+
+@claims("s6-damping-marginal")
+def _damper_hardly_counts(printed: Printed) -> Proposition:
+    """On (23) a damper makes walls stable that are hardly stiffer than some wall without it.
+
+    For every whole delay; both with the same spring.
+    """
+    undamped = stable(d, BEST).at({delta: sp.S.Zero})
+    some = outdoes(undamped, stable(d), alpha < HARDLY * x)
+    given = [*transcribed("eq23"), whole(d)]
+    return ForAll((gamma, delta, d), implied(given, some))
+
+
+@claims("s6-stiffness-marginal")
+def _spring_hardly_counts(printed: Printed) -> Proposition:
+    """On (23) a spring makes no wall stable that is much stiffer than some wall without it.
+
+    Nor does its absence.  For every whole delay; both with the same damper.
+    """
+    free, other = {gamma: sp.S.Zero}, alpha < HARDLY * x
+    with_it = outdoes(stable(d, BEST).at(free), stable(d), other)
+    without = outdoes(stable(d, BEST), stable(d).at(free), other)
+    given = [*transcribed("eq23"), whole(d)]
+    return ForAll((gamma, delta, d), implied(given, both([with_it, without])))

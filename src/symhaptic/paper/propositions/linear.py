@@ -94,6 +94,50 @@ def on_or_below_the_line() -> Relation:
     return Relation(line.rhs, "<=", line.lhs)
 
 
+LATE = (0, 1)
+"""The delays of Fig. 10."""
+
+
+def on_the_line(stiffness: Expr, delay: int) -> Expr:
+    """The damping beta of the wall on the line, where both sides of (25) are equal."""
+    [line] = transcribed("eq25")
+    [damping] = sp.solve(sp.Eq(*line.args), beta)
+    return damping.subs({alpha: stiffness, d: delay})
+
+
+def on_line(stiffness: Expr, delay: int) -> Proposition:
+    """The wall on the line is stable."""
+    return STABLE.at({alpha: stiffness, beta: on_the_line(stiffness, delay), d: sp.S(delay)})
+
+
+@claims("s4e-unstable-side")
+def _unstable_from_some_stiffness_on(printed: Printed) -> Proposition:
+    """Of two walls on the line the softer one is stable if the stiffer one is, and none with 1 is.
+
+    So the line is on the unstable side from some stiffness on, where it crosses the boundary.  For
+    -gamma < alpha, on (23), without delay and one period late.
+    """
+    stays = [
+        implied([on_line(alpha, n)], both([on_line(x, n), proposition(alpha < 1)])) for n in LATE
+    ]
+    given = [*transcribed("eq23"), -gamma < x, x < alpha]
+    return ForAll((alpha, gamma, delta, x), implied(given, both(stays)))
+
+
+def safe() -> Proposition:
+    """Every wall with (25) that has at most the damping of a stable wall on the line is stable.
+
+    For -gamma < alpha, on (23), without delay and one period late.
+    """
+    every = []
+    for n in LATE:
+        wall = [r.subs(d, n) for r in transcribed("eq25")]
+        below = [on_line(x, n), *wall, beta <= on_the_line(x, n)]
+        every.append(implied(below, STABLE.at({d: sp.S(n)})))
+    given = [*transcribed("eq23"), -gamma < alpha]
+    return ForAll((alpha, beta, gamma, delta, x), implied(given, both(every)))
+
+
 @claims("s4e-passive-range")
 def _line_is_passive(printed: Printed) -> Proposition:
     """A wall on the line or below is passive, for the damping that is named.

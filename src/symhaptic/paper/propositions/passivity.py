@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from symhaptic.notation import B, K, T, b, d, omega, v, w, x, y
+from symhaptic.notation import B, K, T, b, d, omega, v, w, x, y, z
 from symhaptic.notation.proposition import (
     Exists,
     ForAll,
@@ -35,6 +35,28 @@ PASSIVE = Predicate("passive_wall", (), WALL)
 def at_every_frequency(*conditions: sp.Expr) -> Proposition:
     """The conditions for 0 < omega < omega_N."""
     return ForAll((omega,), implied([omega > 0, omega < sp.pi / T], both(conditions)))
+
+
+TAPS = (x, y, v)
+"""What an environment answers to a unit step: at once, after one period and after two."""
+ANSWER = x + y / z + v / z**2
+
+
+@claims("eq4")
+def _condition_guarantees_passivity(printed: Printed) -> Proposition:
+    """No motion gains energy from H(z) = x + y/z + v/z^2 if it meets (4), as the text says.
+
+    Of H(z) the paper asks nothing and uses (1), which has two terms of these three.
+    """
+    met = [at_given(c, ANSWER) for c in printed]
+    energy = Predicate("passive", (z,), (ANSWER, b / T))
+    given = [T > 0, b >= 0, at_every_frequency(*met)]
+    return ForAll((*TAPS, b, T), implied(given, energy))
+
+
+def at_given(condition: sp.Expr, answer: sp.Expr) -> sp.Expr:
+    """A condition on H(z) for one that is given."""
+    return condition.replace(sp.Function("H"), lambda at: answer.xreplace({z: at}))
 
 
 @claims("eq5")

@@ -170,6 +170,14 @@ _believed(
     Exists((p, q), And((whole(p), whole(q), _eq(d * (q + 1), p), _stable(_late)))),
 )
 _believed(
+    "loop in w",
+    "definition of the paper's reading; of a fraction that is not in lowest terms the polynomial "
+    "has powers of w^g only, with the same zeros w^g",
+    [*LOOP, *NUMBERS, p, q],
+    [DEVICE, whole(p), whole(q), _eq(d * (q + 1), p)],
+    Iff((_named("stable_substituted", *LOOP), _stable(_late))),
+)
+_believed(
     "held by a pole",
     "as the paper has it, no pole of a stable loop has z^2 >= 1",
     [*LOOP, x],

@@ -49,6 +49,7 @@ SOURCES = {
     "hurwitz": "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
     "outpaces": "each zero a adds z/(z - a) to z p'/p, and Re z/(z - a) > 1/2 for |a| < |z| = 1; "
     "Marden, Geometry of Polynomials, Section 1",
+    "opposite": "definition of a zero",
     "pole_at": "definition of a pole",
     "degree": "definition of the degree",
     "not_of_degree": "different powers are linearly independent",
@@ -214,6 +215,26 @@ def outpaces(inside: Theorem, angle: Any) -> Judgement:
     hypotheses |= inside.hypotheses | conditions(angle, *powers.values())
     hypotheses |= {whole(s) for s in degree.free_symbols}
     return hypotheses, Relation(_ZERO, "<", speed * mirror + back * value)
+
+
+@rule
+def opposite(inside: Theorem) -> Judgement:
+    """With those of a monic real p, all zeros of p(-z), made monic, lie inside.
+
+    Of each exponent it is seen whether it differs from the degree by an even number; that exponents
+    are whole is a hypothesis.
+    """
+    claim = predicate(inside, "stable")
+    [polynomial], [variable] = claim.of, claim.over
+    degree, hypotheses = _leading(polynomial, _ZERO, variable)
+    turned = _ZERO
+    for exponent, coefficient in _powers(polynomial, variable).items():
+        gap = sp.expand(degree - exponent)
+        odd = int(gap.xreplace(dict.fromkeys(gap.free_symbols, _ZERO)) % 2)
+        if not _seen_whole(sp.expand((gap - odd) / 2)):
+            raise NotShown(f"{gap} may be even or odd")
+        turned += (-1) ** odd * coefficient * variable**exponent
+    return inside.hypotheses | hypotheses, _zeros(turned, variable)
 
 
 def _choose(of: Expr, count: int) -> Expr:

@@ -1,0 +1,54 @@
+"""What pyproject.toml cannot say: the compiled kernels, and the data that lies beside src/.
+
+The extension is optional: where no compiler is found the package is installed without it, and
+everything runs on the kernels for arrays of any library.
+"""
+
+import shutil
+from pathlib import Path
+
+import numpy
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
+
+HERE = Path(__file__).parent
+KERNELS = "src/symhaptic/kernels"
+
+
+class WithData(build_py):
+    """The chapters and the ledger become part of the package; an editable install finds them."""
+
+    def run(self):
+        """Copy them beside the modules."""
+        super().run()
+        if not self.editable_mode:
+            inside = Path(self.build_lib) / "symhaptic"
+            shutil.copytree(HERE / "derivations", inside / "derivations", dirs_exist_ok=True,
+                            ignore=shutil.ignore_patterns("__pycache__"))  # fmt: skip
+            shutil.copy(HERE / "reports" / "ledger.json", inside / "ledger.json")
+
+
+class Exact(build_ext):
+    """Sums and products as they are written: no contraction where the processor has fma."""
+
+    def build_extension(self, ext):
+        """Compile with what the compiler calls that."""
+        if self.compiler.compiler_type != "msvc":
+            ext.extra_compile_args = ["-O2", "-ffp-contract=off"]
+            ext.libraries = ["m"]
+        super().build_extension(ext)
+
+
+setup(
+    cmdclass={"build_py": WithData, "build_ext": Exact},
+    ext_modules=[
+        Extension(
+            "symhaptic.kernels._compiled",
+            sources=[f"{KERNELS}/{name}.c" for name in ("_compiled", "haptic", "haptic_single")],
+            depends=[f"{KERNELS}/{name}.h" for name in ("haptic", "haptic_single")],
+            include_dirs=[numpy.get_include()],
+            optional=True,
+        )
+    ],
+)

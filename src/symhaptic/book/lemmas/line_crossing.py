@@ -1,0 +1,225 @@
+"""The walls on the line of (25) that are stable are those below one of them, for d = 0 and d = 1.
+
+Each of Jury's inequalities is a polynomial f(alpha) on the line.  At its start, alpha = -gamma, it
+is not negative: there the gap s_1 - delta - gamma/2 of the arm's numbers decides.  Where f is bent
+downwards it is then positive between the start and each wall at which it is positive.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import Expr, Ne, Rational, S, cancel, div, expand, pi
+
+from symhaptic.book.lemmas.arm_numbers import gap, pushed
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, of_every_plant, on_box
+from symhaptic.model.linear import on_the_line
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, x, y
+from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.paper.propositions.device import transcribed
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.proof.theorems.familiar import device_static, square
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    applied,
+    assume,
+    conjoined,
+    discharged,
+    part,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.tactics import closed, over, positive
+
+TOP = {0: Rational(72, 100), 1: Rational(16, 100)}
+"""No wall that is stable is as stiff."""
+NEAR = {0: Rational(83, 100), 1: Rational(424, 1000)}
+TOTAL = n_1 + n_0
+QUARTER = Rational(1, 4)
+AT_REST = 1 + e - gamma * TOTAL
+"""a of a device beside its spring."""
+ROOM = 1 - e + gamma * n_0 - (delta + gamma / 2) * TOTAL
+"""The gap times n_1 + n_0."""
+
+
+@cache
+def below_the_top(delay: int) -> Theorem:
+    """alpha < 0.72, or 0.16 one period late, of a stable wall."""
+    return no_stiffer(delay, (TOP[delay], NEAR[delay]), RANGES)
+
+
+@cache
+def room() -> Theorem:
+    """0 <= (s_1 - delta - gamma/2) (n_1 + n_0)."""
+    first, second, _ = pushed()
+    total = positive(TOTAL > 0, [first], [second])
+    found = combined(Relation(S.Zero, "<=", ROOM), [gap(), total])
+    return closed(found, slow(), positive(Ne(TOTAL, 0), [total]))
+
+
+def slow() -> Theorem:
+    """The arms of (23) do not swing by half a turn in a period."""
+    far = number(Relation(STIFF, "<", pi**2))
+    return positive(gamma - delta**2 / 4 < pi**2, [gamma <= STIFF], [far], [QUARTER, square(delta)])
+
+
+def start(value: Expr) -> Theorem:
+    """0 <= f(-gamma), from the gap where it counts and from balls where it does not."""
+    resting = expand(value.subs(a, AT_REST))
+    share, rest = div(resting, ROOM, e)
+    moved = cancel((value - resting) / (a - AT_REST))
+    turn = combined(Relation(a, "=", AT_REST), [device_static(assume(DEVICE)), -1])
+    claim = Relation(S.Zero, "<=", value)
+    if rest != 0:
+        return combined(claim, [on_box(value, RANGES)])
+    known: list[list[Any]] = [[turn, -moved]] if moved != 0 else []
+    if share != 0:
+        known.append([room(), on_box(share, RANGES)])
+    return combined(claim, *known)
+
+
+def bent(value: Expr, stiffer: Expr) -> Expr:
+    """The second divided difference of f over -gamma, x and alpha."""
+
+    def slope(one: Expr, two: Expr) -> Expr:
+        return cancel((value.subs(alpha, one) - value.subs(alpha, two)) / (one - two))
+
+    return expand(cancel((slope(stiffer, x) - slope(x, -gamma)) / (stiffer + gamma)))
+
+
+def softer(value: Expr, there: Theorem, delay: int) -> Theorem:
+    """0 < f(x) from 0 < f(alpha), -gamma < x and x <= alpha."""
+    above, more = positive(x + gamma > 0, -gamma < x), positive(alpha - x >= 0, x <= alpha)
+    length = positive(alpha + gamma > 0, [above], [more])
+    rows: list[list[Any]] = [[above, there], [more, start(expand(value.subs(alpha, -gamma)))]]
+    curve = bent(value, alpha)
+    if curve != 0:
+        wide = (-STIFF, TOP[delay])
+        down = on_box(-curve, {**RANGES, alpha: wide, x: wide})
+        rows.append([more, above, length, down])
+    here = value.subs(alpha, x)
+    apart = positive(Ne(alpha + gamma, 0), [length])
+    return closed(over(here > 0, positive((alpha + gamma) * here > 0, *rows), length), apart)
+
+
+@cache
+def stays_stable(delay: int) -> Theorem:
+    """The wall x of the line is stable where alpha is, for -gamma < x <= alpha, on (23)."""
+    loop = placed(by_inequalities(delay), {beta: on_the_line(alpha, delay)})
+    wanted = placed(by_inequalities(delay), {alpha: x, beta: on_the_line(x, delay)})
+    known = applied(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
+    parts = []
+    for claim in conjuncts(known.conclusion):
+        value = expand(claim.right)  # type: ignore[attr-defined]
+        there = combined(Relation(S.Zero, "<", value), [part(known, claim)])
+        parts.append(softer(value, there, delay))
+    goals = conjuncts(wanted.conclusion.of[1])  # type: ignore[attr-defined]
+    shown = [combined(goal, [known]) for goal, known in zip(goals, parts, strict=True)]
+    return of_every_plant(within(applied(wanted, conjoined(*shown)), delay))
+
+
+def within(theorem: Theorem, delay: int) -> Theorem:
+    """The stiffness of both walls is between -0.001 and the top."""
+    stiff = placed(below_the_top(delay), {beta: on_the_line(alpha, delay)})
+    gap = positive(alpha - x >= 0, x <= alpha)
+    least = positive(x >= -STIFF, [positive(x + gamma > 0, -gamma < x)], [gamma <= STIFF])
+    ends = (
+        positive(alpha >= -STIFF, [gap], [least]),
+        positive(x <= TOP[delay], [gap], [stiff]),
+        positive(alpha <= TOP[delay], [stiff]),
+    )
+    return closed(theorem, *ends, least)
+
+
+def one_crossing(delay: int) -> Theorem:
+    """For -gamma < x < alpha: if alpha is stable, so is x, and alpha < 1."""
+    stiff = placed(below_the_top(delay), {beta: on_the_line(alpha, delay)})
+    found = conjoined(stays_stable(delay), positive(alpha < 1, [stiff], [1 - TOP[delay]]))
+    wall = next(p for p in stiff.hypotheses if isinstance(p, Predicate))
+    return discharged(closed(found, positive(x <= alpha, x < alpha)), wall)
+
+
+DAMPING = -Rational(22, 1000), Rational(2, 5)
+"""What is on the line from -gamma to the top, on (23)."""
+
+
+@cache
+def in_the_triangle(delay: int) -> Theorem:
+    """A wall above the line, -gamma < alpha, with at most the damping of a stable wall x on it."""
+    share = delay + S.Half
+    there = expand((beta + delta) / share)
+    [line] = (r.subs(d, delay) for r in transcribed("eq25"))
+    less = positive(there - alpha > 0, [1 / share, line])
+    above = positive(alpha + gamma > 0, -gamma < alpha)
+    most = assume(beta <= on_the_line(x, delay))
+    walls = {alpha: x, x: there}
+    on_it = closed(
+        placed(stays_stable(delay), walls),
+        positive(-gamma < there, [less], [above]),
+        positive(there <= x, [1 / share, most]),
+    )
+    loop = by_inequalities(delay)
+    known = applied(placed(loop, {alpha: there}), assume(on_it.conclusion))
+    wide = {**RANGES, alpha: (-STIFF, TOP[delay]), beta: DAMPING}
+    parts = []
+    for claim, way in zip(conjuncts(loop.conclusion.of[1]), _WAYS[delay], strict=True):  # type: ignore[attr-defined]
+        value = claim.right  # type: ignore[attr-defined]
+        if way == "start":
+            parts.append(combined(claim, *_from_the_start(value)))
+        elif way == "box":
+            parts.append(combined(claim, [on_box(value, wide)]))
+        else:
+            higher = combined(
+                Relation(S.Zero, "<", expand(value.subs(alpha, there))),
+                [part(known, _like(claim, known, there))],
+            )
+            fall = -cancel((expand(value.subs(alpha, y)) - value) / (y - alpha))
+            down = placed(on_box(fall, {**wide, y: wide[alpha]}), {y: there})
+            parts.append(combined(claim, [higher], [less, down]))
+    found = closed(of_every_plant(applied(loop, conjoined(*parts))), on_it)
+    stiff = placed(below_the_top(delay), {alpha: x, beta: on_the_line(x, delay)})
+    top = positive(there <= TOP[delay], [1 / share, most], [stiff])
+    ends = (
+        top,
+        positive(alpha <= TOP[delay], [less], [top]),
+        positive(there >= -STIFF, [less], [above], [gamma <= STIFF]),
+        positive(alpha >= -STIFF, [above], [gamma <= STIFF]),
+        positive(beta <= DAMPING[1], [share, top], [delta >= 0], [DAMPING[1] - share * TOP[delay]]),
+        positive(
+            beta >= DAMPING[0],
+            *([share, less], [share, above], [share, gamma <= STIFF], [delta <= DAMPED]),
+            [-DAMPING[0] - share * STIFF - DAMPED],
+        ),
+    )
+    return closed(found, *ends, slow())
+
+
+_WAYS = {0: ("start", "start", "box", "down"), 1: ("start", "box", "box", "box", "down")}
+"""How each inequality is shown in the triangle."""
+
+
+def _like(claim: Proposition, known: Theorem, there: Expr) -> Proposition:
+    """The inequality of the wall on the line that is this one."""
+    return claim.at({alpha: there})
+
+
+def _from_the_start(value: Expr) -> list[list[Any]]:
+    """p(1) = (n_1 + n_0) (alpha + gamma); or the second without delay, by the gap."""
+    first, second, _ = pushed()
+    total = positive(TOTAL > 0, [first], [second])
+    above = positive(alpha + gamma > 0, -gamma < alpha)
+    [line] = (r.subs(d, 0) for r in transcribed("eq25"))
+    turn = combined(Relation(a, "=", AT_REST), [device_static(assume(DEVICE)), -1])
+    if beta not in value.free_symbols:
+        return [[total, above], [turn, S.One]]
+    return [[2, room()], [2, total, assume(line)], [2, first, above], [turn, S.One]]
+
+
+def below_the_crossing(claim: Proposition) -> Theorem:
+    """The claim of the triangle for one delay, from its parts."""
+    delay = next(n for n in TOP if STABLE.at({d: S(n)}) == claim.of[1])  # type: ignore[attr-defined]
+    return discharged(in_the_triangle(delay), *conjuncts(claim.of[0]))  # type: ignore[attr-defined]

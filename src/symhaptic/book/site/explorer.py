@@ -1,0 +1,205 @@
+"""The explorer: a page that draws a loop's regions and tells its limits, by exported kernels.
+
+What it computes comes from the exporter, the rules from their print and the arms from Table II;
+the scripts beside it draw, hold the state and lay out.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+
+from symhaptic.book.site.devices import ARMS, DEVICES
+from symhaptic.book.site.words import container, display, heading, plain, words
+from symhaptic.export.request import built, chosen, target
+from symhaptic.notation import B, K, T, b, d, k, m, t_d
+from symhaptic.paper import STATEMENTS as PAPER
+from symhaptic.paper.reading import read
+from symhaptic.rules import STATEMENTS as RULES
+
+NAME = "explorer"
+KERNELS = (
+    *("discretize", "discretize_late", "is_stable", "stability_boundary", "max_stable_stiffness"),
+    *("passivity_margin", "passivity_margin_at", "max_passive_stiffness", "linear_limit"),
+)
+"""What the page asks of the exporter."""
+
+SCRIPTS = (
+    *("kernels", "decimal", "data", "state", "boundary", "limits", "response"),
+    *("drawing", "copies", "controls", "telling", "page"),
+)
+"""In the order in which the page loads them."""
+
+HOME = Path(__file__).parent
+
+MEANT: dict[str, Any] = {
+    "rules:twice-damping": sp.Eq(B, 0),
+    "rules:damping-over-delay": sp.true,
+    "rules:four-masses": sp.Eq(B, 0),
+    "rules:two-masses": sp.Eq(B, 0),
+    "rules:damped-contact": (B > 0) & sp.Eq(b, 0) & sp.Eq(k, 0) & sp.Eq(t_d, 0),
+}
+"""The loops of which each rule claims something, as the propositions of the room ``rules`` say."""
+
+CHAPTERS = {
+    "rules:twice-damping": "s8a_twice_the_damping",
+    "rules:damping-over-delay": "s8b_damping_over_delay",
+    "rules:four-masses": "s8c_four_masses",
+    "rules:two-masses": "s8d_two_masses",
+    "rules:damped-contact": "s8e_damped_contact",
+}
+
+
+@dataclass(frozen=True)
+class Told:
+    """One limit: where its number stands, its formula, and the chapter that derives it."""
+
+    id: str
+    title: str
+    formula: tuple[str, ...]
+    chapter: str
+
+
+_BOUNDARY = r"p\big(e^{j\theta};\, \alpha(\theta), \beta(\theta)\big) = 0,\quad \theta = \omega T"
+_WHOLE = (*PAPER["eq5"].latex, r"K \ge 0,\quad d \in \mathbb{N}_0")
+_PUSHES = (*PAPER["eq4"].latex, r"K \ge 0")
+
+TOLD = (
+    Told(
+        "told-limit", "Largest stable stiffness at this damping", (_BOUNDARY,),
+        "s4d_explicit_boundary",
+    ),
+    Told(
+        "told-stiffest", "Largest stable stiffness at any damping",
+        (r"\frac{\mathrm{d}\alpha}{\mathrm{d}\theta} = 0",), "s5b_stiffest_wall",
+    ),
+    Told(
+        "told-passive-limit", "Largest passive stiffness at this damping", _WHOLE,
+        "s3a_passivity_condition",
+    ),
+    Told(
+        "told-stiffest-passive", "Largest passive stiffness at any damping",
+        (r"K = \frac{2b}{T}\tan\frac{\pi}{4(d+1)},\quad d \in \mathbb{N}_0",),
+        "s3c_stiffness_maximum",
+    ),
+    Told("told-linear", "Linear condition", PAPER["eq24"].latex, "s4e_line"),
+    Told(
+        "told-needed", "Damping that this wall needs to be passive", _PUSHES,
+        "s3_energy",
+    ),
+    Told(
+        "told-delay", "Largest delay of this wall",
+        (r"t_d < T\,\min\{d : |\lambda(d)| = 1\}",), "s4d_roots_delay_margin",
+    ),
+)  # fmt: skip
+
+
+@cache
+def kernels() -> str:
+    """The exported script: all functions are in ``haptic``."""
+    _, files = built(target("javascript"), chosen(KERNELS), "haptic", vectors=False)
+    return files["haptic.script.js"]
+
+
+def data() -> str:
+    """Devices, arms and rules as a script."""
+    named = {"devices": DEVICES, "arms": ARMS}
+    given = {kind: [one._asdict() for one in presets] for kind, presets in named.items()}
+    rules = ",\n".join(_rule(id) for id in RULES)
+    presets = f"explorer.data = {json.dumps(given, indent=1)};"
+    return f'"use strict";\n{presets}\nexplorer.rules = [\n{rules}\n];\n'
+
+
+def _rule(id: str) -> str:
+    """The stiffness that a rule allows, made of its print."""
+    (printed,) = (relation for line in RULES[id].latex for relation in read(line))
+    if printed.lhs != K:
+        raise ValueError(f"{id}: {printed} is no bound of K")
+    limit = sp.jscode(printed.rhs.subs(d, t_d / T))
+    meant = "true" if MEANT[id] == sp.true else sp.jscode(MEANT[id])
+    names = ", ".join(symbol.name for symbol in (m, b, k, T, t_d, K, B))
+    arrow = f"({{ {names} }}) =>"
+    return f'{{ id: "{_short(id)}", limit: {arrow} {limit}, meant: {arrow} {meant} }}'
+
+
+def _short(id: str) -> str:
+    return id.partition(":")[2]
+
+
+def page(chapters: Collection[str]) -> str:
+    """reStructuredText, with links to those ``chapters`` that the site has."""
+    out = [":hide-toc:", "", f".. _{NAME}:", "", *heading("Explore a wall")]
+    out += [
+        words(
+            "Set a device, an arm and a virtual wall, or drag the wall in the picture. What is "
+            "stable and what is passive is computed in this page, by the kernels that the package "
+            "exports; the address carries what is set."
+        ),
+        "",
+        *_raw(_markup("explorer.html")),
+        *heading("Limits of this loop", "-"),
+    ]
+    for told in TOLD:
+        out += _limit(told, chapters)
+    out += [*heading("Rules in circulation", "-"), *_paragraph(_RULES)]
+    for id, rule in RULES.items():
+        out += container(f"limit rule rule-{_short(id)}", _rule_rows(id, rule.latex, chapters))
+    out += [*heading("Take it along", "-"), *_raw(_markup("share.html"))]
+    scripts = "\n".join(f'<script src="_static/{NAME}/{name}.js"></script>' for name in SCRIPTS)
+    out += _raw(f'<link rel="stylesheet" href="_static/{NAME}/{NAME}.css">\n{scripts}')
+    return "\n".join(out) + "\n"
+
+
+_RULES = (
+    "What one of these rules allows for this loop, beside the exact limit at this damping. None "
+    "of them is safe for every loop; each chapter has a wall that shows it."
+)
+
+
+def _limit(told: Told, chapters: Collection[str]) -> list[str]:
+    note = f'<p class="note" id="{told.id}-note"></p>'
+    lines = [
+        *_paragraph(_linked(told.title, told.chapter, chapters)),
+        *_raw(f'<p id="{told.id}"></p>'),
+        *_raw(note),
+        *display([f"&{line}" for line in told.formula]),
+    ]
+    return container("limit", lines)
+
+
+def _rule_rows(id: str, latex: tuple[str, ...], chapters: Collection[str]) -> list[str]:
+    title = plain(_short(id).replace("-", " ").capitalize())
+    return [
+        *_paragraph(_linked(title, CHAPTERS[id], chapters)),
+        *_raw('<p class="rule-value"></p>'),
+        *_raw('<p class="rule-verdict"></p>'),
+        *display([f"&{line}" for line in latex]),
+    ]
+
+
+def _linked(title: str, chapter: str, chapters: Collection[str]) -> str:
+    return f":ref:`{title} <chapter-{chapter}>`" if chapter in chapters else title
+
+
+def _paragraph(text: str) -> list[str]:
+    return [text, ""]
+
+
+def _raw(html: str) -> list[str]:
+    return [".. raw:: html", "", *(f"   {line}" for line in html.splitlines()), ""]
+
+
+def _markup(name: str) -> str:
+    return (HOME / name).read_text(encoding="utf-8")
+
+
+def files() -> Iterator[tuple[str, str]]:
+    """What is made for the page beside its static files, by name."""
+    yield f"{NAME}/kernels.js", kernels()
+    yield f"{NAME}/data.js", data()

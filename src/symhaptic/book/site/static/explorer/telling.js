@@ -1,0 +1,96 @@
+// The numbers beside the pictures, and the motion after a push.
+"use strict";
+(() => {
+  // four digits, as a reader wants them; the whole number is in the title
+  explorer.number = (value) => {
+    if (value === Infinity) return "unlimited";
+    if (!Number.isFinite(value)) return "none";
+    const text = Number(value.toPrecision(4));
+    if (text === 0) return "0";
+    if (Math.abs(text) >= 1e7 || Math.abs(text) < 1e-4) return text.toExponential().replace("e+", "e").replace("-", "−");
+    return String(text).replace("-", "−");
+  };
+
+  function say(id, value, unit, note = "") {
+    const place = document.getElementById(id);
+    place.textContent = Number.isFinite(value) ? `${explorer.number(value)} ${unit}` : explorer.number(value);
+    place.dataset.value = String(value);
+    const beside = document.getElementById(`${id}-note`);
+    if (beside) beside.textContent = note;
+  }
+
+  function judge(id, good, yes, no) {
+    const place = document.getElementById(id);
+    place.textContent = good ? yes : no;
+    place.className = good ? "judged good" : "judged bad";
+  }
+
+  explorer.tell = (s, n, limits, K, B) => {
+    const T = Number(s.T);
+    const hertz = (theta) => theta / (2 * Math.PI * T);
+    const at = (theta) => (Number.isFinite(theta) && theta > 0 ? `swings at ${explorer.number(hertz(theta))} Hz` : "");
+    judge("told-stable", limits.stable, "stable", "unstable");
+    judge("told-passive", limits.passive, "passive", "not passive");
+    const limit = Math.abs(limits.alpha) < 1e-14 ? 0 : limits.alpha; // where nothing damps, but for rounding
+    say("told-limit", limit * K, "N/m", limit > 0 ? at(limits.theta) : "");
+    say("told-stiffest", limits.stiffest[0] * K, "N/m", Number.isFinite(limits.stiffest[1]) ? `with B = ${explorer.number(limits.stiffest[1] * B)} Ns/m, ${at(limits.stiffest[2])}` : "");
+    say("told-passive-limit", limits.passive_alpha * K, "N/m");
+    say("told-stiffest-passive", limits.stiffest_passive[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest_passive[1] * B)} Ns/m`);
+    say("told-linear", limits.linear * K, "N/m");
+    say("told-needed", limits.needed * B, "Ns/m", Number.isFinite(limits.needed) ? `of ${explorer.number(Number(s.b))} Ns/m that are there; most at ${explorer.number(hertz(limits.worst))} Hz` : "no damping suffices for K < 0");
+    const late = limits.delay === Infinity ? "more than 200 periods" : "";
+    say("told-delay", limits.delay * T * 1000, "ms", late);
+    if (late) document.getElementById("told-delay").textContent = `> ${explorer.number(200 * T * 1000)} ms`;
+    rules(s, limit * K);
+    short(s, limit * K);
+  };
+
+  // the limit beside the rule that one would have used
+  function short(s, exact) {
+    const plain = Number(s.B) === 0 && Number(s.t_d) === 0;
+    const rule = explorer.rules.find((one) => one.id === (plain ? "twice-damping" : "damping-over-delay"));
+    const value = rule.limit(Object.fromEntries(Object.entries(s).map(([key, text]) => [key, Number(text)])));
+    const own = exact > 0 ? `At this damping K may reach ${explorer.number(exact)} N/m` : "At this damping no stiffness is stable";
+    const times = exact > 0 ? `, ${explorer.number(Number((value / exact).toPrecision(3)))} times that` : "";
+    const name = plain ? "K ≤ 2b/T" : "K < (b + B)/(t_d + T/2)";
+    document.getElementById("told-short").textContent = `${own}; the usual rule, ${name}, allows ${explorer.number(value)} N/m${times}.`;
+  }
+
+  function rules(s, exact) {
+    const values = Object.fromEntries(Object.entries(s).map(([key, text]) => [key, Number(text)]));
+    for (const rule of explorer.rules) {
+      const row = document.querySelector(`.rule-${rule.id}`);
+      const value = rule.limit(values);
+      const meant = rule.meant(values);
+      const [number, verdict] = row.querySelectorAll(".rule-value, .rule-verdict");
+      number.textContent = Number.isFinite(value) ? `${explorer.number(value)} N/m` : "none";
+      number.dataset.value = String(value);
+      const over = exact > 0 ? value / exact : Infinity;
+      let text = "on the safe side here";
+      if (!(value > 0)) text = "allows no stiffness here";
+      else if (!(exact > 0)) text = "unstable: no stiffness is stable here";
+      else if (over > 1) text = `allows unstable walls: ${over > 10 ? "more than 10" : explorer.number(Number(over.toPrecision(3)))} times the limit`;
+      verdict.textContent = meant ? text : `${text} (not made for this loop)`;
+      verdict.className = `rule-verdict ${value > 0 && !(over <= 1) ? "over" : "safe"}`;
+    }
+  }
+
+  explorer.drawMotion = (svg, s, n, stable) => {
+    const x = explorer.response(n);
+    const [T, unit] = [Number(s.T), (1e3 * Number(s.T) ** 2) / Number(s.m)]; // mm of a push of 1 N
+    const rest = 1e3 / (Number(s.K) + Number(s.k));
+    const values = x.map((value) => value * unit);
+    const limit = Number.isFinite(rest) && rest > 0 ? 12 * rest : Infinity;
+    const most = Math.min(Math.max(1e-9, ...values), limit);
+    const least = Math.max(Math.min(0, ...values), -limit);
+    const room = 0.06 * (most - least);
+    const width = Math.max(300, Math.round(svg.clientWidth));
+    const view = { left: 0, right: 1e3 * T * Math.max(1, x.length - 1), low: least - room, high: most + room };
+    const frame = explorer.frame(svg, view, [width, 240], ["time in ms", "position in mm"]);
+    const far = (value) => Math.max(-9999, Math.min(9999, value)).toFixed(1);
+    const path = values.map((value, i) => `${frame.x(1e3 * T * i).toFixed(1)} ${far(frame.y(value))}`).join("L");
+    if (Number.isFinite(rest)) frame.inside.append(explorer.element("path", { class: "linear", d: `M${frame.left} ${far(frame.y(rest))}H${frame.right}` }));
+    frame.inside.append(explorer.element("path", { class: stable ? "motion" : "motion lost", d: `M${path}` }));
+    svg.setAttribute("aria-label", stable ? `The position settles at ${explorer.number(rest)} mm.` : "The position swings up: the loop is unstable.");
+  };
+})();

@@ -1,0 +1,40 @@
+"""Forms for whole delays alone: what serves fractions of a period is left out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.forms.form import Form, NoForm
+from symhaptic.forms.searched import LatePart
+from symhaptic.notation import d, epsilon
+
+_FRACTIONS = "d whole, or fractional on the principal sheet"
+
+
+def of_whole_delays(form: Form) -> Form:
+    """The form for whole delays, outside which a fractional one is then.
+
+    A form without a delay stays as it is.  Raises :class:`NoForm` for one that is about a fraction
+    of a period.
+    """
+    if epsilon in form.arguments:
+        raise NoForm(f"{form.name}: is about a fraction of a period, which whole delays have not")
+    if d not in form.arguments:
+        return form
+    return replace(
+        form,
+        results=tuple((name, _whole(expr)) for name, expr in form.results),
+        smooth=tuple(map(_whole, form.smooth)),
+        domain=(*(words for words in form.domain if words != _FRACTIONS), "d whole"),
+        whole=True,
+    )
+
+
+def _whole(expr: Expr) -> Expr:
+    """What holds where the fraction is 0."""
+    if isinstance(expr, sp.Piecewise) and expr.args[0][1] == sp.Eq(LatePart(d), 0):
+        expr = expr.args[0][0]
+    return expr.xreplace({LatePart(d): sp.S.Zero})

@@ -1,0 +1,148 @@
+"""Which kernels work: the compiled ufuncs where they are there and NumPy's arrays are given.
+
+SYMHAPTIC_KERNELS=array leaves the compiled ones aside, SYMHAPTIC_KERNELS=compiled insists on them.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial, wraps
+from inspect import signature
+from types import ModuleType
+from typing import Any, ParamSpec, TypeVar, cast
+
+import numpy as np
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+CHOICE = "SYMHAPTIC_KERNELS"
+
+_DOUBLE = np.dtype(np.float64)
+
+_LARGEST = 1e70
+"""As in :mod:`symhaptic.numeric.arguments`, which tells what is wrong with what is beyond."""
+
+_WHOLE = 2**53
+"""Whole numbers up to here are floats."""
+
+_LOW = {"alpha": -_LARGEST, "beta": -_LARGEST}
+_FINITE = (-sys.float_info.max, sys.float_info.max)
+
+_HIGH = {"delay": 1e15}
+
+
+def _module() -> ModuleType | None:
+    choice = os.environ.get(CHOICE, "")
+    if choice not in ("", "array", "compiled"):
+        raise ValueError(f"{CHOICE}: {choice!r} is not allowed; 'array' or 'compiled' is")
+    if choice == "array":
+        return None
+    try:
+        from symhaptic.kernels import _compiled
+    except ImportError:
+        if choice == "compiled":
+            raise
+        return None
+    return _compiled
+
+
+MODULE = _module()
+
+
+def kernels_used() -> str:
+    """``compiled`` or ``array``: what works on NumPy's arrays here."""
+    return "array" if MODULE is None else "compiled"
+
+
+def show_config() -> None:
+    """Print which kernels work on NumPy's arrays, and NumPy's version.
+
+    The kernels are ``compiled`` where the install found a compiler or a wheel brought them; else
+    they are the slower ``array`` kernels, which give the same within rounding.
+
+    >>> show_config()  # doctest: +ELLIPSIS
+    kernels: ...
+    numpy: ...
+    """
+    print(f"kernels: {kernels_used()}\nnumpy: {np.__version__}")
+
+
+def of(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """The compiled ufunc of the same name as a public kernel, or the kernel."""
+    name = getattr(kernel, "__name__", "")
+    return cast(Callable[..., Any], getattr(MODULE, name, kernel))
+
+
+def at_once(
+    name: str,
+    into: Callable[..., Any] | None = None,
+    work: Callable[..., Any] | None = None,
+) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Let floats and float64 arrays go to a ufunc without a detour.
+
+    Or to ``work``, which is given the ufunc before them; ``into`` is the tuple of the results.
+    One look at the result tells whether all was in range: elsewhere a number is NaN.  A truth
+    value does not tell, nor does what ``work`` makes; there one look at each argument does.  What
+    is not surely in range, and all else, goes to the function itself, which says what is wrong.
+    """
+
+    def around(function: Callable[P, R]) -> Callable[P, R]:
+        ufunc = getattr(MODULE, name, None)
+        if ufunc is None:
+            return function
+        names = [n for n in signature(function).parameters if n != "sheet"]
+        bounds = [(_LOW.get(n, 0.0), _HIGH.get(n, _LARGEST)) for n in names]
+        look = work is not None or ufunc.types[0].endswith("?")
+        kernel = ufunc if work is None else partial(work, ufunc)
+
+        @wraps(function)
+        def called(*args: P.args, **named: P.kwargs) -> R:
+            given = _numbers(names, args, named)
+            if given is None or (look and not all(map(_within, given, bounds))):
+                return function(*args, **named)
+            try:
+                found = kernel(*given)
+            except ValueError:  # shapes that do not broadcast
+                return function(*args, **named)
+            several = type(found) is tuple
+            if not look and not _within(found[0] if several else found, _FINITE):
+                return function(*args, **named)
+            if not several:
+                return cast(R, np.asarray(found))
+            arrays = [np.asarray(f) for f in found]
+            return cast(R, tuple(arrays) if into is None else into(*arrays))
+
+        return called
+
+    return around
+
+
+def _numbers(names: list[str], args: Sequence[Any], named: Mapping[str, Any]) -> Any:
+    """All arguments in their order, floats and float64 arrays that are not empty; or None."""
+    if len(args) + len(named) != len(names):
+        return None
+    if named:
+        if not named.keys() <= set(names[len(args) :]):
+            return None
+        args = (*args, *[named[n] for n in names[len(args) :]])
+    found = args
+    for value in args:
+        kind = type(value)
+        if kind is float:
+            continue
+        if kind is np.float64 or (kind is int and -_WHOLE <= value <= _WHOLE):
+            found = [float(v) if type(v) is kind else v for v in found]
+        elif kind is not np.ndarray or value.dtype is not _DOUBLE or not value.size:
+            return None
+    return found
+
+
+def _within(value: Any, bounds: tuple[float, float]) -> bool:
+    """Whether all numbers are; NaN is not."""
+    low, high = bounds
+    if type(value) is np.ndarray:
+        return bool(value.min() >= low and value.max() <= high)
+    return bool(low <= value <= high)

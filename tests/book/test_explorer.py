@@ -1,0 +1,381 @@
+"""The explorer in a browser: it says what Python says, in time, to everybody."""
+
+import gzip
+import math
+import random
+import shutil
+import tomllib
+from decimal import Decimal
+
+import numpy as np
+import pytest
+from chapters import chapter
+from scipy.linalg import expm
+
+from symhaptic import Scene, is_passive, is_stable, max_passive_stiffness, passivity_margin
+from symhaptic.book.chapters import shipped
+from symhaptic.book.site import explorer
+from symhaptic.book.site.build import write
+from symhaptic.notation.quantities import decimal, nearest
+from symhaptic.numeric.tracing.extremes import max_stable_stiffness, stiffest_at
+from symhaptic.numeric.tracing.margin import delay_margin
+from symhaptic.paper.tables import TABLE_II
+from symhaptic.rules import STATEMENTS as RULES
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed")
+
+RANGES = {
+    "m": (0.02, 20),
+    "b": (0.01, 50),
+    "k": (0.1, 2000),
+    "T": (1e-4, 5e-3),
+    "t_d": (1e-4, 1e-2),
+    "K": (1, 1e5),
+    "B": (0.01, 200),
+}
+
+
+def some_states(count):
+    """Numbers of three digits, of every size; without spring, damper or delay now and then."""
+    rng = random.Random(20131)
+    for _ in range(count):
+        state = {
+            key: f"{math.exp(rng.uniform(math.log(low), math.log(high))):.3g}"
+            for key, (low, high) in RANGES.items()
+        }
+        for key in ("b", "k", "t_d", "B"):
+            if rng.random() < 0.15:
+                state[key] = "0"
+        yield {key: repr(float(text)) for key, text in state.items()}
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    target = tmp_path_factory.mktemp("explorer") / "site"
+    one = chapter("s3c_stiffness_maximum")
+    write([(1, one)], target, lambda _: None, whole=False)
+    return target
+
+
+@pytest.fixture
+def page(site, opened):
+    opened.goto((site / "explorer.html").as_uri())
+    return opened
+
+
+def rest(page):
+    """Wait until what was changed is drawn and in the address."""
+    page.wait_for_timeout(500)
+
+
+def told(page, id):
+    return float(page.get_attribute(f"#{id}", "data-value"))
+
+
+def without_units(state):
+    """alpha, beta, gamma, delta and the delay in periods: exact quotients, rounded once."""
+    x = {key: decimal(float(text)) for key, text in state.items()}
+    scale = x["T"] / x["m"]
+    exact = (x["K"] * scale * x["T"], x["B"] * scale, x["k"] * scale * x["T"], x["b"] * scale)
+    return [nearest(value) for value in (*exact, x["t_d"] / x["T"])]
+
+
+ASK = """states => states.map(state => {
+  const n = explorer.numbers(state);
+  const limits = explorer.limits(n, explorer.curve(n));
+  return [[n.alpha, n.beta, n.gamma, n.delta, n.d], limits];
+})"""
+
+
+def test_a_thousand_states_agree_with_python(page):
+    states = list(some_states(1000))
+    found = page.evaluate(ASK, states)
+    numbers = np.array([without_units(state) for state in states])
+    assert [plain for plain, _ in found] == numbers.tolist()
+    alpha, beta, gamma, delta, d = numbers.T
+    limits = {key: [one[key] for _, one in found] for key in found[0][1]}
+    passive = np.array(limits["stiffest_passive"])
+    limits["passive_stiffness"] = passive[:, 0]
+    off = np.abs(passive[:, 1] - max_passive_stiffness(delta, d).beta)
+    assert np.all(off <= 4 * np.finfo(float).eps * delta)  # 0 for d = 0, but for rounding
+    assert limits["stable"] == is_stable(alpha, beta, gamma, delta, d).tolist()
+    assert limits["passive"] == is_passive(alpha, beta, delta, d).tolist()
+    at = [stiffest_at(*row) for row in zip(beta, gamma, delta, d, strict=True)]
+    margin = delay_margin(alpha, beta, gamma, delta)
+    wanted = {
+        "needed": delta - passivity_margin(alpha, beta, delta, d),
+        "linear": (beta + delta) / (d + 0.5),
+        "stiffest": np.transpose(max_stable_stiffness(gamma, delta, d)),
+        "passive_stiffness": max_passive_stiffness(delta, d).alpha,
+        "alpha": np.array([float(one.alpha) for one in at]),
+        "delay": np.where(margin > 200, np.inf, margin),
+    }
+    for key, values in wanted.items():  # where nothing damps, the limit is 0 but for rounding
+        np.testing.assert_allclose(limits[key], values, rtol=1e-12, atol=1e-17, err_msg=key)
+    damped = np.abs(wanted["alpha"]) > 1e-15
+    theta = np.array([float(one.theta) for one in at])
+    np.testing.assert_allclose(np.array(limits["theta"])[damped], theta[damped], rtol=1e-9)
+    shown = page.evaluate(
+        "pairs => pairs.map(p => p.map(explorer.number))",
+        [[a, b] for a, b in zip(limits["needed"], wanted["needed"].tolist(), strict=True)],
+    )
+    assert all(one == other for one, other in shown)
+
+
+def test_the_passive_limit_at_a_damping_is_the_last_passive_wall(page):
+    states = list(some_states(300))
+    found = page.evaluate(ASK, states)
+    seen = 0
+    for plain, limits in found:
+        _, beta, _, delta, d = plain
+        limit = limits["passive_alpha"]
+        if limit is None or math.isnan(limit):
+            continue
+        seen += 1
+        assert is_passive(limit * (1 - 1e-9), beta, delta, d)
+        assert not is_passive(limit * (1 + 1e-9) + 1e-15, beta, delta, d)
+    assert seen > 100
+
+
+def moved(alpha, beta, gamma, delta, d, count):
+    """The position after a push, by the matrix exponential of each part of a period."""
+    whole = math.floor(d)
+    part = d - whole
+
+    def over(time):
+        loop = np.array([[0.0, 1.0, 0.0], [-gamma, -delta, 1.0], [0.0, 0.0, 0.0]])
+        return expm(loop * time)
+
+    early, late = over(part), over(1 - part)
+    x, v, force = 0.0, 0.0, []
+    positions = []
+    for i in range(count):
+        before = positions[-1] if positions else 0.0
+        positions.append(x)
+        force.append(alpha * x + beta * (x - before))
+        for step, k in ((early, i - whole - 1), (late, i - whole)):
+            x, v, _ = step @ (x, v, 1.0 - (force[k] if k >= 0 else 0.0))
+    return positions
+
+
+@pytest.mark.parametrize("d", [0.0, 0.5, 1.0, 2.25])
+def test_the_motion_is_that_of_the_device_itself(page, d):
+    plain = {"alpha": 0.03, "beta": 0.2, "gamma": 0.002, "delta": 0.05, "d": d}
+    found = page.evaluate("explorer.response", plain)
+    np.testing.assert_allclose(found, moved(**plain, count=len(found)), rtol=1e-9, atol=1e-9)
+
+
+def test_what_is_drawn_is_stable_and_what_is_left_out_is_not(page):
+    """At a thousand places of the picture that are not next to an edge."""
+    page.evaluate("location.hash = '#m=1&b=2&k=500&T=0.001&t_d=0.002&K=3000&B=20'")
+    rest(page)
+    rng = random.Random(7)
+    places = [[rng.random(), rng.random()] for _ in range(1000)]
+    drawn = page.evaluate(
+        """places => {
+          const svg = document.getElementById("region");
+          const [stable, passive] = ["stable", "passive"].map(c => svg.querySelector(`path.${c}`));
+          const n = explorer.numbers(explorer.fromHash(location.hash));
+          const points = explorer.curve(n);
+          const view = explorer.view(n, points, "stable", null);
+          const inner = svg.querySelector("svg");
+          const [left, top, wide, tall] = inner.getAttribute("viewBox").split(" ").map(Number);
+          return places.map(([x, y]) => {
+            const here = inner.createSVGPoint();
+            [here.x, here.y] = [left + x * wide, top + y * tall];
+            return [view.left + x * (view.right - view.left),
+              view.high - y * (view.high - view.low),
+              stable.isPointInFill(here), passive.isPointInFill(here)];
+          });
+        }""",
+        places,
+    )
+    alpha, beta, stable, passive = np.array(drawn, dtype=object).T
+    n = without_units(
+        {"m": "1", "b": "2", "k": "500", "T": "0.001", "t_d": "0.002", "K": "1", "B": "1"}
+    )
+    gamma, delta, d = n[2:]
+    alpha, beta = alpha.astype(float), beta.astype(float)
+    told_stable = is_stable(alpha, beta, gamma, delta, d)
+    told_passive = is_passive(alpha, beta, delta, d)
+    assert np.mean(told_stable) > 0.2
+    assert np.sum(told_stable != stable.astype(bool)) <= 10  # on rows of two pixels
+    assert np.sum(told_passive != passive.astype(bool)) <= 3
+
+
+def test_the_rules_are_those_in_print(page):
+    page.evaluate("location.hash = '#m=0.1&b=0.5&k=0&T=0.001&t_d=0.0015&K=1000&B=5'")
+    rest(page)
+    m, b, T, t_d, B = 0.1, 0.5, 0.001, 0.0015, 5
+    wanted = {
+        "twice-damping": 2 * b / T,
+        "damping-over-delay": (b + B) / (t_d + T / 2),
+        "four-masses": 4 * m / T**2,
+        "two-masses": 2 * m / T**2,
+        "damped-contact": 2 * B / T - B**2 * T / (2 * m),
+    }
+    for name, value in wanted.items():
+        found = float(page.get_attribute(f".rule-{name} .rule-value", "data-value"))
+        assert math.isclose(found, value, rel_tol=1e-14), name
+    assert "1.07 times" in page.inner_text(".rule-damping-over-delay .rule-verdict")  # 2750/2582
+    assert "allows 2750 N/m, 1.07 times" in page.inner_text("#told-short")
+
+
+def test_arms_are_those_of_table_two(page):
+    for row, arm in enumerate(TABLE_II):
+        page.select_option("#arm", str(row))
+        rest(page)
+        assert [Decimal(page.input_value(f"#field-{key}")) for key in "mkb"] == [
+            Decimal(text) for text in (arm.mass, arm.stiffness, arm.damping)
+        ]
+    page.select_option("#device", "1")  # 0.04 kg, 0.8 Ns/m
+    page.select_option("#arm", "1")
+    rest(page)
+    assert [page.input_value(f"#field-{key}") for key in "mbk"] == ["0.84", "6.3", "568"]
+
+
+def test_a_link_carries_the_state(site, page):
+    page.fill("#field-K", "1234.5")
+    page.fill("#field-t_d", "3e-4")
+    rest(page)
+    link = page.input_value("#link")
+    page.goto("about:blank")
+    page.goto(link)
+    assert page.input_value("#field-K") == "1234.5"
+    assert page.input_value("#field-t_d") == "0.0003"
+    assert math.isclose(
+        told(page, "told-limit"),
+        Scene(mass=0.1, damping=0.5, stiffness=0.0, sampling_period=0.001, delay=0.0003)
+        .limit_at(B=5)
+        .K,
+        rel_tol=1e-12,
+    )
+
+
+@pytest.mark.parametrize("hash", ["#m=0", "#m=-1&K=x", "#T=1e999", "#b=NaN&q=1", "#%"])
+def test_a_bad_link_is_the_state_at_the_start(site, opened, hash):
+    opened.goto((site / "explorer.html").as_uri() + hash)
+    assert opened.input_value("#field-m") == "0.1"
+    assert opened.input_value("#field-b") == "0.5"
+
+
+def test_a_bad_number_is_marked_and_changes_nothing(page):
+    before = told(page, "told-limit")
+    for text in ("", "-1", "0", "abc", "1e99"):
+        page.fill("#field-m", text)
+        rest(page)
+        assert page.get_attribute("#field-m", "aria-invalid") == "true"
+        assert told(page, "told-limit") == before
+        assert "more than 0" in page.inner_text("#wrong")
+    page.fill("#field-m", "0.2")
+    assert page.inner_text("#wrong") == ""
+
+
+def test_numbers_without_units_set_the_loop(page):
+    page.click("summary")
+    page.fill("#ratio-d", "2")
+    page.fill("#ratio-delta", "0.02")
+    rest(page)
+    assert page.input_value("#field-t_d") == "0.002"
+    assert page.input_value("#field-b") == "2"
+
+
+def test_the_keyboard_suffices(page):
+    page.focus("#slider-K")
+    before = page.input_value("#field-K")
+    for key in ("ArrowRight", "PageUp", "End"):
+        page.keyboard.press(key)
+        rest(page)
+        assert float(page.input_value("#field-K")) > float(before)
+        before = page.input_value("#field-K")
+    assert page.inner_text("#told-stable") == "unstable"
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.id") == "field-K"
+
+
+def test_the_wall_is_dragged(page):
+    page.locator("#region").scroll_into_view_if_needed()
+    box = page.locator("#region").bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] / 2 + 30, box["y"] + box["height"] / 2 - 20, steps=4)
+    page.mouse.up()
+    rest(page)
+    circle = page.locator("circle.wall").bounding_box()
+    assert abs(circle["x"] + circle["width"] / 2 - box["x"] - box["width"] / 2 - 30) < 40
+    assert float(page.input_value("#field-K")) > 3000
+
+
+def test_the_state_as_code(page):
+    page.fill("#field-k", "20")
+    rest(page)
+    scene = Scene(mass=0.1, damping=0.5, stiffness=20, sampling_period=0.001, delay=0.0015)
+    python = page.inner_text("#code")
+    names = {}
+    exec(python.split("print")[0], names)
+    assert names["scene"] == scene
+    page.select_option("#language", "TOML")
+    rest(page)
+    given = tomllib.loads(page.inner_text("#code"))
+    assert given.pop("wall") == {"K": 1000, "B": 5}
+    assert Scene(**given) == scene
+    page.select_option("#language", "C")
+    rest(page)
+    assert f"haptic_is_stable(0.01, 0.05, {scene.dimensionless.gamma!r}, 0.005, 1.5)" in (
+        page.inner_text("#code")
+    )
+
+
+def test_pictures_are_saved(page, tmp_path):
+    for id, begin in (("save-svg", b"<svg"), ("save-png", b"\x89PNG")):
+        with page.expect_download() as got:
+            page.click(f"#{id}")
+        got.value.save_as(tmp_path / id)
+        assert (tmp_path / id).read_bytes().startswith(begin)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [360, 1280])
+def test_axe_finds_nothing_serious(site, browser, scheme, width):
+    from axe_playwright_python.sync_playwright import Axe
+
+    page = browser.new_page(color_scheme=scheme, viewport={"width": width, "height": 800})
+    page.goto((site / "explorer.html").as_uri())
+    page.click("summary")
+    found = Axe().run(page).response["violations"]
+    bad = [v for v in found if v["impact"] in ("serious", "critical")]
+    assert [(v["id"], v["nodes"][0]["html"]) for v in bad] == []
+    wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+    assert page.evaluate(wide) <= 0
+    page.close()
+
+
+def test_every_limit_and_rule_leads_to_a_chapter():
+    names = {path.stem for path in shipped()}
+    assert {one.chapter for one in explorer.TOLD} | set(explorer.CHAPTERS.values()) <= names
+    assert explorer.CHAPTERS.keys() == explorer.MEANT.keys() == RULES.keys()
+
+
+def test_kernels_are_small():
+    assert len(gzip.compress(explorer.kernels().encode())) < 150_000
+
+
+@pytest.mark.slow
+def test_a_redraw_fits_into_a_frame(page):
+    """The quickest of several: how busy the machine is does not count."""
+    quickest = page.evaluate(
+        """async () => {
+          const slider = document.getElementById("slider-t_d");
+          const took = [];
+          for (let i = 0; i < 120; ++i) {
+            slider.value = 300 + 3 * (i % 60);
+            slider.dispatchEvent(new Event("input"));
+            await new Promise(requestAnimationFrame);
+            await new Promise(requestAnimationFrame);
+            took.push(explorer.took);
+          }
+          return Math.min(...took);
+        }"""
+    )
+    assert quickest < 16

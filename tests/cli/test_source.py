@@ -1,0 +1,110 @@
+"""A folder of a user's own: its statements and chapters, as CONTRIBUTING shows it."""
+
+import json
+from pathlib import Path
+
+import pytest
+from command import symhaptic
+
+TEXT = (Path(__file__).parents[2] / "CONTRIBUTING.md").read_text(encoding="utf-8")
+SECTION = TEXT.split("## A source of your own")[1].split("\n## ")[0]
+SOURCE, CHAPTER = (block.split("```")[0] for block in SECTION.split("```python\n")[1:])
+
+
+@pytest.fixture
+def notes(tmp_path):
+    folder = tmp_path / "notes"
+    folder.mkdir()
+    (folder / "source.py").write_text(SOURCE, encoding="utf-8")
+    (folder / "drifting.py").write_text(CHAPTER, encoding="utf-8")
+    return folder
+
+
+def verdicts(folder, *options):
+    run = symhaptic("verify", "--source", folder, "--format", "json", *options)
+    assert not run.stderr
+    return {r["id"]: r for r in json.loads(run.stdout)["statements"]}
+
+
+def test_the_example_is_settled_in_its_own_notation(notes):
+    found = verdicts(notes, "--strict")
+    assert {id: r["verdict"] for id, r in found.items()} == {
+        "drift:way": "proved",
+        "drift:end": "misprint",
+    }
+    assert found["drift:way"]["source"] == "Notes on drifting masses"
+    assert "c" in found["drift:way"]["statement"]
+    assert found["drift:end"]["corrected"] == r"x = \frac{mv}{b}"
+
+
+def test_what_is_committed_beside_it_is_held_against_it(notes):
+    committed = notes / "ledger.json"
+    assert (
+        symhaptic("verify", "--source", notes, "--format", "json", "-o", committed).returncode == 0
+    )
+    assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
+    # the notes are mended: the verdict is another one, and that is told
+    right = SOURCE.replace("{2c}", "{c}")
+    (notes / "source.py").write_text(right, encoding="utf-8")
+    chapter = CHAPTER.split("        corrected=")[0] + "    )\n"
+    (notes / "drifting.py").write_text(chapter, encoding="utf-8")
+    run = symhaptic("verify", "--source", notes)
+    assert run.returncode == 1
+    assert "DIFFERS  drift:end: proved, but the ledger says misprint" in run.stdout
+
+
+def test_what_no_chapter_settles_is_undecided(notes):
+    more = SOURCE.replace(
+        '{mv}{2c}",)),\n', '{mv}{2c}",)),\n    Statement("drift:late", "(3)", "never late"),\n'
+    )
+    (notes / "source.py").write_text(more, encoding="utf-8")
+    assert verdicts(notes)["drift:late"]["verdict"] == "undecided"
+    assert symhaptic("verify", "--source", notes, "--strict").returncode == 1
+
+
+def test_another_sign_in_its_print_is_a_misprint(notes):
+    wrong = SOURCE.replace("(1 - e", "(1 + e")
+    (notes / "source.py").write_text(wrong, encoding="utf-8")
+    found = verdicts(notes)["drift:way"]
+    assert found["verdict"] == "misprint"
+    assert found["counterexample"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("drift:way", "drift-way", "'drift-way' is to begin with 'drift:'"),
+        ('"drift:end"', '"drift:way"', "'drift:way' is to begin with 'drift:' and to stand once"),
+        ('Source("drift"', 'Source("rules"', "'rules' of a source is a name that no other"),
+        ("{mv}{c}", "{mv}{q_9}", "'q_9' is not in the notation"),
+        ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),
+        ("SOURCE =", "SOURCE = =", "invalid syntax"),
+    ],
+)
+def test_a_bad_source_is_told_in_one_line(notes, old, new, told):
+    (notes / "source.py").write_text(SOURCE.replace(old, new), encoding="utf-8")
+    run = symhaptic("verify", "--source", notes)
+    assert run.returncode == 2
+    assert not run.stdout
+    assert told in run.stderr
+    assert "source.py" in run.stderr
+    assert len(run.stderr.splitlines()) == 1
+
+
+def test_a_folder_without_a_source_or_chapters_is_refused(notes, tmp_path):
+    run = symhaptic("verify", "--source", tmp_path)
+    assert run.returncode == 2
+    assert "has no source.py" in run.stderr
+    (notes / "drifting.py").unlink()
+    run = symhaptic("verify", "--source", notes)
+    assert run.returncode == 2
+    assert "has no chapter" in run.stderr
+
+
+def test_it_is_printed_and_attacked_like_the_paper(notes, tmp_path):
+    run = symhaptic("report", "--source", notes, "--format", "tex", "-o", tmp_path / "out")
+    assert run.returncode == 0, run.stderr
+    assert (tmp_path / "out" / "chapters.tex").is_file()
+    run = symhaptic("mutants", "--source", notes)
+    assert run.returncode == 0, run.stdout
+    assert " 0 accepted though wrong" in run.stdout

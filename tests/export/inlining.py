@@ -1,0 +1,62 @@
+"""A routine with what it calls written out in it, as steps of names and expressions alone."""
+
+from dataclasses import replace
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from symhaptic.export.routine import Repeat, Several, fresh
+
+
+def inlined(routine, routines, kept=lambda _: False):
+    """The same steps as one list; calls of routines whose names are ``kept`` stay."""
+    taken = {s.name for s in routine.arguments}
+    done = []
+
+    def own(call):
+        return isinstance(call, AppliedUndef) and not kept(type(call).__name__)
+
+    def written(found, arguments):
+        """All results of a routine at these arguments."""
+        known = dict(zip(found.arguments, arguments, strict=True))
+
+        def step(symbol, expr):
+            known[symbol] = fresh(symbol.name, taken)
+            done.append((known[symbol], called(sp.sympify(expr).xreplace(known))))
+
+        for made in found.steps:
+            if isinstance(made, Several):
+                call = made.call.func(*(called(a.xreplace(known)) for a in made.call.args))
+                values = results(call)
+                for symbol, value in zip(made.names, values, strict=True):
+                    known[symbol] = fresh(symbol.name, taken)
+                    done.append((known[symbol], value))
+            elif isinstance(made, Repeat):
+                assert made.numbers, "a search is not written out"
+                for state, start in zip(made.states, made.start, strict=True):
+                    step(state, start)
+                for number in made.numbers:
+                    known[made.number] = number
+                    for symbol, expr in made.steps:
+                        step(symbol, expr)
+                    known |= {s: known[n] for s, n in made.turned}
+            else:
+                step(*made)
+        return [called(expr.xreplace(known)) for _, expr in found.results]
+
+    def results(call):
+        return written(routines[type(call).__name__], call.args)
+
+    def called(expr):
+        """With every such call replaced by what it gives."""
+        while inner := [c for c in expr.atoms(AppliedUndef) if own(c)]:
+            first = min(inner, key=sp.count_ops)
+            name = fresh("given", taken)
+            (value,) = results(first)
+            done.append((name, value))
+            expr = expr.xreplace({first: name})
+        return expr
+
+    found = written(routine, routine.arguments)
+    names = [name for name, _ in routine.results]
+    return replace(routine, steps=tuple(done), results=tuple(zip(names, found, strict=True)))

@@ -1,0 +1,156 @@
+"""The compiled ufuncs: what NumPy expects of one, and the same numbers as the kernels for arrays.
+
+Needs of the repository nothing beside this file, so that wheels are tested by it.
+"""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import symhaptic
+from symhaptic.kernels import haptic
+from symhaptic.numeric import compiled
+
+ufuncs = pytest.importorskip(
+    "symhaptic.kernels._compiled", reason="the install found no compiler", exc_type=ImportError
+)
+
+RNG = np.random.default_rng(19)
+COLUMNS = {
+    "theta": RNG.uniform(0.01, 3.1, 500),
+    "alpha": RNG.normal(size=500),
+    "beta": RNG.normal(size=500),
+    "gamma": RNG.choice([0, 1e-3, 1, 9, 40], 500) * RNG.uniform(0.5, 1, 500),
+    "delta": RNG.choice([0, 1e-3, 1, 5], 500) * RNG.uniform(0.5, 1, 500),
+    "d": RNG.choice([0, 0.3, 1, 2.5, 7], 500),
+    "epsilon": RNG.uniform(0, 1, 500),
+}
+NAMES = [name for name, value in vars(ufuncs).items() if isinstance(value, np.ufunc)]
+
+
+def columns(name, kind=np.float64):
+    """The arguments, by the names that the documentation's first line gives."""
+    given = getattr(ufuncs, name).__doc__.split(" of (")[1].split(")")[0].split(", ")
+    return [COLUMNS[n].astype(kind) for n in given]
+
+
+def rows(found):
+    return np.stack(np.atleast_2d(found))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_numbers_are_those_of_the_array_kernels(name):
+    """Each is within a few last places of the exact values; what passes through 0 of its terms.
+
+    The slopes of searched angles and sine and cosine of the C library differ in last places from
+    NumPy's, so bits are compared where neither is used: `linear_limit` below, and truth values.
+    """
+    given = columns(name)
+    with np.errstate(all="ignore"):
+        one, other = rows(getattr(ufuncs, name)(*given)), rows(getattr(haptic, name)(*given))
+    if one.dtype == bool or name == "unstable_roots":
+        assert np.array_equal(one, other)
+    last = 16 * 2**-52 * np.nanmax(np.where(np.isfinite(other), abs(other), 0), axis=0)
+    assert np.allclose(one, other, rtol=1e-12, atol=np.maximum(last, 1e-15), equal_nan=True)
+    assert not np.all(np.isnan(one.astype(float)))
+
+
+def test_bits_are_the_same_where_both_are_exact():
+    """A sum and a quotient, each rounded once by IEEE 754."""
+    given = columns("linear_limit")
+    assert np.array_equal(ufuncs.linear_limit(*given), haptic.linear_limit(*given))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_single_precision_has_its_own_routines(name):
+    ufunc, given = getattr(ufuncs, name), columns(name, np.float32)
+    found = rows(ufunc(*given))
+    assert found.dtype in (np.float32, np.bool_)
+    wide = rows(ufunc(*[g.astype(np.float64) for g in given])).astype(float)
+    close = np.isclose(found, wide, rtol=1e-3, atol=1e-4, equal_nan=True)
+    assert np.mean(close) > 0.95  # at edges of a region a last place decides
+
+
+def test_they_are_ufuncs():
+    """NumPy's reference: `out`, `where`, broadcasting, casting, several results."""
+    out = np.full(3, -7.0)
+    kept = np.array([True, False, True])
+    found = ufuncs.linear_limit(np.arange(3.0), 0.5, 0.5, out=out, where=kept)
+    assert found is out
+    assert out.tolist() == [0.5, -7.0, 2.5]
+    assert ufuncs.linear_limit([[0], [1]], [0, 1, 2], 0).shape == (2, 3)
+    assert ufuncs.linear_limit(1, 1, 0).dtype == np.float64
+    assert ufuncs.linear_limit(np.float32(1), np.float32(1), np.float32(0)).dtype == np.float32
+    with pytest.raises(TypeError):
+        ufuncs.linear_limit(1j, 0, 0)
+    n1, n0, a, e = ufuncs.discretize(0.0, 0.0)  # a free mass: t^2/2 and two roots at 1
+    assert (n1, n0, a, e) == (0.5, 0.5, 2.0, 1.0)
+    assert ufuncs.discretize(np.empty(0), 1.0)[0].shape == (0,)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_they_say(name):
+    said = getattr(ufuncs, name).__doc__
+    assert "Domain" in said
+    assert "outside" in said
+
+
+@pytest.mark.filterwarnings("error")
+def test_out_of_range_is_nan_without_a_warning():
+    given = np.array([-1.0, np.nan, np.inf, 1e71])
+    assert np.isnan(rows(ufuncs.discretize(given, 1.0))).all()
+    assert np.isnan(rows(ufuncs.discretize(1.0, given))).all()
+    assert not ufuncs.is_stable(0.01, 0.1, given, 0.1, 0.0).any()
+    assert (ufuncs.unstable_roots(0.01, 0.1, given, 0.1, 0.0) == -1).all()
+
+
+@pytest.mark.parametrize("shape", [(), (3,)])
+@pytest.mark.parametrize(
+    ("name", "given", "said"),
+    [
+        ("discretize", (-1.0, 0.1), "gamma: -1.0 is not allowed; finite numbers gamma >= 0 are"),
+        ("discretize", (0.1, np.inf), "delta: inf is not allowed; finite numbers delta >= 0 are"),
+        ("is_stable", (0.1, 0.1, 0.1, -2.0, 1.0), "delta: -2.0 is not allowed"),
+        ("is_stable", (np.inf, 0.1, 0.1, 2.0, 1.0), "alpha: inf is not allowed"),
+        ("stability_boundary", (4.0, 0.1, 0.1, 1.0), "theta: 4.0 is not allowed"),
+        ("linear_limit", (0.1, 0.1, -1.0), "delay: -1.0 is not allowed"),
+    ],
+)
+def test_public_functions_refuse_by_name(name, given, said, shape):
+    with pytest.raises(ValueError) as told:  # noqa: PT011 - the text is looked at
+        getattr(symhaptic, name)(*[np.full(shape, v) if shape else v for v in given])
+    assert str(told.value).startswith(said)
+
+
+def test_public_functions_take_names_and_shapes_as_ever():
+    a = symhaptic.is_stable(0.003, 0.05, gamma=0.001, delta=0.02, delay=5.0)
+    assert type(a) is np.ndarray
+    assert a.shape == ()
+    assert a
+    with pytest.raises(ValueError, match="shapes of the arguments"):
+        symhaptic.linear_limit(np.zeros(2), np.zeros(3), 1.0)
+    with pytest.raises(TypeError):
+        symhaptic.linear_limit(1.0, 1.0)
+    assert np.isnan(symhaptic.linear_limit(np.nan, 1.0, 1.0))
+    assert symhaptic.linear_limit(np.zeros((0, 2)), 1.0, 1.0).shape == (0, 2)
+
+
+def told(choice):
+    code = "import symhaptic; symhaptic.show_config(); print(*symhaptic.discretize(0.0, 0.0))"
+    environment = os.environ | {compiled.CHOICE: choice}
+    return subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, env=environment
+    )
+
+
+def test_either_kernels_can_be_asked_for():
+    for choice in ("array", "compiled"):
+        found = told(choice)
+        assert f"kernels: {choice}\n" in found.stdout
+        assert found.stdout.endswith("\n0.5 0.5 2.0 1.0\n")
+    wrong = told("fast")
+    assert wrong.returncode == 1
+    assert "'array' or 'compiled' is" in wrong.stderr
