@@ -1,0 +1,98 @@
+"""Somebody's function, from Python, a shared library or a command, as one that takes points."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib
+import os
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+Points = Sequence[tuple[float, ...]]
+Caller = Callable[[Points], list[tuple[float, ...]]]
+
+
+def python(name: str, results: int) -> Caller:
+    """``module:function``, called with one point at a time; the folder one stands in counts."""
+    module, _, attribute = name.partition(":")
+    sys.path.insert(0, os.getcwd())
+    try:
+        function = getattr(importlib.import_module(module), attribute)
+    except (ImportError, AttributeError, ValueError) as wrong:
+        raise ValueError(f"--python: {name!r} is not found ({wrong}); MODULE:NAME is") from None
+    return called(function, results)
+
+
+def called(function: Callable[..., Any], results: int) -> Caller:
+    """An error of arithmetic (a division by zero, a logarithm of nothing) is NaN."""
+
+    def run(points: Points) -> list[tuple[float, ...]]:
+        found = []
+        for point in points:
+            try:
+                value = function(*point)
+            except (ArithmeticError, ValueError):
+                value = (float("nan"),) * results
+            except TypeError as wrong:
+                given = ", ".join(map(str, point))
+                raise ValueError(f"--python: called with {given} it fails ({wrong})") from None
+            many = value if isinstance(value, tuple | list) else (value,)
+            found.append(tuple(float(v) for v in many))
+        return found
+
+    return run
+
+
+def library(name: str, arguments: int, results: int) -> Caller:
+    """``FILE:function`` in C: doubles by value; several results by pointers behind them."""
+    file, _, symbol = name.rpartition(":")
+    try:
+        function = getattr(ctypes.CDLL(str(Path(file).resolve())), symbol)
+    except (OSError, AttributeError) as wrong:
+        raise ValueError(f"--library: {name!r} is not found ({wrong}); FILE:NAME is") from None
+    double = ctypes.c_double
+    function.argtypes = [double] * arguments
+    if results == 1:
+        function.restype = double
+        return lambda points: [(function(*point),) for point in points]
+    function.argtypes += [ctypes.POINTER(double)] * results
+    function.restype = None
+    out = [double() for _ in range(results)]
+
+    def run(points: Points) -> list[tuple[float, ...]]:
+        found = []
+        for point in points:
+            function(*point, *out)
+            found.append(tuple(o.value for o in out))
+        return found
+
+    return run
+
+
+def command(line: str) -> Caller:
+    """A line of hexadecimal floats for each point in, a line of results for each out."""
+
+    def run(points: Points) -> list[tuple[float, ...]]:
+        text = "".join(" ".join(v.hex() for v in p) + "\n" for p in points)
+        try:
+            done = subprocess.run(shlex.split(line), input=text, capture_output=True, text=True)
+            lines = done.stdout.splitlines()
+            found = [tuple(_number(w) for w in one.split()) for one in lines]
+        except (OSError, ValueError) as wrong:
+            raise ValueError(f"--command: {line!r} cannot be used ({wrong})") from None
+        if done.returncode or len(found) != len(points):
+            raise ValueError(
+                f"--command: {line!r} ended with {done.returncode} and {len(found)} lines;"
+                f" 0 and {len(points)} are allowed"
+            )
+        return found
+
+    return run
+
+
+def _number(word: str) -> float:
+    return float.fromhex(word) if "x" in word.lower() else float(word)

@@ -1,0 +1,60 @@
+"""The fixture ``symhaptic_formula`` of pytest's; nothing else is loaded until a test asks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import pytest
+
+
+class Agreement:
+    """A formula that somebody's function is held against, by its id."""
+
+    def __init__(self, id: str) -> None:
+        from symhaptic.check.formulas import CHECKED
+        from symhaptic.notation.suggest import suggested
+
+        if id not in CHECKED:
+            raise ValueError(f"id: {id!r} is not known; {suggested(id, CHECKED)}")
+        self.checked = CHECKED[id]
+
+    def agrees(
+        self,
+        function: Callable[..., Any],
+        ulp: float = 8,
+        over: Mapping[str, tuple[float, float]] | None = None,
+        points: int = 10000,
+    ) -> None:
+        """Fail the test where the function is off by more than ``ulp`` units in the last place.
+
+        ``over`` narrows the ranges of arguments: ``{"b": (0, 10)}``.
+        """
+        from dataclasses import replace
+
+        from symhaptic.check.callers import called
+        from symhaptic.check.compare import compared
+
+        ranges = dict(self.checked.ranges)
+        for name, (low, high) in (over or {}).items():
+            if name not in ranges or not low <= high:
+                known = ", ".join(ranges)
+                raise ValueError(
+                    f"over: {name!r}: ({low}, {high}) is not allowed; (least, most) of {known} is"
+                )
+            ranges[name] = low, high, ranges[name][2]
+        checked = replace(self.checked, ranges=ranges)
+        found = compared(checked, called(function, len(checked.results)), ulp, points)
+        if found.worst > ulp:
+            at = ", ".join(f"{n} = {v.hex()}" for n, v in zip(ranges, found.at, strict=True))
+            names = "".join(f"; {name}" for name in found.names)
+            pytest.fail(
+                f"{checked.id}: {found.worst:.3g} ulp of {found.result} at {at}{names}",
+                pytrace=False,
+            )
+
+
+@pytest.fixture
+def symhaptic_formula() -> type[Agreement]:
+    """``symhaptic_formula("eq11").agrees(mine, ulp=4, over={"b": (0, 10)})``."""
+    return Agreement
