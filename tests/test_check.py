@@ -1,5 +1,6 @@
 """Each mistake that was found in other people's code is caught and named."""
 
+import math
 import subprocess
 import sys
 
@@ -140,3 +141,18 @@ def test_a_table_of_exact_values():
     wanted = [(50.0).hex(), (0.001).hex(), (0.0).hex()]
     (found,) = [row for row in rows if row[:3] == wanted]
     assert abs(float(found[3]) - 100000) < 1e-9
+
+
+def test_a_function_may_give_the_first_of_several_results():
+    from symhaptic.check.callers import called
+    from symhaptic.check.compare import compared
+    from symhaptic.check.formulas import CHECKED
+
+    def stiffness(b, T, d):  # (11) of the paper
+        return 2 * b / T * math.tan(math.pi / (4 * (d + 1)))
+
+    found = compared(CHECKED["eq11"], called(stiffness, 2), 8, 500)
+    assert found.worst < 8
+    assert found.missing == 0
+    with pytest.raises(ValueError, match="3 numbers; K, B are"):
+        compared(CHECKED["eq11"], called(lambda b, T, d: (b, T, d), 2), 8, 50)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice, product
 from typing import Any
 
@@ -50,15 +50,23 @@ def points(checked: Checked, count: int, seed: int = 20) -> list[tuple[float, ..
 
 
 def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
-    """Compare at ``count`` points, and make the worst of them simpler where it stays wrong."""
+    """Compare at ``count`` points, and make the worst of them simpler where it stays wrong.
+
+    A function that gives the first of several results is held against these.
+    """
     some = points(checked, count)
-    got = call(some)
+    got, many = call(some), len(checked.results)
+    given = min(map(len, got))
+    if not given or max(map(len, got)) > many:
+        raise ValueError(f"gives {max(map(len, got))} numbers; {', '.join(checked.results)} are")
+    checked = replace(checked, results=checked.results[:given])
+    got = [g[:given] for g in got]
     offs = [off(checked, p, g) for p, g in zip(some, got, strict=True)]
     k = max(range(len(offs)), key=lambda i: offs[i][0])
     at = some[k]
     if offs[k][0] > ulp:
         at = simpler(checked, call, at, ulp)
-    (last,) = call([at])
+    last = call([at])[0][:given]
     worst, result = off(checked, at, last)
     missing = sum(any(map(math.isnan, g)) for g in got)
     names = named(checked, some, got, missing) if offs[k][0] > ulp else ()
@@ -67,8 +75,6 @@ def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
 
 def off(checked: Checked, point: tuple[float, ...], got: Sequence[float]) -> tuple[float, str]:
     """The error of the worst result, and its name."""
-    if len(got) != len(checked.results):
-        return math.inf, f"{len(got)} results for {len(checked.results)}"
     exact, sizes = _exact(checked, point)
     worst = 0.0, checked.results[0]
     for name, value, right, size in zip(checked.results, got, exact, sizes, strict=True):
@@ -80,7 +86,9 @@ def _exact(checked: Checked, point: tuple[float, ...]) -> tuple[tuple[Any, ...],
     tiny = any(0 < abs(v) < 1e-12 for v in point)
     with flint.ctx.workprec(_BITS if tiny else 256):
         exact = checked.exact(*point)
-    return exact, (checked.scale(*point) if checked.scale else (0.0,) * len(exact))
+    sizes = checked.scale(*point) if checked.scale else (0.0,) * len(exact)
+    given = len(checked.results)
+    return exact[:given], sizes[:given]
 
 
 def _off(value: float, right: Any, size: float) -> float:
@@ -105,7 +113,7 @@ def simpler(
             if not low <= value <= high:
                 continue
             other = (*point[:i], value, *point[i + 1 :])
-            if off(checked, other, call([other])[0])[0] > ulp:
+            if off(checked, other, call([other])[0][: len(checked.results)])[0] > ulp:
                 point = other
                 break
     return point

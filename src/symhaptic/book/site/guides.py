@@ -8,7 +8,7 @@ import subprocess
 from symhaptic.book.chapters import beside
 from symhaptic.book.site.mathml import pandoc
 
-ORDER = ("limits", "verify", "export", "reports", "speed", "design", "found")
+ORDER = ("limits", "verify", "check", "export", "reports", "speed", "design", "found")
 """Of the guides, as they are read."""
 
 _LINK = re.compile(r"`([^`<]+) <(\w+)\.md>`__")
