@@ -6,10 +6,14 @@ the chapter before shows. We ask for which arms that cannot happen without delay
 
 from sympy import Rational, S, diff
 
+from symhaptic.book.lemmas.stability import stable_at
+from symhaptic.book.lemmas.turned_down import claim, turned_down
 from symhaptic.model import jury, loop
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1, x
 from symhaptic.proof import box
 from symhaptic.proof.plants import SLOPES, named
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.tactics import example, for_all
 
 RISE = n_1 + n_0
 WIDE = {gamma: (0, Rational(1, 100)), delta: (0, Rational(1, 10))}
@@ -30,7 +34,7 @@ def derive(page):
     page.step(
         "The polynomial at 1 grows with the stiffness", first, RISE * (alpha + gamma), name="p_1(1)"
     )
-    low = page.step(
+    page.step(
         "The second inequality holds for $\\beta>-s_1$",
         second,
         2 * RISE * (beta + s_1) + (n_1 - n_0) * (alpha + gamma),
@@ -43,14 +47,14 @@ def derive(page):
         -(n_1 - n_0),
         name=r"\partial c_3/\partial\alpha",
     )
-    falls = page.step(
+    page.step(
         "The minor falls with the stiffness",
         minor,
         RISE * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * (alpha + gamma),
         name=r"\Delta_2",
         because="falls with $\\alpha$; and positive, it needs $\\beta>-s_1$",
     )
-    apart = page.positive(
+    page.positive(
         "Damping makes $n_1$ larger than $n_0$",
         box.positive(SLOPES[1] - 2 * SLOPES[2], WIDE, named({s: s for s in SLOPES})),
         IN_WIDE,
@@ -71,14 +75,22 @@ def derive(page):
         numbers,
     )
     page.outside("Without its stiffness it is not", loop.named(), {**stiff, alpha: S.Zero}, numbers)
+    stated = claim()
+    symbols, given, _ = taken_apart(stated)
+    theorem = for_all(symbols, given, turned_down())
+    page.lemma(
+        "Without delay a stable wall may be turned down to any stiffness above $-\\gamma$",
+        theorem,
+        because="by the four inequalities, on all of this range",
+        boxed=True,
+    )
     page.state(
         "undelayed-turned-down",
         rf"without delay and for ${IN_WIDE}$ a stable wall stays stable as its stiffness falls to "
         r"any value above $-\gamma$",
+        claim=stated,
     )
-    page.settle(
-        "undelayed-turned-down",
-        page.same("the second", low, second),
-        page.same("the minor", falls, minor),
-        apart,
-    )
+    wall = {alpha: Rational(7, 10), beta: Rational(4, 5), x: Rational(1, 10)}
+    arm = {gamma: S.Zero, delta: Rational(1, 50)}
+    stable = stable_at({**arm, **wall, d: S.Zero})
+    page.settle("undelayed-turned-down", theorem, example=example(wall | arm, given, stable))

@@ -82,7 +82,7 @@ def inequalities(delay: int) -> tuple[Theorem, ...]:
     return tuple(part(found, p) for p in conjuncts(found.conclusion))
 
 
-def damping_between(delay: int, ranges: Ranges) -> tuple[Theorem, ...]:
+def damping_between(delay: int, ranges: Ranges, widest: Expr = WIDEST) -> tuple[Theorem, ...]:
     """-2.1 <= beta <= 2.1 and n_0 beta < 1 of a stable wall: n_0 beta is a product of zeros."""
     late = S(delay)
     loop = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
@@ -90,18 +90,18 @@ def damping_between(delay: int, ranges: Ranges) -> tuple[Theorem, ...]:
     zeros = applied(reading, assume(reading.conclusion.of[0]))
     last = closed(last_coefficient(zeros), fact(whole(late)))
     low, high = (part(last, p) for p in conjuncts(last.conclusion))
-    weight, room = (on_box(f, ranges) for f in (n_0, WIDEST * n_0 - 1))
+    weight, room = (on_box(f, ranges) for f in (n_0, widest * n_0 - 1))
     bounds = [
         over(side, combined(n_0 * rest > 0, [room], [known]), weight)
         for side, rest, known in (
-            (WIDEST + beta > 0, WIDEST + beta, high),
-            (WIDEST - beta > 0, WIDEST - beta, low),
+            (widest + beta > 0, widest + beta, high),
+            (widest - beta > 0, widest - beta, low),
         )
     ]
     apart = positive(sp.Ne(n_0, 0), [weight])
     ends = [
         closed(combined(claim, [known]), apart)
-        for claim, known in zip((beta >= -WIDEST, beta <= WIDEST), bounds, strict=True)
+        for claim, known in zip((beta >= -widest, beta <= widest), bounds, strict=True)
     ]
     return (*ends, positive(1 - n_0 * beta > 0, [low]))
 
