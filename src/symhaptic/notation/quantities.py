@@ -17,8 +17,7 @@ def number(name: str, value: Any, unit: str, least: str = "") -> float:
     if getattr(value, "ndim", None) == 0 and not hasattr(value, "units"):
         value = value[()]
     given = value
-    if type(value).__module__.split(".")[0] == "pint":
-        value = _converted(name, value, unit)
+    value = in_unit(name, value, unit)
     real = isinstance(value, Real) and not isinstance(value, bool)
     found = _float64(value) if real else math.nan
     low = (least and found < 0) or (least == "> 0" and found == 0)
@@ -44,6 +43,13 @@ def _converted(name: str, quantity: Any, unit: str) -> Any:
         allowed = f"what converts to {unit} is" if unit else "a number without dimension is"
         raise ValueError(f"{name}: {shown(quantity)} is not allowed; {allowed}")
     return quantity.to(wanted).magnitude
+
+
+def in_unit(name: str, values: Any, unit: str) -> Any:
+    """The numbers of a quantity of Pint's in ``unit``; anything else as it is."""
+    if type(values).__module__.split(".")[0] == "pint":
+        return _converted(name, values, unit)
+    return values
 
 
 def dimensionless(name: str, quantity: Any) -> Any:

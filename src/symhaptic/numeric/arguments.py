@@ -103,6 +103,9 @@ def _angle(name: str, array: Any, xp: Any) -> None:
 _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
     "alpha": _finite,
     "beta": _finite,
+    "K": _finite,
+    "B": _finite,
+    "frequency_hz": lambda name, array, xp: None,  # its range depends on the sampling period
     "gamma": _nonnegative,
     "delta": _nonnegative,
     "delay": _periods,

@@ -15,7 +15,10 @@ from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from symhaptic.bounds.simplest.choose import Simplest
+    from symhaptic.scene.walls import StableWalls
 
 
 class Dimensionless(NamedTuple):
@@ -169,6 +172,85 @@ class Scene:
             float(beta) * scale,
             float(theta) / (2 * math.pi * period),
         )
+
+    def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
+        """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
+
+        >>> limit = Scene(mass=0.1, sampling_period=0.001).limit(0.5, 0.25, 1.0)
+        >>> round(limit.K, 6), round(limit.B, 6), round(limit.frequency_hz, 3)
+        (50000.0, 25.0, 159.155)
+        """
+        return Limit(*self._wall(alpha, beta, theta))
+
+    def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
+        """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
+
+        Numbers give a truth value; arrays, also of other libraries, broadcast.  NaN is not stable.
+
+        Raises :class:`ValueError` for an infinite K or B and units that cannot be converted.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> scene.is_stable([249, 252], B=0.0).tolist()
+        [True, False]
+        """
+        from symhaptic.scene.walls import is_stable
+
+        return is_stable(self, K, B)
+
+    def is_passive(self, K: ArrayLike, B: ArrayLike) -> Any:
+        """Whether no motion extracts energy from walls of ``K`` in N/m and ``B`` in Ns/m.
+
+        The margin of :meth:`passivity_margin` is not negative.  Arguments as for :meth:`is_stable`.
+
+        >>> Scene(mass=0.1, damping=0.5, sampling_period=0.001).is_passive(999.0, 0.0)  # 2 b/T
+        True
+        """
+        from symhaptic.scene.walls import is_passive
+
+        return is_passive(self, K, B)
+
+    def passivity_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
+        """b minus the damping that walls of ``K`` in N/m and ``B`` in Ns/m need, in Ns/m.
+
+        Negative for a wall that is not passive, -inf for ``K`` < 0.  Arguments as for
+        :meth:`is_stable`.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
+        >>> round(scene.passivity_margin(400.0, 0.0), 9)  # b - K T/2
+        0.3
+        """
+        from symhaptic.scene.walls import passivity_margin
+
+        return passivity_margin(self, K, B)
+
+    def stability_boundary(self, frequency_hz: ArrayLike) -> tuple[Any, Any]:
+        """K in N/m and B in Ns/m of the walls with which the loop swings at ``frequency_hz``.
+
+        For frequencies in Hz between 0 and 1/(2 T); not every such wall borders the stable region.
+
+        Raises :class:`ValueError` for other frequencies; NaN gives NaN.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> K, B = scene.stability_boundary(scene.max_stable_stiffness().frequency_hz)
+        >>> round(K), round(B, 1)
+        (9275, 34.5)
+        """
+        from symhaptic.scene.walls import stability_boundary
+
+        return stability_boundary(self, frequency_hz)
+
+    def stable_region(self) -> StableWalls:
+        """The stable walls of the (K, B) plane, in N/m and Ns/m: outline, area, limits.
+
+        Raises :class:`ValueError` for more than 100 000 periods of delay.
+
+        >>> region = Scene(mass=0.1, sampling_period=0.001).stable_region()
+        >>> round(region.max_stiffness.K, 3), region.contains(1000.0, 5.0)
+        (68629.15, True)
+        """
+        from symhaptic.scene.walls import stable_region
+
+        return stable_region(self)
 
     def max_stable_stiffness(self) -> Stiffness:
         """Largest stiffness in N/m of a stable wall, with the damping ``.B`` that it needs.

@@ -1,0 +1,141 @@
+"""K = alpha m/T^2, B = beta m/T, f = theta/(2 pi T): walls of a scene in SI units, one or arrays.
+
+What the functions of ``numeric`` answer without units; labels and laziness go with the arrays.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symhaptic.notation.quantities import in_unit
+from symhaptic.numeric import arguments, boundary, passivity, stability
+from symhaptic.numeric.containers import kept
+from symhaptic.numeric.given import Given
+from symhaptic.numeric.tracing import region as tracing
+from symhaptic.numeric.tracing.shape import Shape
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from symhaptic.numeric.extremum import Extremum
+    from symhaptic.scene.scene import Limit, Scene
+
+
+def is_stable(scene: Scene, K: Any, B: Any) -> Any:
+    """Whether all characteristic roots lie inside the unit circle."""
+    gamma, delta, delay = scene.dimensionless
+
+    @kept(is_stable=bool)
+    def answer(K: Any, B: Any) -> Any:
+        return stability.is_stable(*_scaled(scene, K, B), gamma, delta, delay)
+
+    return _asked(answer, K, B, bool)
+
+
+def is_passive(scene: Scene, K: Any, B: Any) -> Any:
+    """Whether no motion extracts energy."""
+    _, delta, delay = scene.dimensionless
+
+    @kept(is_passive=bool)
+    def answer(K: Any, B: Any) -> Any:
+        return passivity.is_passive(*_scaled(scene, K, B), delta, delay)
+
+    return _asked(answer, K, B, bool)
+
+
+def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
+    """The physical damping in Ns/m minus the damping that a wall needs."""
+    _, delta, delay = scene.dimensionless
+
+    @kept(passivity_margin=float)
+    def answer(K: Any, B: Any) -> Any:
+        found = passivity.passivity_margin(*_scaled(scene, K, B), delta, delay)
+        return found * (scene.mass / scene.sampling_period)
+
+    return _asked(answer, K, B, float)
+
+
+def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
+    """The walls with which the loop swings at these frequencies."""
+    gamma, delta, delay = scene.dimensionless
+    period, mass = scene.sampling_period, scene.mass
+
+    @kept(K=float, B=float)
+    def answer(frequency_hz: Any) -> Any:
+        given = Given(frequency_hz=frequency_hz)
+        (hz,), half = given.values, 0.5 / period
+        if not given.traced:
+            beyond = (hz <= 0) | (2 * math.pi * period * hz >= math.pi)
+            arguments.refuse("frequency_hz", hz, beyond, f"numbers 0 < frequency_hz < {half:g} are")
+        alpha, beta = boundary.stability_boundary(2 * math.pi * period * hz, gamma, delta, delay)
+        return alpha * (mass / period**2), beta * (mass / period)
+
+    K, B = answer(in_unit("frequency_hz", frequency_hz, "Hz"))
+    return _one(K, float), _one(B, float)
+
+
+def _scaled(scene: Scene, K: Any, B: Any) -> tuple[Any, Any]:
+    """alpha and beta."""
+    K, B = Given(K=K, B=B).values
+    scale = scene.sampling_period / scene.mass
+    return K * (scale * scene.sampling_period), B * scale
+
+
+def _asked(answer: Callable[..., Any], K: Any, B: Any, kind: type) -> Any:
+    return _one(answer(in_unit("K", K, "N/m"), in_unit("B", B, "N*s/m")), kind)
+
+
+def _one(found: Any, kind: type) -> Any:
+    """A number for one wall, not an array without dimensions."""
+    return kind(found) if isinstance(found, np.ndarray | np.generic) and not found.ndim else found
+
+
+@dataclass(frozen=True)
+class StableWalls(Shape):
+    """The walls (K, B) that a scene keeps stable, in N/m and Ns/m."""
+
+    scene: Scene
+    region: tracing.Region
+    """The same without units."""
+    polygon: Any
+    """Shapely's polygon or polygons, in N/m and Ns/m; ``area`` is in N^2 s/m^2."""
+    corners: NDArray[np.float64]
+    """One row (K, B) per corner."""
+
+    @property
+    def max_stiffness(self) -> Limit:
+        """The rightmost point, and its frequency."""
+        return self._limit(self.region.max_stiffness)
+
+    @property
+    def max_damping(self) -> Limit:
+        """The uppermost point; its frequency is NaN where a real root borders it alone."""
+        return self._limit(self.region.max_damping)
+
+    @property
+    def min_damping(self) -> Limit:
+        """The lowest point, likewise."""
+        return self._limit(self.region.min_damping)
+
+    def contains(self, K: ArrayLike, B: ArrayLike) -> Any:
+        """Whether walls are stable, by the root count and not by the outline."""
+        return is_stable(self.scene, K, B)
+
+    def _limit(self, found: Extremum) -> Limit:
+        return self.scene.limit(*found)
+
+
+def stable_region(scene: Scene) -> StableWalls:
+    """The region of the (K, B) plane."""
+    from shapely.affinity import scale
+
+    period = scene.sampling_period
+    found = tracing.stable_region(*scene.dimensionless)
+    units = scene.mass / period**2, scene.mass / period
+    polygon = scale(found.polygon, *units, origin=(0, 0))
+    return StableWalls(scene, found, polygon, found.corners * units)
