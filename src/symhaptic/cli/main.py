@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from symhaptic.cli import checking, computing, deciding, reporting  # noqa: F401 - each registers its commands
+from symhaptic.cli import checking, computing, deciding, limits, reporting  # noqa: F401 - each registers its commands
 from symhaptic.cli.shared import Unusable, app
 from symhaptic.notation.suggest import suggested
 

@@ -1,0 +1,121 @@
+"""A device, its arm, its loop and its wall from a TOML file whose numbers have units."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from symhaptic.notation.suggest import suggested
+from symhaptic.scene.scene import Scene
+
+UNITS: dict[str, dict[str, float]] = {
+    "kg": {"kg": 1.0, "g": 1e-3},
+    "Ns/m": {"Ns/m": 1.0, "N s/m": 1.0, "Ns/mm": 1e3, "mNs/m": 1e-3},
+    "N/m": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3},
+    "s": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6},
+    "": {"": 1.0},
+}
+"""Spellings of each SI unit, and what they are in it."""
+
+MOVED = {"mass": "kg", "damping": "Ns/m", "stiffness": "N/m"}
+SCHEMA: dict[str, dict[str, str]] = {
+    "": {**MOVED, "sampling_period": "s", "delay": "s", "delay_samples": ""},
+    "arm": MOVED,
+    "wall": {"K": "N/m", "B": "Ns/m"},
+}
+"""Keys of each table with their units; those of the device and its loop stand at the top."""
+
+_NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
+
+
+class BadDevice(ValueError):
+    """A device file that cannot be used; the message is one line that names line and key."""
+
+
+@dataclass(frozen=True)
+class Device:
+    """What a device file says: the loop with the arm, that of the device alone, and a wall."""
+
+    held: Scene
+    """Device and arm together, (2): the loop that has to be stable."""
+    alone: Scene
+    """The device alone, (3): the loop that has to be passive."""
+    wall: tuple[float, float] | None
+    """K and B."""
+
+
+def read(path: Path) -> Device:
+    """The device of a file.
+
+    Raises :class:`BadDevice` for what is no TOML, for keys that are not known or missing, for
+    numbers with another unit, and for values that a :class:`Scene` refuses.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+        data = tomllib.loads(text)
+    except (OSError, UnicodeDecodeError) as wrong:
+        raise BadDevice(f"{path}: cannot be read ({wrong})") from None
+    except tomllib.TOMLDecodeError as wrong:
+        raise BadDevice(f"{path}: {wrong}") from None
+    tables = {"": {k: v for k, v in data.items() if not isinstance(v, dict)}}
+    for name, table in data.items():
+        if isinstance(table, dict):
+            if name not in SCHEMA:
+                told = suggested(name, [n for n in SCHEMA if n])
+                raise BadDevice(f"{_place(path, text, '', name)} is no table; {told}")
+            tables[name] = table
+    found = {
+        name: {key: _value(path, text, name, key, given) for key, given in table.items()}
+        for name, table in tables.items()
+    }
+    device, arm, wall = (found.get(name, {}) for name in SCHEMA)
+    for key in ("mass", "sampling_period"):
+        if key not in device:
+            raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
+    if wall and wall.keys() != SCHEMA["wall"].keys():
+        raise BadDevice(f"{path}: [wall] needs K and B")
+    sums = {key: device.get(key, 0.0) + arm.get(key, 0.0) for key in MOVED}
+    try:
+        return Device(
+            Scene(**{**device, **sums}),
+            Scene(**device),
+            (wall["K"], wall["B"]) if wall else None,
+        )
+    except ValueError as wrong:
+        key, _, said = str(wrong).partition(":")
+        raise BadDevice(f"{_place(path, text, '', key)}:{said}") from None
+
+
+_EXAMPLES = {"mass": '"72 g"', "sampling_period": '"1 ms"'}
+
+
+def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
+    """A number in SI units."""
+    known = SCHEMA[table]
+    if key not in known:
+        raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, known)}")
+    unit = known[key]
+    if isinstance(given, int | float) and not isinstance(given, bool):
+        return float(given)
+    allowed = ", ".join(UNITS[unit]) if unit else "a number without unit"
+    match = _NUMBER.fullmatch(given) if isinstance(given, str) else None
+    if match is None or match[2] not in UNITS[unit]:
+        place = _place(path, text, table, key)
+        raise BadDevice(f"{place} = {given!r} is not allowed; a number and one of {allowed} is")
+    return float(match[1]) * UNITS[unit][match[2]]
+
+
+def _place(path: Path, text: str, table: str, key: str) -> str:
+    """The line in which a key stands, as far as it is found, and the key."""
+    here = ""
+    for number, line in enumerate(text.splitlines(), 1):
+        if head := re.match(r"\s*\[\s*([\w-]+)\s*\]", line):
+            here = head[1]
+            if not table and here == key:
+                return f"{path}:{number}: [{key}]"
+        elif here == table and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
+            return f"{path}:{number}: {key}"
+    return f"{path}: {key}"

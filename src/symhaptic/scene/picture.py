@@ -1,0 +1,84 @@
+"""Which walls a loop bears, as a picture: stable and passive ones in N/m and Ns/m."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from symhaptic.numeric.boundary import stability_boundary
+from symhaptic.numeric.passivity import passivity_boundary
+from symhaptic.numeric.stability import is_stable
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from symhaptic.scene.scene import Scene, Stiffness
+
+STABLE, EDGE, PASSIVE, UNSTABLE = "#cfe6da", "#1b6e4b", "#c98a1b", "#b3261e"
+
+
+def draw(
+    axes: Axes, held: Scene, alone: Scene | None = None, wall: tuple[float, float] | None = None
+) -> None:
+    """Stable walls of a loop, passive ones of the device ``alone``, and the stiffest of both.
+
+    ``wall`` (K, B) is marked, too.
+    """
+    alone = alone or held
+    most = held.max_stable_stiffness()
+    high = {"K": 1.1 * max(most.K, wall[0] if wall else 0.0), "B": 2.25 * most.B}
+    high["B"] = max(high["B"], 1.3 * wall[1] if wall else 0.0)
+    low = {"K": -0.06 * high["K"], "B": -0.16 * high["B"]}
+    n = held.dimensionless
+    per_B = held.mass / held.sampling_period
+    per_K = per_B / held.sampling_period
+    B, K = np.meshgrid(np.linspace(low["B"], high["B"], 900), np.linspace(low["K"], high["K"], 700))
+    stable = is_stable(K / per_K, B / per_B, n.gamma, n.delta, n.delay)
+    axes.contourf(B, K, stable, levels=[0.5, 1.5], colors=[STABLE])
+    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
+    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
+    inside = (alpha * per_K < 1.5 * high["K"]) & (alpha * per_K > 3 * low["K"])
+    inside &= (beta * per_B < 1.5 * high["B"]) & (beta * per_B > 3 * low["B"])
+    axes.plot(
+        np.where(inside, beta * per_B, np.nan), np.where(inside, alpha * per_K, np.nan),
+        color=EDGE, lw=1.3,
+    )  # fmt: skip
+    marks = [(most, _said("stable", most))]
+    if alone.damping:
+        marks.append(_passive(axes, alone))
+    for (limit, text), shape in zip(marks, "od", strict=False):
+        axes.plot(limit.B, limit.K, shape, ms=5, color="black", zorder=3, label=text)
+    if wall is not None:
+        good = bool(held.is_stable(K=wall[0], B=wall[1]))
+        text = f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m"
+        axes.plot(wall[1], wall[0], "x", ms=9, mew=2, color=EDGE if good else UNSTABLE, label=text)
+    axes.fill([], [], color=STABLE, label="stable walls")
+    axes.axhline(0, color="black", lw=0.6)
+    axes.axvline(0, color="black", lw=0.6)
+    axes.set(xlim=(low["B"], high["B"]), ylim=(low["K"], high["K"]))
+    axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, frameon=False, fontsize=9)
+
+
+def _passive(axes: Axes, alone: Scene) -> tuple[Stiffness, str]:
+    """The passive walls, and the stiffest of them with what is said of it."""
+    _, own, delay = alone.dimensionless
+    per_B = alone.mass / alone.sampling_period
+    per_K = per_B / alone.sampling_period
+    angles = np.linspace(1e-3, np.pi / (delay + 1), 400)
+    alpha, beta = passivity_boundary(angles, own, delay)[:2]
+    known = np.isfinite(alpha) & (alpha >= 0)
+    axes.fill(
+        np.r_[-own, beta[known]] * per_B, np.r_[0, alpha[known]] * per_K,
+        color=PASSIVE, alpha=0.75, lw=0, label="passive walls",
+    )  # fmt: skip
+    safe = alone.max_passive_stiffness()
+    return safe, _said("passive", safe)
+
+
+def _said(kind: str, wall: Stiffness) -> str:
+    """A limit in words; no power of ten stands in it."""
+    K = f"{wall.K:.0f}" if wall.K >= 1000 else f"{wall.K:.3g}"
+    return f"stiffest {kind} wall: {K} N/m, {wall.B:.3g} Ns/m"

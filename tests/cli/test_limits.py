@@ -1,0 +1,94 @@
+"""A device from a file: limits with its arm and without, a picture, one line for bad files."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command import symhaptic
+from scipy.linalg import expm
+
+GUIDE = (Path(__file__).parents[2] / "docs" / "limits.md").read_text(encoding="utf-8")
+DEVICE = GUIDE.split("```toml\n")[1].split("```")[0]
+
+
+@pytest.fixture
+def device(tmp_path):
+    path = tmp_path / "device.toml"
+    path.write_text(DEVICE, encoding="utf-8")
+    return path
+
+
+def growth(K, B, m, b, k, T):
+    """Largest modulus of the loop's roots, 1.5 periods late: half a period by half a period."""
+    state = np.array([[0, 1, 0], [-k / m, -b / m, 1 / m], [0, 0, 0]])
+    half = expm(state * T / 2)
+    step, push = half[:2, :2], half[:2, 2]
+
+    def period(start):
+        """Position, speed, the position one sample ago, and the forces of the last two samples."""
+        x, before, one, two = start[:2], start[2], start[3], start[4]
+        force = K * x[0] + B * (x[0] - before) / T
+        middle = step @ x - push * two  # what was measured two samples ago still pushes
+        return np.r_[step @ middle - push * one, x[0], force, one]
+
+    matrix = np.column_stack([period(row) for row in np.eye(5)])
+    return np.abs(np.linalg.eigvals(matrix)).max()
+
+
+def test_the_example_of_the_guide(device):
+    run = symhaptic("limits", device, "--format", "json")
+    assert run.returncode == 0, run.stderr
+    found = json.loads(run.stdout)
+    loop = {"m": 0.572, "b": 6.005, "k": 40.0, "T": 1e-3}
+    stiffest = found["stiffest_stable"]
+    for share, stable in ((0.999, True), (1.001, False)):
+        assert (growth(share * stiffest["K"], stiffest["B"], **loop) < 1) == stable
+        free = found["stable_without_virtual_damping"]
+        assert (growth(share * free["K"], 0.0, **loop) < 1) == stable
+        here = found["wall"]["stable_up_to"]
+        assert (growth(share * here["K"], 5.0, **loop) < 1) == stable
+    assert found["wall"]["stable"] is True
+    assert found["wall"]["passive"] is False
+    assert found["wall"]["passivity_margin"] < 0
+    # the device alone: less than what its damper bears without delay, 2 b/T (Colgate, Schenkel)
+    assert 0 < found["stiffest_passive"]["K"] < 2 * 0.005 / 1e-3
+
+
+def test_words_and_a_picture(device, tmp_path):
+    for name in ("walls.svg", "walls.png"):
+        run = symhaptic("limits", device, "--plot", tmp_path / name)
+        assert run.returncode == 0, run.stderr
+        assert "is stable and not passive" in run.stdout
+        assert (tmp_path / name).stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('"72 g"', '"72 lb"', "device.toml:1: mass = '72 lb' is not allowed; a number and one of"),
+        ("\ndelay", "\ndealy", "device.toml:4: dealy is not known; did you mean 'delay'?"),
+        ('"1 ms"', '"0 ms"', "device.toml:3: sampling_period: 0.0 is not allowed"),
+        ('mass = "72 g"\n', "", "device.toml: mass is missing, such as mass = "),
+        ("[arm]", "[hand]", "device.toml:6: [hand] is no table; allowed are"),
+        ('B = "5 Ns/m"', "", "device.toml: [wall] needs K and B"),
+        ('K = "800 N/m"', "K = true", "device.toml:12: K = True is not allowed"),
+        ('"800 N/m"', '"800 N"', "device.toml:12: K = '800 N' is not allowed"),
+        ("[wall]", "[wall", "device.toml: "),
+    ],
+)
+def test_a_bad_file_is_told_in_one_line(device, old, new, told):
+    assert old in DEVICE
+    device.write_text(DEVICE.replace(old, new, 1), encoding="utf-8")
+    run = symhaptic("limits", device)
+    assert run.returncode == 2
+    assert not run.stdout
+    assert told in run.stderr
+    assert len(run.stderr.splitlines()) == 1
+
+
+def test_no_file_and_no_picture(device, tmp_path):
+    assert "cannot be read" in symhaptic("limits", tmp_path / "none.toml").stderr
+    run = symhaptic("limits", device, "--plot", tmp_path / "walls.gif")
+    assert run.returncode == 2
+    assert "'.gif' is not allowed" in run.stderr
