@@ -63,9 +63,9 @@ def derive(page):
     zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))
     page.enclosed("Their zeros", zeros, places=12, because="of the second we ask if it is a bound")
     found = page.lemma(
-        "Half a period late no passive wall is stiffer than $1.175870\\,b/T$",
+        "No passive wall is stiffer than $1.175870\\,b/T$",
         stiffest_half_late(),
-        because="the first wall by a sum of squares, and of all stiffer ones the quadratic is "
+        because="the first is a sum of squares; of stiffer walls the quadratic is "
         "negative at $\\tan\\frac\\theta2=0.5283$",
         boxed=True,
     )
