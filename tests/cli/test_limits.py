@@ -57,7 +57,7 @@ def test_the_example_of_the_guide(device):
 
 def test_words_and_a_picture(device, tmp_path):
     for name in ("walls.svg", "walls.png"):
-        run = symhaptic("limits", device, "--plot", tmp_path / name)
+        run = symhaptic("limits", device, "-o", tmp_path / name)
         assert run.returncode == 0, run.stderr
         assert "is stable and not passive" in run.stdout
         assert (tmp_path / name).stat().st_size > 10_000
@@ -89,6 +89,6 @@ def test_a_bad_file_is_told_in_one_line(device, old, new, told):
 
 def test_no_file_and_no_picture(device, tmp_path):
     assert "cannot be read" in symhaptic("limits", tmp_path / "none.toml").stderr
-    run = symhaptic("limits", device, "--plot", tmp_path / "walls.gif")
+    run = symhaptic("limits", device, "-o", tmp_path / "walls.gif")
     assert run.returncode == 2
     assert "'.gif' is not allowed" in run.stderr

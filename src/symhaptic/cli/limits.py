@@ -33,7 +33,7 @@ def limits(
         LimitsFormat.text
     ),
     plot: Annotated[
-        Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .svg, .png or .pdf.")
+        Path | None, typer.Option("-o", metavar="FILE", help="Draw it: .svg, .png or .pdf.")
     ] = None,
 ) -> None:
     """Say which walls a device bears: stable with the arm that holds it, passive by itself."""
@@ -41,7 +41,7 @@ def limits(
 
     writable(plot)
     if plot is not None and plot.suffix not in (".svg", ".png", ".pdf"):
-        refuse(f"--plot {plot}: {plot.suffix!r} is not allowed; .svg, .png and .pdf are")
+        refuse(f"-o {plot}: {plot.suffix!r} is not allowed; .svg, .png and .pdf are")
     try:
         found = read(device)
     except BadDevice as wrong:
