@@ -1,0 +1,211 @@
+"""From what somebody asks to a plan: arguments, dimensions, and what is impossible."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symhaptic.notation.quantities import dimensionless, in_unit, shown
+from symhaptic.notation.suggest import suggested
+from symhaptic.numeric import arguments
+from symhaptic.sweeps.plan import REDUCTIONS, Input, Plan, Variable, lengths_of
+from symhaptic.sweeps.quantities import IN_SI, INPUTS, Meaning, Result, Work, work_of
+
+if TYPE_CHECKING:
+    from symhaptic.scene.scene import Scene
+
+_PINT = {"N/m": "N/m", "Ns/m": "N*s/m", "1": "", "kg": "kg", "s": "s", "Hz": "Hz"}
+"""Units as Pint spells them."""
+
+
+def plan_of(
+    quantity: str | Callable[..., Any],
+    scene: Scene | None,
+    over: str | Sequence[str],
+    reduce: str | Sequence[str],
+    chunks: int | Mapping[str, int] | None,
+    axes: Mapping[str, Any],
+) -> tuple[Plan, dict[str, Any]]:
+    """The plan, and the coordinates of its result.
+
+    Raises :class:`ValueError` for what is impossible.
+    """
+    words = {n: v for n, v in axes.items() if isinstance(v, str)}
+    work = work_of(quantity, words, scene is not None)
+    given = {n: v for n, v in axes.items() if n not in words}
+    if scene is not None:
+        given = _of_scene(scene, work, given)
+    meanings = IN_SI if scene is not None else INPUTS
+    _named(work, given)
+    inputs: dict[str, Input] = {}
+    coords: dict[str, Any] = {}
+    for name, value in given.items():
+        inputs[name], more = _input(name, value, meanings.get(name), bool(work.results))
+        coords |= more
+    sizes: dict[str, int] = {}
+    for name, (dims, values) in inputs.items():
+        for dim, size in zip(dims, values.shape, strict=True):
+            if sizes.setdefault(dim, size) != size:
+                raise ValueError(f"{name}: {size} values along {dim!r} are not allowed; "
+                                 f"{sizes[dim]} are")  # fmt: skip
+    along, reduced = _words(over), _words(reduce)
+    for dim in along:
+        if dim not in sizes:
+            raise ValueError(f"over: {dim!r} is not allowed; {suggested(dim, sizes)}")
+    if bool(along) != bool(reduced):
+        raise ValueError(f"over: {along!r} with reduce={reduced!r} is not allowed; "
+                         "both or none are")  # fmt: skip
+    stay = {d: n for d, n in sizes.items() if d not in along}
+    gone = {d: sizes[d] for d in along}
+    variables = tuple(
+        _variable(i, result, work.statement, word, reduced, along)
+        for i, result in enumerate(_results(work, inputs))
+        for word in (reduced or ("",))
+    )
+    plan = Plan(
+        work, inputs, {**stay, **gone}, tuple(stay), along, variables,
+        lengths_of(stay, gone, _chunks(chunks, stay)),
+    )  # fmt: skip
+    return plan, {n: c for n, c in coords.items() if not set(c[0]) & set(along)}
+
+
+def _words(value: str | Sequence[str]) -> tuple[str, ...]:
+    return (value,) if isinstance(value, str) else tuple(value)
+
+
+def _of_scene(scene: Scene, work: Work, given: Mapping[str, Any]) -> dict[str, Any]:
+    """What is given, and what the scene has besides."""
+    if "delay" in given and "delay_samples" in given:
+        raise ValueError("delay_samples: beside delay= is not allowed; one of them is")
+    found: dict[str, Any] = dict(given)
+    for name in work.arguments:
+        if name == "delay":
+            if not {"delay", "delay_samples"} & set(given):
+                own = "delay_samples" if scene.delay_samples is not None else "delay"
+                found[own] = getattr(scene, own) or 0.0
+        elif name in ("mass", "sampling_period", "stiffness", "damping") and name not in given:
+            found[name] = getattr(scene, name) or 0.0
+    return found
+
+
+def _named(work: Work, given: Mapping[str, Any]) -> None:
+    """Refuse arguments that the quantity has not, and lacking ones."""
+    allowed = [*work.arguments, *(["delay_samples"] if work.in_si else [])]
+    for name in given:
+        if name not in allowed or (name == "delay_samples" and "delay" not in work.arguments):
+            raise ValueError(f"{name}: is not allowed; {suggested(name, allowed)}")
+    lacking = [n for n in work.arguments if n not in given]
+    lacking = [n for n in lacking if n != "delay" or "delay_samples" not in given]
+    if lacking:
+        raise ValueError(f"{lacking[0]}: is missing; {work.says} takes {', '.join(allowed)}")
+
+
+def _input(
+    name: str, value: Any, meaning: Meaning | None, known: bool
+) -> tuple[Input, dict[str, Any]]:
+    """One argument, and the coordinates that it makes."""
+    said = meaning.attributes if meaning else {}
+    kind = type(value).__module__.partition(".")[0]
+    more: dict[str, Any] = {}
+    if kind == "pandas" and hasattr(value, "to_xarray"):
+        value, kind = value.to_xarray(), "xarray"
+    if kind == "dask" or isinstance(value, np.ma.MaskedArray):
+        raise ValueError(f"{name}: {shown(value)} is not allowed; arrays in memory without "
+                         "masks are")  # fmt: skip
+    dims: tuple[str, ...] | None = None
+    if kind == "xarray":
+        if not hasattr(value, "dims") or hasattr(value, "data_vars"):
+            raise ValueError(f"{name}: {shown(value)} is not allowed; of xarray DataArrays are")
+        dims = tuple(map(str, value.dims))
+        more = {str(n): (c.dims, c.values, c.attrs) for n, c in value.coords.items()
+                if c.dims and set(c.dims) <= set(dims)}  # fmt: skip
+        value = value.data
+        kind = type(value).__module__.partition(".")[0]
+    if kind == "pint":
+        unit = _PINT[meaning.unit] if meaning else ""
+        value = in_unit(name, value, unit) if unit else dimensionless(name, value)
+    array = arguments.real(name, value)
+    if known:
+        _check(name, array)
+    if dims is None:
+        if array.ndim > 1:
+            raise ValueError(f"{name}: {array.ndim} dimensions are not allowed; one is, or "
+                             "xarray's, which have names")  # fmt: skip
+        dims = (name,) if array.ndim else ()
+    if not array.size:
+        raise ValueError(f"{name}: no values are not allowed; one or more are")
+    return Input(dims, array), {**more, name: (dims, array, said)}
+
+
+def _check(name: str, array: Any) -> None:
+    """Refuse what is out of range before anything is computed."""
+    if name in ("mass", "sampling_period"):
+        bad = ~(array > 0) | np.isinf(array)
+        arguments.refuse(name, array, bad, f"finite numbers {name} > 0 are")
+    elif name in ("stiffness", "damping", "delay_samples"):
+        bad = (array < 0) | np.isinf(array)
+        arguments.refuse(name, array, bad, f"finite numbers {name} >= 0 are")
+    else:
+        arguments.check(name, array, np)
+
+
+def _results(work: Work, inputs: Mapping[str, Input]) -> tuple[Result, ...]:
+    """What it gives; of a function of the user's own, by asking for one point."""
+    if work.results:
+        return work.results
+    first = {n: values.reshape(-1)[0] for n, (_, values) in inputs.items()}
+    found = work.function(**first, **work.words)
+    several = found if isinstance(found, tuple) else (found,)
+    names = getattr(found, "_fields", None) or [
+        work.says if len(several) == 1 else f"{work.says}_{i}" for i in range(len(several))
+    ]
+    kinds = {"b": bool, "i": int, "u": int}
+    return tuple(
+        Result(name, Meaning("", name), kinds.get(np.asarray(value).dtype.kind, float))
+        for name, value in zip(names, several, strict=True)
+    )
+
+
+def _variable(
+    source: int,
+    result: Result,
+    statement: str,
+    word: str,
+    words: Sequence[str],
+    along: Sequence[str],
+) -> Variable:
+    dtype: np.dtype[Any] = np.dtype(result.kind)
+    formula = {"formula": statement} if statement else {}
+    if not word:
+        return Variable(result.name, source, "", dtype, result.meaning.attributes | formula)
+    if word not in REDUCTIONS:
+        raise ValueError(f"reduce: {word!r} is not allowed; {suggested(word, REDUCTIONS)}")
+    _, kind, method = REDUCTIONS[word]
+    truth = result.kind is bool
+    if (kind is bool and not truth) or (truth and word in ("min", "max")):
+        allowed = "all, any, mean or count is" if truth else "min, max or mean is"
+        raise ValueError(f"reduce: {word!r} of {result.name} is not allowed; {allowed}")
+    if word == "mean":
+        dtype = np.dtype(float)
+    elif word == "count":
+        dtype = np.dtype(np.int64)
+    name = result.name if len(words) == 1 else f"{result.name}_{word}"
+    cells = {"cell_methods": f"{' '.join(f'{d}:' for d in along)} {method}"}
+    unit = {"units": "1"} if word == "count" else {}
+    return Variable(name, source, word, dtype, result.meaning.attributes | unit | cells | formula)
+
+
+def _chunks(
+    chunks: int | Mapping[str, int] | None, stay: Mapping[str, int]
+) -> int | Mapping[str, int] | None:
+    """Whole numbers, by dimensions that stay."""
+    numbers = chunks.values() if isinstance(chunks, Mapping) else [] if chunks is None else [chunks]
+    for number in numbers:
+        if not isinstance(number, int) or isinstance(number, bool) or number < 1:
+            raise ValueError(f"chunks: {shown(number)} is not allowed; whole numbers > 0 are")
+    for dim in chunks if isinstance(chunks, Mapping) else ():
+        if dim not in stay:
+            raise ValueError(f"chunks: {dim!r} is not allowed; {suggested(dim, stay)}")
+    return chunks

@@ -1,0 +1,306 @@
+"""Pictures of sweeps, one call each: without units inside the paper's (23), or for one's own scene.
+
+Each returns Matplotlib's figure; ``figure.savefig("walls.png")`` keeps it.  They are drawn from
+points of a grid, which show, and prove nothing; ``Scene.simplest`` proves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE
+from symhaptic.sweeps.quantities import IN_SI, INPUTS
+from symhaptic.sweeps.sweep import sweep
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from symhaptic.scene.scene import Scene
+
+Range = tuple[float, float]
+"""From the lowest to the highest."""
+
+STIFF, DAMPED = (0.0, 0.001), (0.0, 0.02)
+"""gamma and delta of the paper's (23)."""
+
+_ALL = 7
+"""Arms along each of stiffness and damping."""
+
+
+def robust_limits(
+    scene: Scene | None = None,
+    *,
+    stiffness: Range | None = None,
+    damping: Range | None = None,
+    delay: float | None = None,
+    points: int = 200,
+) -> Figure:
+    """Which walls are stable for every arm of a range, and which for some of them only.
+
+    ``stiffness`` in N/m and ``damping`` in Ns/m are the ends of the range, all of the device beside
+    the arm included.  Without a ``scene`` they are gamma and delta, those of the paper's (23) where
+    they are not given, and ``delay`` is in periods (1 where it is not).
+
+    >>> figure = robust_limits(points=20)
+    """
+    springs = np.linspace(
+        *(stiffness or (STIFF if scene is None else _own(scene, "stiffness"))), _ALL
+    )
+    dampers = np.linspace(*(damping or (DAMPED if scene is None else _own(scene, "damping"))), _ALL)
+    names = ("alpha", "beta", "gamma", "delta") if scene is None else _SI
+    late: dict[str, Any] = {} if delay is None else {"delay": delay}
+    if scene is None:
+        late = {"delay": 1.0 if delay is None else delay}
+    arms: dict[str, Any] = {names[2]: np.unique(springs), names[3]: np.unique(dampers)}
+    far = sweep("max_stable_stiffness", scene, over=names[2:], reduce="max", **arms, **late)
+    far = far.rename(alpha="K", beta="B") if scene is None else far
+    most, wide = 1.12 * float(far.K), 2.3 * float(far.B)
+    walls: dict[str, Any] = {
+        names[0]: np.linspace(-0.06 * most, most, points),
+        names[1]: np.linspace(-0.12 * wide, wide, points),
+    }
+    found = sweep(
+        "is_stable", scene, over=names[2:], reduce=("all", "any"), **walls, **arms, **late
+    )
+    figure, axes = _figure()
+    x, y = found[names[1]], found[names[0]]
+    count = len(arms[names[2]]) * len(arms[names[3]])
+    shown = (
+        ("any", "#f3dfb0", "stable for some of them only"),
+        ("all", STABLE, f"stable for all of {count} arms"),
+    )
+    for word, colour, label in shown:
+        values = found[f"is_stable_{word}"].astype(float)
+        axes.contourf(x, y, values, levels=[0.5, 1.5], colors=[colour])
+        axes.contour(x, y, values, levels=[0.5], colors=[EDGE], linewidths=0.8)
+        axes.fill([], [], color=colour, label=label)
+    axes.axhline(0, color="black", lw=0.5)
+    axes.axvline(0, color="black", lw=0.5)
+    _labelled(axes, x, y)
+    axes.set_title(_range(arms), fontsize=9, loc="left")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    return figure
+
+
+def stiffest(
+    scene: Scene | None = None,
+    *,
+    delay: Range | None = None,
+    damping: Range | None = None,
+    points: int = 160,
+) -> Figure:
+    """The largest stable stiffness over delay and physical damping.
+
+    ``delay`` in s and ``damping`` in Ns/m are the ends of the axes, the default four periods and
+    all up to twice the scene's own damping.  Without a ``scene`` alpha over d and delta, of the
+    paper's (23).
+
+    >>> figure = stiffest(points=20)
+    """
+    fixed: dict[str, Any] = {}
+    if scene is None:
+        axes_of = {"delay": delay or (0.0, 4.0), "delta": damping or DAMPED}
+        fixed, name = {"gamma": 0.0}, "alpha"
+    else:
+        own = scene.damping or scene.mass / scene.sampling_period / 100
+        period = scene.sampling_period
+        axes_of = {"delay": delay or (0.0, 4 * period), "damping": damping or (0.0, 2 * own)}
+        name = "K"
+    lines: dict[str, Any] = {n: np.linspace(*ends, points) for n, ends in axes_of.items()}
+    found = sweep("max_stable_stiffness", scene, **lines, **fixed)
+    x, y = (found[n] for n in lines)
+    values = found[name].transpose(*reversed(lines))
+    figure, axes = _figure()
+    across = _in_ms(x)
+    _filled(figure, axes, across, y, values, _said(found[name]))
+    _labelled(axes, across, y)
+    return figure
+
+
+def delay_margin(
+    scene: Scene | None = None,
+    *,
+    K: Range | None = None,
+    B: Range | None = None,
+    points: int = 100,
+) -> Figure:
+    """How much delay walls bear: the largest delay up to which a wall stays stable.
+
+    ``K`` in N/m and ``B`` in Ns/m are the ends of the axes, by default all walls that are stable
+    half a period late.  Without a ``scene`` alpha and beta of a free mass that is damped as the
+    middle of the paper's (23), and margins in periods.  The scene's own delay does not count.
+
+    >>> figure = delay_margin(points=12)
+    """
+    names = ("alpha", "beta") if scene is None else ("K", "B")
+    fixed: dict[str, Any] = {"gamma": 0.0, "delta": 0.01} if scene is None else {}
+    half: dict[str, Any] = {"delay": 0.5} if scene is None else {"delay_samples": 0.5}
+    far = sweep("max_stable_stiffness", scene, **fixed, **half)
+    high = (float(far[names[0]]), 2.2 * float(far[names[1]]))
+    ends = (K or (0.0, high[0]), B or (0.0, high[1]))
+    walls: dict[str, Any] = {n: np.linspace(*e, points) for n, e in zip(names, ends, strict=True)}
+    found = sweep("delay_margin", scene, **walls, **fixed)
+    x, y = found[names[1]], found[names[0]]
+    margin = _in_ms(found.delay_margin)
+    figure, axes = _figure()
+    _filled(figure, axes, x, y, margin, _said(margin))
+    lost = (margin == 0).astype(float)
+    axes.contourf(x, y, lost, levels=[0.5, 1.5], colors=["#dddddd"])
+    axes.fill([], [], color="#dddddd", label="not stable without delay")
+    ever = np.isinf(margin).astype(float)
+    if bool(ever.any()):
+        axes.contourf(x, y, ever, levels=[0.5, 1.5], colors=[PASSIVE])
+        axes.fill([], [], color=PASSIVE, label="stable with any delay")
+    _labelled(axes, x, y)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    return figure
+
+
+def model_costs(
+    scene: Scene | None = None,
+    *,
+    stiffness: Range | None = None,
+    damping: Range | None = None,
+    delays: Sequence[float] | None = None,
+) -> Figure:
+    """How far off the largest stable stiffness is where parts of the loop are left out.
+
+    The largest error over a range of arms, at each of some ``delays`` (in s; in periods without a
+    ``scene``).  ``stiffness`` and ``damping`` are the ends of the range as in
+    :func:`robust_limits`.
+
+    >>> figure = model_costs(delays=[0, 1])
+    """
+    period = 1.0 if scene is None else scene.sampling_period
+    names = ("gamma", "delta") if scene is None else _SI[2:]
+    ends = (
+        stiffness or (STIFF if scene is None else _own(scene, "stiffness")),
+        damping or (DAMPED if scene is None else _own(scene, "damping")),
+    )
+    arms: dict[str, Any] = {
+        n: np.unique(np.linspace(*e, _ALL)) for n, e in zip(names, ends, strict=True)
+    }
+    late = np.asarray(delays if delays is not None else period * np.linspace(0, 8, 33))
+    name = "alpha" if scene is None else "K"
+    full = sweep("max_stable_stiffness", scene, **arms, delay=late)
+    figure, axes = _figure()
+    across = _in_ms(full.delay)
+    styles = zip(_parts(names), (EDGE, PASSIVE, UNSTABLE), ("-", "-", "--"), strict=True)
+    for (says, left_out), colour, line in styles:
+        kept: dict[str, Any] = {n: 0.0 if n in left_out else v for n, v in arms.items()}
+        less = sweep("max_stable_stiffness", scene, **kept, delay=late)
+        error = 100 * abs(less[name] / full[name] - 1).max(names)
+        axes.plot(across, error, color=colour, linestyle=line, label=says)
+    axes.set(yscale="log")
+    axes.yaxis.set_major_formatter(_plain)
+    axes.set(xlim=(float(across.min()), float(across.max())))
+    axes.set(xlabel=_said(across), ylabel="largest error of the stiffest wall in %")
+    axes.set_title(_range(arms), fontsize=9, loc="left")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False)
+    return figure
+
+
+def _plain(value: float, _: object = None) -> str:
+    """A number without powers of ten."""
+    return f"{value:g}"
+
+
+_SI = ("K", "B", "stiffness", "damping")
+
+
+def _parts(names: Sequence[str]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    spring, damper = names
+    return (
+        ("without spring", (spring,)),
+        ("without damper", (damper,)),
+        ("with neither", (spring, damper)),
+    )
+
+
+def _own(scene: Scene, part: str) -> Range:
+    """From nothing to what the scene has."""
+    return 0.0, getattr(scene, part) or 0.0
+
+
+def _figure() -> tuple[Figure, Axes]:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure as New
+
+    figure = New(figsize=(6.4, 4.4), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots()
+    axes.spines[["top", "right"]].set_visible(False)
+    return figure, axes
+
+
+def _said(values: xarray.DataArray) -> str:
+    """What it is, its symbol, and its unit."""
+    said = values.attrs
+    what = said["long_name"].split(",")[0]
+    symbol = f" ${said['symbol']}$" if "symbol" in said else ""
+    return f"{what}{symbol}" + (f" in {said['units']}" if said["units"] != "1" else "")
+
+
+def _labelled(axes: Axes, x: xarray.DataArray, y: xarray.DataArray) -> None:
+    axes.set(xlabel=_said(x), ylabel=_said(y))
+    axes.set(xlim=(float(x.min()), float(x.max())), ylim=(float(y.min()), float(y.max())))
+
+
+def _in_ms(values: xarray.DataArray) -> xarray.DataArray:
+    """Seconds as milliseconds; anything else as it is."""
+    if values.attrs.get("units") != "s":
+        return values
+    return (1000 * values).assign_attrs({**values.attrs, "units": "ms"})
+
+
+def _range(arms: dict[str, Any]) -> str:
+    """The range in words."""
+    parts = []
+    for name, values in arms.items():
+        meaning = {**INPUTS, **IN_SI}[name]
+        unit = f" {meaning.unit}" if meaning.unit != "1" else ""
+        ends = f"{values[0]:g} to {values[-1]:g}" if values.size > 1 else f"{values[0]:g}"
+        parts.append(f"${meaning.latex}$ = {ends}{unit}")
+    return ", ".join(parts)
+
+
+def _round_levels(values: NDArray[Any]) -> NDArray[Any]:
+    """Round numbers over the range but for the least of it, closer where it is narrow."""
+    finite = values[np.isfinite(values) & (values > 0)]
+    low, high = (float(np.quantile(finite, q)) for q in (0.02, 1.0))
+    powers = np.arange(np.floor(np.log10(low)) - 1, np.ceil(np.log10(high)) + 1)
+    steps = (1, 2, 5) if high > 30 * low else (1, 1.5, 2, 3, 5, 7)
+    every = np.unique(np.concatenate([m * 10.0**powers for m in steps]))
+    first, last = np.searchsorted(every, [low, high])
+    return np.asarray(every[max(first - 1, 0) : last + 1])
+
+
+def _filled(
+    figure: Figure,
+    axes: Axes,
+    x: xarray.DataArray,
+    y: xarray.DataArray,
+    values: xarray.DataArray,
+    label: str,
+) -> None:
+    """Values as colours on a logarithmic scale, with lines at round numbers.
+
+    What is below or beyond all of these is drawn as the least and the largest.
+    """
+    from matplotlib.colors import LogNorm
+
+    levels = _round_levels(values.to_numpy())
+    inside = values.clip(levels[0] * 1.0001, levels[-1] * 0.9999)
+    norm = LogNorm(levels[0], levels[-1])
+    filled = axes.contourf(x, y, inside, levels=levels, norm=norm, cmap="viridis")
+    axes.contour(x, y, inside, levels=levels[1:-1], colors="white", linewidths=0.5)
+    bar = figure.colorbar(filled, ax=axes, ticks=levels)
+    bar.ax.yaxis.set_major_formatter(_plain)
+    bar.ax.minorticks_off()
+    bar.set_label(label)

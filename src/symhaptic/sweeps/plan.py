@@ -1,0 +1,256 @@
+r"""A sweep as blocks that know nothing of each other.
+
+All points are the product of named dimensions.  Blocks are cut from the dimensions that stay; one
+block goes through all of those that are reduced, tile by tile and always in the same order, so that
+its bits depend neither on how many work at the sweep nor on what was interrupted.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import json
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symhaptic.numeric.compiled import kernels_used
+from symhaptic.sweeps.quantities import Work
+
+POINTS = 2**22
+"""Points of a block, those that are reduced counted: seconds of work, some 30 MB of results."""
+
+_TILE = 2**17
+"""Points that a function is given at once; what it makes of them on its way fits the memory."""
+
+
+class Reduction(NamedTuple):
+    """What becomes of the values along the dimensions that do not stay."""
+
+    combine: np.ufunc
+    kind: type | None
+    """Of what it takes; None for numbers and counts."""
+    method: str
+    """What the conventions for climate and forecast call it, in ``cell_methods``."""
+
+
+REDUCTIONS = {
+    "min": Reduction(np.minimum, None, "minimum"),
+    "max": Reduction(np.maximum, None, "maximum"),
+    "mean": Reduction(np.add, None, "mean"),
+    "all": Reduction(np.logical_and, bool, "minimum"),
+    "any": Reduction(np.logical_or, bool, "maximum"),
+    "count": Reduction(np.add, bool, "sum"),
+}
+
+
+class Input(NamedTuple):
+    """One argument: its values along the dimensions that it has."""
+
+    dims: tuple[str, ...]
+    values: NDArray[np.float64]
+
+
+class Variable(NamedTuple):
+    """One result as it is kept."""
+
+    name: str
+    source: int
+    """Which of the function's results it is."""
+    word: str
+    """Its reduction, or nothing."""
+    dtype: np.dtype[Any]
+    attributes: dict[str, str]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A block with all that is needed to compute it."""
+
+    index: tuple[int, ...]
+    begin: tuple[int, ...]
+    """Where it stands among the dimensions that stay."""
+    work: Work
+    inputs: Mapping[str, NDArray[np.float64]]
+    """As arrays of all dimensions, of length 1 where they have not got one."""
+    shape: tuple[int, ...]
+    """Points along all dimensions, those that stay first."""
+    variables: tuple[Variable, ...]
+    kernels: str
+
+    @property
+    def region(self) -> tuple[slice, ...]:
+        """Its place in the result."""
+        return tuple(slice(b, b + n) for b, n in zip(self.begin, self.shape, strict=False))
+
+    def compute(self) -> list[NDArray[Any]]:
+        """The block of every variable."""
+        if self.kernels != kernels_used():
+            raise ValueError(
+                f"workers: {kernels_used()} kernels are not allowed; the sweep began with "
+                f"{self.kernels} ones, and the bits of both differ"
+            )
+        kept = len(self.begin)
+        over = tuple(range(kept, len(self.shape)))
+        found = [np.zeros(self.shape[:kept], _sum(v)) for v in self.variables]
+        for tile in _tiles(self.shape):
+            here = {n: a[_cut(a, tile)] for n, a in self.inputs.items()}
+            values = self.work(**here)
+            size = tuple(s.stop - s.start for s in tile)
+            first = all(s.start == 0 for s in tile[kept:])
+            for into, variable in zip(found, self.variables, strict=True):
+                value = np.broadcast_to(np.asarray(values[variable.source]), size)
+                into[tile[:kept]] = _reduced(variable, value, over, into[tile[:kept]], first)
+        total = math.prod(self.shape[kept:])
+        return [
+            into / total if v.word == "mean" else into.astype(v.dtype, copy=False)
+            for into, v in zip(found, self.variables, strict=True)
+        ]
+
+
+def _sum(variable: Variable) -> np.dtype[Any]:
+    """What partial results are kept as: truth values are counted."""
+    return np.dtype(np.int64) if variable.word == "count" else variable.dtype
+
+
+def _reduced(
+    variable: Variable,
+    value: NDArray[Any],
+    over: tuple[int, ...],
+    before: NDArray[Any],
+    first: bool,
+) -> NDArray[Any]:
+    if not variable.word:
+        return value
+    combine = REDUCTIONS[variable.word].combine
+    part = combine.reduce(value, axis=over, dtype=before.dtype)
+    return np.asarray(part if first else combine(before, part))
+
+
+def _tiles(shape: tuple[int, ...]) -> Iterator[tuple[slice, ...]]:
+    """Parts of at most so many points, the last dimension quickest."""
+    lengths = _lengths(shape, _TILE)
+    ranges = (range(0, n, step) for n, step in zip(shape, lengths, strict=True))
+    for begin in itertools.product(*ranges):
+        yield tuple(
+            slice(b, min(b + step, n)) for b, step, n in zip(begin, lengths, shape, strict=True)
+        )
+
+
+def _lengths(shape: tuple[int, ...], points: int) -> tuple[int, ...]:
+    """Lengths of even parts of at most so many points, whole along the last dimensions."""
+    lengths: list[int] = []
+    for n in reversed(shape):
+        parts = -(-n // max(1, min(n, points)))
+        lengths.append(-(-n // parts))
+        points //= max(1, lengths[-1])
+    return tuple(reversed(lengths))
+
+
+def _cut(array: NDArray[Any], tile: tuple[slice, ...]) -> tuple[slice, ...]:
+    return tuple(slice(None) if n == 1 else part for n, part in zip(array.shape, tile, strict=True))
+
+
+@dataclass(frozen=True)
+class Plan:
+    """All of a sweep but where it is computed and kept."""
+
+    work: Work
+    inputs: Mapping[str, Input]
+    sizes: Mapping[str, int]
+    """The length of every dimension."""
+    kept: tuple[str, ...]
+    over: tuple[str, ...]
+    variables: tuple[Variable, ...]
+    lengths: tuple[int, ...]
+    """Of a block, along the dimensions that stay."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of the result."""
+        return tuple(self.sizes[d] for d in self.kept)
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """What is said of the whole."""
+        from symhaptic import __version__
+
+        words = {name: str(value) for name, value in self.work.words.items()}
+        made = f"symhaptic {__version__}, {kernels_used()} kernels"
+        return {"title": self.work.says, "source": made, **words}
+
+    @property
+    def points(self) -> int:
+        """How often the quantity is computed."""
+        return math.prod(self.sizes.values())
+
+    @property
+    def nbytes(self) -> int:
+        """The memory that the result takes."""
+        return math.prod(self.shape) * sum(v.dtype.itemsize for v in self.variables)
+
+    @property
+    def grid(self) -> tuple[int, ...]:
+        """How many blocks there are along each dimension that stays."""
+        return tuple(-(-n // step) for n, step in zip(self.shape, self.lengths, strict=True))
+
+    def indices(self) -> Iterator[tuple[int, ...]]:
+        """The blocks by their numbers."""
+        return itertools.product(*map(range, self.grid))
+
+    def piece(self, index: tuple[int, ...]) -> Piece:
+        """One block."""
+        begin = tuple(i * step for i, step in zip(index, self.lengths, strict=True))
+        ends = zip(begin, self.lengths, self.shape, strict=True)
+        stay = [slice(b, min(b + step, n)) for b, step, n in ends]
+        cuts = dict(zip(self.kept, stay, strict=True))
+        dims = (*self.kept, *self.over)
+        shape = (*(s.stop - s.start for s in stay), *(self.sizes[d] for d in self.over))
+        inputs = {}
+        for name, (own, values) in self.inputs.items():
+            part = values[tuple(cuts.get(d, slice(None)) for d in own)]
+            order = sorted(range(len(own)), key=lambda i: dims.index(own[i]))
+            inputs[name] = part.transpose(order).reshape(
+                tuple(shape[dims.index(d)] if d in own else 1 for d in dims)
+            )
+        return Piece(index, begin, self.work, inputs, shape, self.variables, kernels_used())
+
+    def description(self) -> str:
+        """What two sweeps have in common whose blocks may stand beside each other."""
+        from symhaptic import __version__
+
+        said = {
+            "symhaptic": __version__,
+            "kernels": kernels_used(),
+            "quantity": self.work.says,
+            "function": self.work.body,
+            "words": {n: str(v) for n, v in self.work.words.items()},
+            "variables": [v.name for v in self.variables],
+            "inputs": {
+                name: [
+                    list(dims),
+                    hashlib.sha256(np.ascontiguousarray(values).tobytes()).hexdigest(),
+                ]
+                for name, (dims, values) in self.inputs.items()
+            },
+            "dimensions": dict(self.sizes),
+            "over": list(self.over),
+            "blocks": list(self.lengths),
+        }
+        return json.dumps(said, sort_keys=True)
+
+
+def lengths_of(
+    kept: Mapping[str, int], over: Mapping[str, int], chunks: int | Mapping[str, int] | None
+) -> tuple[int, ...]:
+    """The lengths of blocks; of so many points, or as they are given by dimension."""
+    points = POINTS if chunks is None or isinstance(chunks, Mapping) else chunks
+    found = _lengths(tuple(kept.values()), max(1, points // math.prod(over.values())))
+    if not isinstance(chunks, Mapping):
+        return found
+    named = dict(zip(kept, found, strict=True)) | dict(chunks)
+    return tuple(min(named[d], kept[d]) for d in kept)

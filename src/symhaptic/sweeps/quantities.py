@@ -1,0 +1,252 @@
+r"""What can be swept: functions of arrays, with the units and the meaning of all that they know.
+
+Without units as in the paper, :math:`\alpha=KT^2/m`, :math:`\beta=BT/m`, :math:`\gamma=kT^2/m`,
+:math:`\delta=bT/m`, :math:`d=t_d/T`; for a scene the same in N/m, Ns/m, kg and s.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from symhaptic.notation import SYMBOLS
+from symhaptic.notation.quantities import decimal, nearest, shown
+from symhaptic.notation.suggest import suggested
+
+
+class Meaning(NamedTuple):
+    """What a number is: its unit, as it is said, and as a formula."""
+
+    unit: str
+    says: str
+    latex: str = ""
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """As conventions have it: ``units``, ``long_name``, and the ``symbol``."""
+        said = {"units": self.unit, "long_name": self.says, "symbol": self.latex}
+        return {key: value for key, value in said.items() if value}
+
+
+class Result(NamedTuple):
+    """One of the numbers that a quantity gives."""
+
+    name: str
+    meaning: Meaning
+    kind: type = float
+
+
+class Quantity(NamedTuple):
+    """A function of arrays: where it is, what it gives, and the statement that it rests on."""
+
+    home: str
+    results: tuple[Result, ...]
+    statement: str
+
+
+def _symbol(name: str, says: str = "") -> Meaning:
+    known = SYMBOLS[name]
+    return Meaning(known.unit, says or known.meaning, known.latex)
+
+
+INPUTS: dict[str, Meaning] = {
+    **{name: _symbol(name) for name in ("alpha", "beta", "gamma", "delta", "theta")},
+    "omega": _symbol("omega_hat"),
+    "delay": _symbol("d"),
+}
+"""Arguments without units."""
+
+IN_SI: dict[str, Meaning] = {
+    "K": _symbol("K"),
+    "B": _symbol("B"),
+    "mass": _symbol("m"),
+    "sampling_period": _symbol("T"),
+    "damping": _symbol("b"),
+    "stiffness": _symbol("k"),
+    "delay": _symbol("t_d"),
+    "delay_samples": _symbol("d"),
+    "frequency_hz": Meaning("Hz", "frequency of the swing", "f"),
+}
+"""Arguments of a scene and its walls."""
+
+_TRUE = Meaning("1", "whether all characteristic roots are inside the unit circle")
+_STIFFEST = (
+    Result("alpha", _symbol("alpha", "largest stable virtual stiffness, K T^2/m")),
+    Result("beta", _symbol("beta", "virtual damping that it needs, B T/m")),
+    Result("theta", _symbol("theta", "angle at which the loop swings there, omega T")),
+)
+_SAFEST = (
+    Result("alpha", _symbol("alpha", "largest passive virtual stiffness, K T^2/m")),
+    Result("beta", _symbol("beta", "virtual damping that it needs, B T/m")),
+    Result("theta", _symbol("theta", "its worst angle, omega T")),
+)
+_EDGE = (Result("alpha", _symbol("alpha")), Result("beta", _symbol("beta")))
+_MARGIN = Meaning("1", "physical damping minus the damping that the wall needs, times T/m")
+_LONGEST = Meaning("1", "delay margin, in sampling periods", "d")
+
+QUANTITIES: dict[str, Quantity] = {
+    "is_stable": Quantity("numeric.stability", (Result("is_stable", _TRUE, bool),), "eq18"),
+    "unstable_roots": Quantity(
+        "numeric.stability",
+        (Result("unstable_roots", Meaning("1", "roots outside the unit circle"), int),),
+        "eq18",
+    ),
+    "stability_boundary": Quantity("numeric.boundary", _EDGE, "fractional-boundary"),
+    "max_stable_stiffness": Quantity(
+        "numeric.tracing.extremes", _STIFFEST, "fractional-boundary"
+    ),
+    "delay_margin": Quantity(
+        "numeric.tracing.margin", (Result("delay_margin", _LONGEST),), "delay-margin"
+    ),
+    "is_passive": Quantity(
+        "numeric.passivity",
+        (Result("is_passive", Meaning("1", "whether no motion extracts energy"), bool),),
+        "fractional-passivity",
+    ),
+    "passivity_margin": Quantity(
+        "numeric.passivity", (Result("passivity_margin", _MARGIN),), "fractional-passivity"
+    ),
+    "passivity_boundary": Quantity("numeric.passivity", _EDGE, "eq27"),
+    "max_passive_stiffness": Quantity("numeric.passivity", _SAFEST, "eq11"),
+    "linear_limit": Quantity("numeric.linear", (_EDGE[0],), "eq25"),
+    "discretize": Quantity(
+        "numeric.plant", tuple(Result(n, _symbol(f"{n[0]}_{n[1]}" if n[1:] else n))
+                               for n in ("n1", "n0", "a", "e")), "eq14",
+    ),
+}  # fmt: skip
+"""By the names of the public functions."""
+
+_SI: dict[str, tuple[str, Meaning]] = {
+    "alpha": ("K", Meaning("N/m", "", "K")),
+    "beta": ("B", Meaning("Ns/m", "", "B")),
+    "theta": ("frequency_hz", Meaning("Hz", "frequency of the swing", "f")),
+    "passivity_margin": (
+        "passivity_margin",
+        Meaning("Ns/m", "physical damping minus the damping that the wall needs"),
+    ),
+    "delay_margin": ("delay_margin", Meaning("s", "delay margin", "t_d")),
+}
+"""What results are called for a scene; a meaning that stays loses its last words, the formula."""
+
+_PARTS = {
+    "alpha": ("K",), "beta": ("B",), "gamma": ("stiffness",), "delta": ("damping",),
+    "theta": ("frequency_hz",), "omega": ("frequency_hz",),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Work:
+    """A function of arrays by name, whose results stand beside each other in a tuple."""
+
+    function: Callable[..., Any]
+    arguments: tuple[str, ...]
+    """The names of its arrays."""
+    results: tuple[Result, ...]
+    words: Mapping[str, Any]
+    """What it is given besides."""
+    says: str
+    """The quantity's name."""
+    statement: str = ""
+    in_si: bool = False
+
+    def __call__(self, **arrays: Any) -> tuple[Any, ...]:
+        """The results for arrays that broadcast."""
+        if not self.in_si:
+            return self._plain(arrays)
+        period, mass = arrays["sampling_period"], arrays["mass"]
+        found = self._plain({n: _scaled(n, arrays) for n in self.own_arguments})
+        scale = {
+            "K": mass / period**2,
+            "B": mass / period,
+            "frequency_hz": 1 / (2 * math.pi * period),
+            "passivity_margin": mass / period,
+            "delay_margin": period,
+        }
+        return tuple(
+            value * scale[result.name] if result.name in scale else value
+            for result, value in zip(self.results, found, strict=True)
+        )
+
+    @property
+    def own_arguments(self) -> tuple[str, ...]:
+        """The arguments of the function itself."""
+        return tuple(n for n in inspect.signature(self.function).parameters if n in INPUTS)
+
+    @property
+    def body(self) -> str:
+        """What a function of the user's own does, as far as its own code tells; else nothing."""
+        code = None if self.results else getattr(self.function, "__code__", None)
+        if code is None:
+            return ""
+        plain = [c for c in code.co_consts if isinstance(c, int | float | complex | str | bytes)]
+        return hashlib.sha256(repr((code.co_code, code.co_names, plain)).encode()).hexdigest()
+
+    def _plain(self, arrays: Mapping[str, Any]) -> tuple[Any, ...]:
+        found = self.function(**arrays, **self.words)
+        return tuple(found) if isinstance(found, tuple) else (found,)
+
+
+def _scaled(name: str, si: Mapping[str, Any]) -> Any:
+    """An argument without units; whole delays written in decimals stay whole."""
+    period, mass = si["sampling_period"], si["mass"]
+    if name == "delay":
+        late = _periods(si["delay"], period) if "delay" in si else si["delay_samples"]
+        return np.asarray(late, dtype=np.float64)
+    (part,) = _PARTS[name]
+    scale = period / mass
+    scales = {
+        "K": scale * period, "stiffness": scale * period, "B": scale, "damping": scale,
+        "frequency_hz": 2 * math.pi * period,
+    }  # fmt: skip
+    return np.asarray(si[part] * scales[part])
+
+
+_periods = np.frompyfunc(lambda late, period: nearest(decimal(late) / decimal(period)), 2, 1)
+
+
+def work_of(quantity: str | Callable[..., Any], words: Mapping[str, Any], in_si: bool) -> Work:
+    """The quantity of this name, a public function, or a function of the user's own.
+
+    Raises :class:`ValueError` for a name that is none, and for a scene with one's own function.
+    """
+    name = quantity if isinstance(quantity, str) else getattr(quantity, "__name__", "")
+    known = QUANTITIES.get(name)
+    if known is not None:
+        function = getattr(import_module(f"symhaptic.{known.home}"), name)
+        if callable(quantity) and quantity is not function:
+            known = None
+    if known is None:
+        return _own(quantity, words, in_si)
+    needed = tuple(n for n in inspect.signature(function).parameters if n in INPUTS)
+    if not in_si:
+        return Work(function, needed, known.results, dict(words), name, known.statement)
+    parts = [p for n in needed for p in _PARTS.get(n, (n,))]
+    results = tuple(_in_si(r) for r in known.results)
+    all_parts = (*parts, "mass", "sampling_period")
+    return Work(function, all_parts, results, dict(words), name, known.statement, True)
+
+
+def _in_si(result: Result) -> Result:
+    name, meaning = _SI.get(result.name, (result.name, result.meaning))
+    says = meaning.says or result.meaning.says.split(",")[0]
+    return Result(name, Meaning(meaning.unit, says, meaning.latex), result.kind)
+
+
+def _own(quantity: Any, words: Mapping[str, Any], in_si: bool) -> Work:
+    if not callable(quantity):
+        allowed = suggested(quantity, QUANTITIES) if isinstance(quantity, str) else "functions are"
+        raise ValueError(f"quantity: {shown(quantity)} is not allowed; {allowed}")
+    if in_si:
+        raise ValueError(
+            f"scene: is not allowed with {shown(quantity)}; one of {', '.join(QUANTITIES)} is"
+        )
+    names = [n for n in inspect.signature(quantity).parameters if n not in words]
+    name = getattr(quantity, "__name__", "quantity")
+    return Work(quantity, tuple(names), (), dict(words), name)

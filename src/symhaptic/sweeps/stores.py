@@ -1,0 +1,211 @@
+"""Where finished blocks are kept, so that a sweep goes on where it was killed.
+
+A block counts as done when a mark says so that is written after it.  What a killed process had
+begun is computed again, and the end has the same bytes as without the kill.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import shutil
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from symhaptic.sweeps.dataset import lazily
+from symhaptic.sweeps.plan import Piece, Plan
+from symhaptic.sweeps.quantities import IN_SI, INPUTS
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+PLAN = "symhaptic_sweep"
+"""The attribute that says which sweep it is."""
+
+
+class Store(Protocol):
+    """A place for blocks."""
+
+    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
+        """Make it ready, or see that it is the same sweep that it was begun for."""
+
+    def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
+        """The blocks that are not done."""
+
+    def finish(self, piece: Piece) -> None:
+        """Compute a block and keep it, unless it is done; for workers."""
+
+    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
+        """What is kept, read when it is asked for."""
+
+
+def store(to: str | Path) -> Store:
+    """Zarr or Parquet, by the end of the name."""
+    place = str(to).rstrip("/")
+    if place.endswith(".zarr"):
+        return Zarr(place)
+    if place.endswith(".parquet") and "://" not in place:
+        return Parquet(place)
+    raise ValueError(
+        f"to: {place!r} is not allowed; a name that ends in .zarr is, or one of a folder that "
+        "ends in .parquet"
+    )
+
+
+def _begun(place: str, said: str | None, plan: Plan) -> None:
+    """Refuse what is there and is not this sweep."""
+    if said is None:
+        raise ValueError(f"to: {place!r} is not allowed; it is there and holds no sweep")
+    if said != plan.description():
+        was, now = json.loads(said), json.loads(plan.description())
+        other = ", ".join(key for key in now if was.get(key) != now[key])
+        raise ValueError(
+            f"to: {place!r} is not allowed; it holds another sweep, which differs in {other}"
+        )
+
+
+def _beside(place: str) -> str:
+    """Where it is made until it is whole; what was left there is removed."""
+    shutil.rmtree(f"{place}.begun", ignore_errors=True)
+    return f"{place}.begun"
+
+
+@dataclass(frozen=True)
+class Zarr:
+    """A Zarr group: one chunk a block, and a mark in ``blocks/done`` for each that is done."""
+
+    place: str
+
+    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
+        """Make the group whole at once, under another name first where names can be changed."""
+        import zarr
+
+        try:
+            found = zarr.open_group(self.place, mode="r")
+        except FileNotFoundError:
+            pass
+        else:
+            said = found.attrs.get(PLAN)
+            return _begun(self.place, said if isinstance(said, str) else None, plan)
+        local = "://" not in self.place
+        if local and Path(self.place).exists():
+            _begun(self.place, None, plan)
+        place = _beside(self.place) if local else self.place
+        chunks = {v: {"chunks": plan.lengths} for v in map(str, empty.data_vars) if plan.lengths}
+        empty.to_zarr(place, compute=False, encoding=chunks, consolidated=False, zarr_format=3)
+        group = zarr.open_group(place, mode="r+")
+        group.create_array(
+            "blocks/done", shape=plan.grid, chunks=(1,) * len(plan.grid), dtype="uint8",
+            fill_value=0,
+        )  # fmt: skip
+        group.attrs[PLAN] = plan.description()
+        if local:
+            os.rename(place, self.place)
+        return None
+
+    def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
+        """Where there is no mark."""
+        done = np.asarray(self._group()["blocks/done"][...])
+        return (index for index in plan.indices() if not done[index])
+
+    def finish(self, piece: Piece) -> None:
+        """The block first, then its mark."""
+        group = self._group()
+        done = group["blocks/done"]
+        if np.asarray(done[piece.index]):
+            return
+        for variable, values in zip(piece.variables, piece.compute(), strict=True):
+            group[variable.name][piece.region] = values
+        done[piece.index] = 1
+
+    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
+        """The group as arrays of Dask."""
+        import xarray
+
+        found: xarray.Dataset = xarray.open_zarr(self.place, consolidated=False)
+        del found.attrs[PLAN]
+        return found
+
+    def _group(self) -> Any:
+        import zarr
+
+        return zarr.open_group(self.place, mode="r+")
+
+
+@dataclass(frozen=True)
+class Parquet:
+    """A folder of Parquet files, one a block with a row a point, each there at once when done."""
+
+    place: str
+
+    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
+        """Make the folder, with the plan in a file that readers of Parquet pass over."""
+        if Path(self.place).exists():
+            file = self._plan(self.place)
+            return _begun(self.place, file.read_text("utf-8") if file.is_file() else None, plan)
+        place = _beside(self.place)
+        os.makedirs(place)
+        self._plan(place).write_text(plan.description(), "utf-8")
+        os.rename(place, self.place)
+        return None
+
+    @staticmethod
+    def _plan(place: str) -> Path:
+        return Path(place) / f"_{PLAN}.json"
+
+    def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
+        """Where there is no file."""
+        there = {path.name for path in Path(self.place).iterdir()}
+        return (index for index in plan.indices() if _file(index) not in there)
+
+    def finish(self, piece: Piece) -> None:
+        """Write beside, and give it its name when it is whole."""
+        import pyarrow
+        from pyarrow import parquet
+
+        whole = Path(self.place) / _file(piece.index)
+        if whole.exists():
+            return
+        values = piece.compute()
+        kept = len(piece.begin)
+        shape = piece.shape[:kept]
+        meanings = IN_SI if piece.work.in_si else INPUTS
+        columns: dict[str, NDArray[Any]] = {}
+        said: dict[str, dict[str, str]] = {}
+        for name, array in piece.inputs.items():
+            if math.prod(array.shape[kept:]) == 1:
+                columns[name] = np.broadcast_to(array.reshape(array.shape[:kept]), shape)
+                said[name] = meanings[name].attributes if name in meanings else {}
+        for variable, value in zip(piece.variables, values, strict=True):
+            columns[variable.name], said[variable.name] = value, variable.attributes
+        fields = [
+            pyarrow.field(name, pyarrow.from_numpy_dtype(value.dtype), metadata=said[name])
+            for name, value in columns.items()
+        ]
+        rows = [np.ravel(value) for value in columns.values()]
+        table = pyarrow.table(rows, schema=pyarrow.schema(fields))
+        beside = whole.with_name(f"_{whole.name}.{os.getpid()}")
+        parquet.write_table(table, beside)
+        os.replace(beside, whole)
+
+    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
+        """The files as arrays of Dask."""
+        return lazily(plan, empty, self._read)
+
+    def _read(self, piece: Piece) -> list[NDArray[Any]]:
+        from pyarrow import parquet
+
+        names = [v.name for v in piece.variables]
+        table = parquet.read_table(Path(self.place) / _file(piece.index), columns=names)
+        shape = piece.shape[: len(piece.begin)]
+        return [table[name].to_numpy().reshape(shape) for name in names]
+
+
+def _file(index: tuple[int, ...]) -> str:
+    return f"block-{'-'.join(f'{i:05}' for i in index) or '0'}.parquet"

@@ -1,0 +1,120 @@
+"""Any quantity over named axes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symhaptic.notation.quantities import shown
+from symhaptic.sweeps import dataset
+from symhaptic.sweeps.axes import plan_of
+from symhaptic.sweeps.plan import Piece, Plan
+from symhaptic.sweeps.stores import store
+from symhaptic.sweeps.work import done, executor
+
+if TYPE_CHECKING:
+    import xarray
+    from distributed import Client
+    from numpy.typing import NDArray
+
+    from symhaptic.scene.scene import Scene
+
+
+def sweep(
+    quantity: str | Callable[..., Any],
+    scene: Scene | None = None,
+    *,
+    over: str | Sequence[str] = (),
+    reduce: str | Sequence[str] = (),
+    to: str | Path | None = None,
+    on: str | Executor | Client = "threads",
+    workers: int | None = None,
+    chunks: int | Mapping[str, int] | None = None,
+    lazy: bool | None = None,
+    **axes: Any,
+) -> xarray.Dataset:
+    """A quantity at all points of named axes, as a Dataset with units and meanings.
+
+    ``quantity`` is a public function of arrays or its name, such as ``"is_stable"``, and ``axes``
+    are its arguments: numbers, one-dimensional arrays, each a dimension of its argument's name, or
+    xarray's arrays with dimensions of their own (arms whose gamma and delta belong together share
+    one).  With a ``scene`` they are its parts in SI units instead: ``stiffness``, ``damping``,
+    ``mass``, ``sampling_period``, ``delay`` or ``delay_samples``, of a wall ``K`` and ``B``, or
+    ``frequency_hz``; what is not named is the scene's, and results are in N/m, Ns/m, s and Hz.  A
+    function of one's own takes arrays by name, and may run on processes where it can be imported.
+
+    ``reduce`` is what becomes of the dimensions ``over``: ``min``, ``max`` or ``mean`` of numbers,
+    ``all``, ``any``, ``mean`` or ``count`` of truth values, one or several; NaN is not left out.
+
+    The work is cut into blocks of some four million points along the dimensions that stay (or of
+    ``chunks`` points, or lengths by dimension), which ``on`` computes: ``"threads"``, for the
+    kernels release the lock, ``"processes"``, a client of dask.distributed, or any executor of
+    ``concurrent.futures``; ``workers`` is how many threads or processes.  Its bits do not depend
+    on that.  A bar on a terminal shows how far it is.
+
+    ``to`` is where it is kept, block by block: a name that ends in ``.zarr``, which may be the
+    address of a store, or in ``.parquet``.  The same call again goes on where it was killed.
+    With ``lazy`` nothing is computed yet: the arrays are Dask's.  So they are where the result
+    is larger than half of the memory and has no place.
+
+    Raises :class:`ValueError` for what cannot be swept so, in one line, before it begins, and
+    :class:`ModuleNotFoundError` without the extra ``symhaptic[sweep]``.
+
+    >>> import numpy as np
+    >>> found = sweep("max_stable_stiffness", gamma=0.0, delta=[0.0, 0.02], delay=np.arange(3))
+    >>> found.alpha.dims, found.alpha.attrs["units"]
+    (('delta', 'delay'), '1')
+    >>> found.alpha.sel(delta=0.02).round(4).values
+    array([0.7132, 0.1548, 0.0691])
+    """
+    plan, coords = plan_of(quantity, scene, over, reduce, chunks, axes)
+    like = dataset.empty(plan, coords)
+    if to is not None:
+        if lazy:
+            raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; one of them is")
+        place = store(to)
+        place.begin(plan, like)
+        missing = list(place.missing(plan))
+        total = int(np.prod(plan.grid))
+        if missing:
+            with executor(on, workers) as pool:
+                pieces = map(plan.piece, missing)
+                for _ in done(pool, place.finish, pieces, len(missing), total):
+                    pass
+        return place.open(plan, like)
+    if lazy or (lazy is None and _large(plan)):
+        return dataset.lazily(plan, like, Piece.compute)
+    found = [np.empty(plan.shape, v.dtype) for v in plan.variables]
+    total = int(np.prod(plan.grid))
+    with executor(on, workers) as pool:
+        for region, values in done(pool, _placed, map(plan.piece, plan.indices()), total, total):
+            for into, value in zip(found, values, strict=True):
+                into[region] = value
+    return like.assign(
+        {
+            v.name: (plan.kept, value, v.attributes)
+            for v, value in zip(plan.variables, found, strict=True)
+        }
+    )
+
+
+def _placed(piece: Piece) -> tuple[tuple[slice, ...], list[NDArray[Any]]]:
+    """A block and where it belongs."""
+    return piece.region, piece.compute()
+
+
+_SMALL = 10**8
+"""Bytes that fit any memory."""
+
+
+def _large(plan: Plan) -> bool:
+    """Whether the result is larger than half of the memory."""
+    if plan.nbytes < _SMALL:
+        return False
+    from distributed.system import MEMORY_LIMIT
+
+    return 2 * plan.nbytes > MEMORY_LIMIT

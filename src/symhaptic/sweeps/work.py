@@ -1,0 +1,99 @@
+"""Who computes: threads, processes, or whoever keeps the promise of ``concurrent.futures``."""
+
+from __future__ import annotations
+
+import multiprocessing
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    Executor,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
+from contextlib import contextmanager
+from itertools import islice
+from typing import Any
+
+from symhaptic.notation.quantities import shown
+from symhaptic.sweeps.plan import Piece
+
+_AT_ONCE = 1024
+"""Blocks that are waited for at a time, so that a sweep of a million takes no memory."""
+
+
+@contextmanager
+def executor(on: Any, workers: int | None) -> Iterator[Executor]:
+    """Threads, processes, a client of Dask's, or the user's own executor, which stays open."""
+    if on in ("threads", "processes"):
+        if workers is None:
+            from dask.system import CPU_COUNT
+
+            workers = CPU_COUNT
+        made: Executor = ThreadPoolExecutor(workers)
+        if on == "processes":  # forked threads may hold locks for ever
+            context = multiprocessing.get_context("spawn")
+            made = ProcessPoolExecutor(workers, mp_context=context)
+        try:
+            yield made
+        finally:
+            made.shutdown(cancel_futures=True)
+        return
+    if workers is not None:
+        raise ValueError(f"workers: {workers!r} is not allowed with {shown(on)}; it has its own")
+    if hasattr(on, "get_executor"):
+        client = on.get_executor(pure=False)
+        try:
+            yield client
+        finally:
+            client.shutdown(wait=False)  # only its hold of what is done
+    elif isinstance(on, Executor):
+        yield on
+    else:
+        raise ValueError(
+            f"on: {shown(on)} is not allowed; 'threads', 'processes', a client of "
+            "dask.distributed or an executor of concurrent.futures is"
+        )
+
+
+def done(
+    pool: Executor, work: Callable[[Piece], Any], pieces: Iterable[Piece], count: int, total: int
+) -> Iterator[Any]:
+    """The results as they come; what could not be computed is raised at once.
+
+    On a terminal a bar shows how many blocks of ``total`` are done, ``count`` of which are to do.
+    """
+    with _bar(total - count, total) as advance:
+        waiting = iter(pieces)
+        futures = {pool.submit(work, piece) for piece in islice(waiting, _AT_ONCE)}
+        try:
+            while futures:
+                ready, futures = wait(futures, return_when=FIRST_COMPLETED)
+                futures |= {pool.submit(work, piece) for piece in islice(waiting, len(ready))}
+                for future in ready:
+                    yield future.result()
+                    advance()
+        finally:
+            for future in futures:
+                future.cancel()
+
+
+@contextmanager
+def _bar(begun: int, total: int) -> Iterator[Callable[[], Any]]:
+    if not sys.stderr.isatty():
+        yield lambda: None
+        return
+    from rich.console import Console
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
+    columns = (TextColumn("sweep"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("sweep", completed=begun, total=total)
+        yield lambda: progress.advance(task)

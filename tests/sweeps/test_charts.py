@@ -1,0 +1,61 @@
+"""Charts of sweeps: what is drawn has units, nothing is cut off, and no legend covers a curve."""
+
+import numpy as np
+import pytest
+
+from symhaptic import Scene
+
+pytest.importorskip("xarray", reason="no xarray here: no sweeps")
+pytest.importorskip("matplotlib", reason="no Matplotlib here: no charts")
+
+from symhaptic.sweeps import charts
+
+SCENE = Scene(mass=0.6, damping=6.0, stiffness=800.0, sampling_period=1e-3, delay=1e-3)
+FEW = {
+    charts.robust_limits: {"points": 30}, charts.stiffest: {"points": 30},
+    charts.delay_margin: {"points": 10}, charts.model_costs: {},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("scene", [None, SCENE], ids=["23", "scene"])
+@pytest.mark.parametrize("chart", FEW, ids=lambda f: f.__name__)
+def test_charts_have_units_and_room(chart, scene, tmp_path):
+    words = dict(FEW[chart])
+    if chart is charts.model_costs:
+        late = np.linspace(0, 4, 5)
+        words["delays"] = late if scene is None else 1e-3 * late
+    figure = chart(scene, **words)
+    figure.savefig(tmp_path / "chart.png")
+    assert (tmp_path / "chart.png").read_bytes()[:4] == b"\x89PNG"
+    renderer = figure.canvas.get_renderer()
+    whole = figure.get_tightbbox(renderer)
+    assert whole.x0 >= 0
+    assert whole.y0 >= 0
+    assert whole.x1 <= figure.get_figwidth()
+    assert whole.y1 <= figure.get_figheight()
+    axes = figure.axes[0]
+    assert axes.get_xlabel()
+    assert axes.get_ylabel()
+    if scene is not None:
+        every = " ".join(
+            [*(a.get_ylabel() for a in figure.axes), axes.get_xlabel(), axes.get_title(loc="left")]
+        )
+        assert " in ms" in every or " in Ns/m" in every
+        assert "N/m" in every
+    legend = axes.get_legend()
+    if legend is not None:
+        assert not legend.get_window_extent(renderer).overlaps(axes.get_window_extent(renderer))
+
+
+def test_a_range_of_ones_own():
+    figure = charts.robust_limits(SCENE, stiffness=(0.0, 2000.0), damping=(1.0, 3.0), points=20)
+    assert figure.axes[0].get_title(loc="left") == "$k$ = 0 to 2000 N/m, $b$ = 1 to 3 Ns/m"
+
+
+def test_leaving_out_the_damper_costs_what_is_proved():
+    """5 of the paper's (23) at one delay: below 6.68 % without both, 0.338 % without the spring."""
+    figure = charts.model_costs(delays=[0.0, 1.0])
+    spring, damper, both = (line.get_ydata()[1] for line in figure.axes[0].lines)
+    assert spring == pytest.approx(0.337, abs=1e-3)
+    assert damper == pytest.approx(6.705, abs=1e-2)
+    assert both == pytest.approx(6.671, abs=1e-2)

@@ -1,0 +1,198 @@
+"""Sweeps that are killed and go on: nothing is computed twice, and the bytes are the same."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+from threading import Thread
+
+import numpy as np
+import pytest
+
+from symhaptic import is_stable, sweep
+
+zarr = pytest.importorskip("zarr", reason="no zarr here: no sweeps are kept")
+pytest.importorskip("xarray", reason="no xarray here: no sweeps")
+pytest.importorskip("pyarrow", reason="no pyarrow here: no sweeps are kept")
+
+ALPHA, DELTA = np.linspace(0, 0.5, 40), np.linspace(0, 0.02, 25)
+
+PROGRAM = """
+import os, sys, time
+import numpy as np
+from symhaptic import sweep
+
+def slow(alpha, delta):
+    with open(sys.argv[2], "a") as log:
+        log.write(f"{float(alpha.ravel()[0])!r}\\n")
+    time.sleep(0.02)
+    return np.sin(alpha) * delta
+
+sweep(slow, alpha=np.linspace(0, 0.5, 40), delta=np.linspace(0, 0.02, 25), to=sys.argv[1],
+      chunks={"alpha": 1}, workers=2)
+"""
+
+
+def tree(place):
+    """Every file with its bytes."""
+    place = Path(place)
+    return {p.relative_to(place): p.read_bytes() for p in place.rglob("*") if p.is_file()}
+
+
+def begun(place, log):
+    return subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, str(place), str(log)], stderr=subprocess.PIPE
+    )
+
+
+def marks(place):
+    """How many blocks are done."""
+    if place.suffix == ".zarr":
+        return sum(1 for _ in (place / "blocks/done/c").rglob("*") if _.is_file())
+    return sum(1 for _ in place.glob("block-*"))
+
+
+@pytest.mark.parametrize("kind", ["zarr", pytest.param("parquet", marks=pytest.mark.slow)])
+def test_a_killed_process_goes_on_to_the_same_bytes(kind, tmp_path):
+    whole, killed = tmp_path / f"whole.{kind}", tmp_path / f"killed.{kind}"
+    first, second = begun(whole, tmp_path / "whole"), begun(killed, tmp_path / "before")
+    until = time.monotonic() + 60
+    while not (killed.exists() and marks(killed) >= 12) and time.monotonic() < until:
+        time.sleep(0.005)
+    second.send_signal(signal.SIGKILL)
+    assert second.wait() != 0
+    assert first.wait() == 0, first.stderr.read()
+    done = marks(killed)
+    assert 12 <= done < 40
+    last = begun(killed, tmp_path / "after")
+    assert last.wait() == 0, last.stderr.read()
+    assert tree(killed) == tree(whole)
+    read = {n: Counter((tmp_path / n).read_text().split()) for n in ("whole", "before", "after")}
+    probe = repr(float(ALPHA[0]))  # asked once more, for what a function of one's own gives
+    read["after"][probe] -= 1
+    assert sum(read["after"].values()) == 40 - done
+    assert max((read["before"] + read["after"]).values()) <= 2
+    assert len(set(read["before"]) & {a for a, n in read["after"].items() if n}) <= 2  # two threads
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_what_is_kept_is_what_is_computed(kind, tmp_path):
+    axes = {"alpha": ALPHA, "beta": [0.1, 0.4], "gamma": 0.0, "delta": DELTA, "delay": 1.0}
+    place = tmp_path / f"kept.{kind}"
+    found = sweep("is_stable", to=place, chunks=300, over="delta", reduce=("all", "mean"), **axes)
+    wanted = sweep("is_stable", over="delta", reduce=("all", "mean"), **axes)
+    assert found.compute().identical(wanted)
+    before = tree(place)
+    times = {p: p.stat().st_mtime_ns for p in place.rglob("*")}
+    sweep("is_stable", to=place, chunks=300, over="delta", reduce=("all", "mean"), **axes)
+    assert tree(place) == before
+    assert {p: p.stat().st_mtime_ns for p in place.rglob("*")} == times  # nothing is done again
+
+
+def test_a_table_has_a_row_a_point_and_units(tmp_path):
+    pandas = pytest.importorskip("pandas", reason="no pandas here: it reads no Parquet")
+    from pyarrow import parquet
+
+    place = tmp_path / "walls.parquet"
+    sweep("is_stable", alpha=ALPHA, beta=[0.1, 0.4], gamma=0.0, delta=0.01, delay=1.0, to=place,
+          chunks=30)  # fmt: skip
+    table = pandas.read_parquet(place)
+    assert list(table) == ["alpha", "beta", "gamma", "delta", "delay", "is_stable"]
+    assert len(table) == 80
+    wanted = is_stable(table.alpha, table.beta, table.gamma, table.delta, table.delay)
+    assert (table.is_stable == wanted).all()
+    field = parquet.read_schema(next(place.glob("block-*"))).field("alpha")
+    assert field.metadata[b"units"] == b"1"
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_another_sweep_is_refused(kind, tmp_path):
+    place = tmp_path / f"kept.{kind}"
+    axes = {"delta": DELTA, "delay": 1.0, "to": place}
+    sweep("max_stable_stiffness", gamma=0.0, **axes)
+    with pytest.raises(ValueError, match=r"^to: .+ holds another sweep, which differs in inputs$"):
+        sweep("max_stable_stiffness", gamma=0.1, **axes)
+    with pytest.raises(ValueError, match=r"which differs in blocks$"):
+        sweep("max_stable_stiffness", gamma=0.0, chunks=2, **axes)
+    stranger = tmp_path / f"other.{kind}"
+    stranger.mkdir()
+    (stranger / "letter").write_text("mine")
+    with pytest.raises(ValueError, match=r"^to: .+ is not allowed; it is there and holds no sweep"):
+        sweep("max_stable_stiffness", gamma=0.0, **{**axes, "to": stranger})
+    assert [p.name for p in stranger.iterdir()] == ["letter"]
+
+
+def test_a_function_that_has_changed_is_refused(tmp_path):
+    """Blocks of what it was do not stand beside blocks of what it is."""
+
+    def limit(beta):
+        return 2.0 * beta
+
+    first = limit
+
+    def limit(beta):
+        return 3.0 * beta
+
+    axes = {"beta": DELTA, "to": tmp_path / "kept.zarr"}
+    sweep(first, **axes)
+    sweep(first, **axes)
+    with pytest.raises(ValueError, match=r"which differs in function$"):
+        sweep(limit, **axes)
+
+
+def test_a_store_begun_with_other_kernels_is_refused(tmp_path, monkeypatch):
+    """Their bits differ: no half of one beside half of the other."""
+    axes = {"gamma": 0.0, "delta": DELTA, "delay": 1.0, "to": tmp_path / "kept.zarr"}
+    sweep("max_stable_stiffness", **axes)
+    monkeypatch.setattr("symhaptic.sweeps.plan.kernels_used", lambda: "other")
+    with pytest.raises(ValueError, match=r"which differs in kernels$"):
+        sweep("max_stable_stiffness", **axes)
+
+
+def test_a_worker_that_is_killed_half_way(tmp_path):
+    """Two processes of a local cluster, one of them killed: its blocks go to another one."""
+    distributed = pytest.importorskip("distributed", reason="no dask.distributed here: no cluster")
+    log, place = tmp_path / "log", tmp_path / "cluster.zarr"
+    path = str(log)
+
+    def slow(alpha, delta):
+        with open(path, "a") as file:
+            file.write(f"{float(alpha.ravel()[0])!r} {os.getpid()}\n")
+        time.sleep(0.03)
+        return np.sin(alpha) * delta
+
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        own = os.getpid()
+        victims = list(client.run(os.getpid).values())
+
+        def kill():
+            while not place.exists() or marks(place) < 12:
+                time.sleep(0.005)
+            os.kill(victims[0], signal.SIGKILL)
+
+        killer = Thread(target=kill)
+        killer.start()
+        found = sweep(slow, alpha=ALPHA, delta=DELTA, to=place, chunks={"alpha": 1}, on=client)
+        killer.join()
+    assert np.array_equal(found.slow, np.sin(ALPHA)[:, None] * DELTA)
+    done = [line.split() for line in log.read_text().splitlines()]
+    done = Counter(alpha for alpha, pid in done if int(pid) != own)
+    assert len(done) == 40
+    assert sum(done.values()) <= 41  # the block that the killed one was at
+
+
+def test_a_store_may_have_an_address():
+    pytest.importorskip("fsspec", reason="no fsspec here: no stores with addresses")
+    axes = {"beta": np.linspace(0, 1, 50), "delta": 0.01, "delay": 1.0, "chunks": 10}
+    found = sweep("linear_limit", to="memory://walls/limit.zarr", **axes)
+    again = sweep("linear_limit", to="memory://walls/limit.zarr", **axes)
+    assert found.compute().identical(again.compute())
+    assert found.compute().identical(sweep("linear_limit", **axes))

@@ -1,0 +1,271 @@
+"""Sweeps beside the functions they call, on every kind of worker, and what they refuse."""
+
+import json
+import math
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import symhaptic
+from symhaptic import Scene, is_stable, max_stable_stiffness, passivity_margin, sweep
+from symhaptic.forms.stable import STATEMENTS as FORMS
+from symhaptic.sweeps.quantities import QUANTITIES
+
+xarray = pytest.importorskip("xarray", reason="no xarray here: no sweeps")
+pytest.importorskip("dask", reason="no Dask here: no sweeps")
+
+ALPHA, BETA = np.linspace(-0.01, 0.5, 23), np.linspace(-0.1, 1.2, 17)
+GAMMA, DELTA = np.linspace(0, 0.001, 5), np.linspace(0, 0.02, 7)
+WALLS = {"alpha": ALPHA, "beta": BETA, "gamma": GAMMA, "delta": DELTA, "delay": 1.0}
+
+
+def grid(delay=1.0):
+    """The same walls in one array of four dimensions."""
+    alpha, beta, gamma, delta = np.ix_(ALPHA, BETA, GAMMA, DELTA)
+    return is_stable(alpha, beta, gamma, delta, delay)
+
+
+def test_every_axis_becomes_a_dimension_with_units():
+    found = sweep("is_stable", **WALLS)
+    assert found.is_stable.dims == ("alpha", "beta", "gamma", "delta")
+    assert np.array_equal(found.is_stable, grid())
+    assert found.is_stable.attrs["formula"] == "eq18"
+    assert found.alpha.attrs == {
+        "units": "1", "long_name": "virtual stiffness, K T^2/m", "symbol": r"\alpha"
+    }  # fmt: skip
+    assert found.delay.item() == 1
+    assert "kernels" in found.attrs["source"]
+
+
+@pytest.mark.parametrize("chunks", [None, 1, 100, 4000, {"beta": 5}])
+@pytest.mark.parametrize("lazy", [False, True])
+def test_reductions_are_those_of_numpy_whatever_the_blocks(chunks, lazy):
+    words = ("all", "any", "mean", "count")
+    over = ("gamma", "delta")
+    found = sweep("is_stable", over=over, reduce=words, chunks=chunks, lazy=lazy, **WALLS)
+    every = grid()
+    for word, wanted in (("all", every.all((2, 3))), ("any", every.any((2, 3))),
+                         ("mean", every.mean((2, 3))), ("count", every.sum((2, 3)))):  # fmt: skip
+        one = found[f"is_stable_{word}"]
+        assert one.chunks is not None if lazy else one.chunks is None
+        assert one.dtype == wanted.dtype
+        assert np.array_equal(one, wanted)
+    assert found.is_stable_all.attrs["cell_methods"] == "gamma: delta: minimum"
+
+
+def test_numbers_are_reduced_and_nan_is_not_left_out():
+    delta, delay = [0.0, 0.01, 0.02], [0, 0.5, 3]
+    spring = [0.0, 5.0, math.pi**2]  # the last of these, undamped, is never stable
+    found = sweep("max_stable_stiffness", gamma=spring, delta=delta, delay=delay,
+                  over="delta", reduce=["min", "max", "mean"])  # fmt: skip
+    every = max_stable_stiffness(*np.ix_(spring, delta, delay)).alpha
+    for word in ("min", "max", "mean"):
+        wanted = getattr(every, word)(axis=1)
+        assert found[f"alpha_{word}"].to_numpy() == pytest.approx(wanted, rel=1e-15, nan_ok=True)
+    assert np.isnan(found.alpha_min[2]).all()
+    assert np.isfinite(found.alpha_min[0]).all()
+
+
+def test_a_block_takes_little_memory_however_much_it_reduces():
+    """Tiles of the walls of one point of a map: the sum over them is what NumPy has."""
+    found = sweep("is_stable", alpha=0.05, beta=0.3, gamma=np.linspace(0, 0.4, 3000),
+                  delta=np.linspace(0, 0.02, 100), delay=1.0,
+                  over=("gamma", "delta"), reduce="count")  # fmt: skip
+    every = is_stable(0.05, 0.3, np.linspace(0, 0.4, 3000)[:, None], np.linspace(0, 0.02, 100), 1.0)
+    assert found.is_stable.item() == every.sum()
+    assert 0 < every.sum() < every.size
+
+
+def test_arms_whose_numbers_belong_together_share_a_dimension():
+    gamma = xarray.DataArray([1e-4, 5e-4, 2e-4], dims="arm", coords={"arm": list("abc")})
+    delta = xarray.DataArray([1e-3, 2e-2, 5e-3], dims="arm")
+    found = sweep("max_stable_stiffness", gamma=gamma, delta=delta, delay=[0, 1])
+    assert found.alpha.dims == ("arm", "delay")
+    assert found.arm.to_numpy().tolist() == ["a", "b", "c"]
+    wanted = max_stable_stiffness(gamma.values[:, None], delta.values[:, None], [0, 1])
+    assert np.array_equal(found.alpha, wanted.alpha)
+    worst = sweep("max_stable_stiffness", gamma=gamma, delta=delta, delay=[0, 1],
+                  over="arm", reduce="min")  # fmt: skip
+    assert np.array_equal(worst.alpha, wanted.alpha.min(axis=0))
+
+
+def test_a_series_of_pandas_keeps_its_index():
+    pandas = pytest.importorskip("pandas", reason="no pandas here: its Series are not tried")
+    gamma = pandas.Series([1e-4, 5e-4], index=pandas.Index(["p", "q"], name="person"))
+    found = sweep("max_stable_stiffness", gamma=gamma, delta=0.01, delay=1.0)
+    assert found.alpha.dims == ("person",)
+    assert found.person.to_numpy().tolist() == ["p", "q"]
+
+
+def test_a_scene_is_swept_in_its_units():
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-4, delay=1.5e-3)
+    late = np.array([0.0, 1e-4, 3e-4, 7e-4])  # whole periods, though 3e-4/1e-4 is no whole float
+    found = sweep("max_stable_stiffness", scene, delay=late, damping=[0.5, 1.0])
+    assert found.K.dims == ("delay", "damping")
+    assert found.K.attrs["units"] == "N/m"
+    assert found.delay.attrs["units"] == "s"
+    for i, delay in enumerate(late):
+        for j, damping in enumerate((0.5, 1.0)):
+            one = Scene(mass=0.1, damping=damping, sampling_period=1e-4, delay=float(delay))
+            stiffest = one.max_stable_stiffness()
+            assert found.K[i, j] == pytest.approx(stiffest.K, rel=1e-14)
+            assert found.B[i, j] == pytest.approx(stiffest.B, rel=1e-14)
+            assert found.frequency_hz[i, j] == pytest.approx(stiffest.frequency_hz, rel=1e-12)
+    margin = sweep("delay_margin", scene, K=[500.0, 1000.0], B=5.0).delay_margin
+    assert margin.attrs["units"] == "s"
+    assert margin[1] == pytest.approx(scene.delay_margin(K=1000.0, B=5.0), rel=1e-12)
+    masses = sweep("is_stable", scene, K=[100.0, 4000.0], B=5.0, mass=[0.05, 0.1, 2.0])
+    assert masses.is_stable[:, 1].values.tolist() == scene.is_stable([100.0, 4000.0], 5.0).tolist()
+    samples = sweep("is_passive", scene, K=[400.0], B=[0.0], delay_samples=[0.0, 15.0])
+    assert samples.is_passive.to_numpy().ravel().tolist() == [True, False]
+
+
+def test_pint_is_converted_and_checked():
+    unit = pytest.importorskip("pint", reason="no Pint here").UnitRegistry()
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3)
+    found = sweep("is_stable", scene, K=[1.0, 2.0] * unit("N/mm"), B=5.0)
+    assert found.K.to_numpy().tolist() == [1000.0, 2000.0]
+    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; what converts to N/m is$"):
+        sweep("is_stable", scene, K=[1.0] * unit("N"), B=5.0)
+    with pytest.raises(ValueError, match=r"^gamma: .+; a number without dimension is$"):
+        sweep("max_stable_stiffness", gamma=[1.0] * unit("N"), delta=0.0, delay=0.0)
+
+
+def passive_share(alpha, beta):
+    return passivity_margin(alpha, beta, 1.0, 0.0) / (1 + alpha)
+
+
+def test_a_function_of_ones_own():
+    found = sweep(passive_share, alpha=ALPHA[1:], beta=BETA)
+    assert np.array_equal(found.passive_share, passive_share(ALPHA[1:, None], BETA))
+    assert sweep(is_stable, **WALLS).equals(sweep("is_stable", **WALLS))
+
+
+def test_threads_processes_and_executors_give_the_same_bits():
+    few = {**WALLS, "over": ("gamma",), "reduce": "mean", "chunks": 1500}
+    alone = sweep("is_stable", workers=1, **few)
+    assert alone.identical(sweep("is_stable", workers=3, **few))
+    assert alone.identical(sweep("is_stable", on="processes", workers=2, **few))
+    with ThreadPoolExecutor(2) as pool:
+        assert alone.identical(sweep("is_stable", on=pool, **few))
+        assert pool.submit(int).result() == 0  # still open
+    assert alone.identical(sweep("is_stable", lazy=True, **few).compute())
+
+
+def test_what_does_not_fit_stays_lazy(monkeypatch):
+    """Any part of it is computed when it is asked for."""
+    system = pytest.importorskip("distributed.system", reason="no dask.distributed here")
+    monkeypatch.setattr(system, "MEMORY_LIMIT", 10**9)
+    many = np.linspace(0, 0.5, 10**5)
+    found = sweep("is_stable", alpha=many, beta=many, gamma=0.0, delta=0.01, delay=1.0)
+    assert found.is_stable.nbytes == 10**10
+    part = found.is_stable[40_000, 40_000:40_003].compute(scheduler="sync")
+    wanted = is_stable(many[40_000], many[40_000:40_003], 0.0, 0.01, 1.0)
+    assert part.to_numpy().tolist() == wanted.tolist()
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_quantities_are_public_and_name_their_statement(name):
+    from symhaptic.book.sources import STATEMENTS
+
+    known = QUANTITIES[name]
+    assert symhaptic._HOME[name] == f"symhaptic.{known.home}"
+    rows = {
+        n: [0.1, 0.2] if n in ("theta", "omega") else 0.01
+        for n in sweep_arguments(name)
+    }  # fmt: skip
+    found = sweep(name, **rows)
+    assert len(found.data_vars) == len(known.results)
+    assert ledger_has(known.statement, STATEMENTS)
+    assert known.statement in FORMS.get(name, (known.statement,))
+    for result in known.results:
+        assert found[result.name].dtype == result.kind
+        assert found[result.name].attrs["long_name"]
+
+
+def sweep_arguments(name):
+    from symhaptic.sweeps.quantities import work_of
+
+    return work_of(name, {}, False).arguments
+
+
+def ledger_has(id, statements):
+    ledger = json.loads((symhaptic_root() / "reports" / "ledger.json").read_text("utf-8"))
+    return id in statements or id in json.dumps(ledger)
+
+
+def symhaptic_root():
+    from pathlib import Path
+
+    return Path(__file__).parents[2]
+
+
+REFUSED = [
+    ({"alhpa": 1.0}, r"^alhpa: is not allowed; did you mean 'alpha'"),
+    ({"alpha": []}, r"^alpha: no values are not allowed"),
+    ({"gamma": [0.1, -0.2]}, r"^gamma: -0.2 is not allowed"),
+    ({"alpha": np.zeros((2, 2))}, r"^alpha: 2 dimensions are not allowed"),
+    ({"alpha": np.ma.MaskedArray([1.0], mask=[True])}, r"^alpha: .+without masks are"),
+    ({"over": "gama", "reduce": "all"}, r"^over: 'gama' is not allowed"),
+    ({"over": "gamma"}, r"^over: .+both or none are"),
+    ({"over": "gamma", "reduce": "min"}, r"^reduce: 'min' of is_stable is not allowed"),
+    ({"over": "gamma", "reduce": "median"}, r"^reduce: 'median' is not allowed"),
+    ({"chunks": 0}, r"^chunks: 0 is not allowed"),
+    ({"chunks": {"x": 1}}, r"^chunks: 'x' is not allowed"),
+    ({"on": "clouds"}, r"^on: 'clouds' is not allowed"),
+    ({"to": "here.csv"}, r"^to: 'here.csv' is not allowed"),
+    ({"to": "here.zarr", "lazy": True}, r"^lazy: True beside to="),
+]
+
+
+@pytest.mark.parametrize(("words", "told"), REFUSED)
+def test_what_cannot_be_is_refused_on_one_line(words, told):
+    with pytest.raises(ValueError, match=told) as caught:
+        sweep("is_stable", **{**WALLS, **words})
+    assert "\n" not in str(caught.value)
+
+
+def test_words_go_to_the_function():
+    axes = {"gamma": 0.0, "delta": 0.02, "delay": [0.5, 1.5]}
+    found = sweep("max_stable_stiffness", sheet="principal", **axes)
+    wanted = max_stable_stiffness(0.0, 0.02, [0.5, 1.5], sheet="principal").alpha
+    assert np.array_equal(found.alpha, wanted)
+    assert found.attrs["sheet"] == "principal"
+    with pytest.raises(ValueError, match=r"^sheet: 'x' is not allowed"):
+        sweep("max_stable_stiffness", sheet="x", **axes)
+
+
+def test_other_mistakes():
+    with pytest.raises(ValueError, match=r"^quantity: 'is_stabel' is not allowed; did you mean"):
+        sweep("is_stabel")
+    with pytest.raises(ValueError, match=r"^delta: is missing; max_stable_stiffness takes"):
+        sweep("max_stable_stiffness", gamma=0.0, delay=1.0)
+    with pytest.raises(ValueError, match=r"^scene: is not allowed with"):
+        sweep(passive_share, Scene(mass=1.0, sampling_period=1.0), alpha=1.0, beta=1.0)
+    one = xarray.DataArray([0.1, 0.2], dims="x")
+    with pytest.raises(ValueError, match=r"^beta: 3 values along 'x' are not allowed; 2 are"):
+        sweep("is_stable", **{**WALLS, "alpha": one, "beta": xarray.DataArray([1, 2, 3], dims="x")})
+    with pytest.raises(ValueError, match=r"^mass: 0.0 is not allowed"):
+        sweep("is_stable", Scene(mass=1.0, sampling_period=1.0), K=1.0, B=1.0, mass=[0.0])
+
+
+def test_a_bar_on_a_terminal_only(capsys, monkeypatch):
+    sweep("is_stable", chunks=1000, **WALLS)
+    assert capsys.readouterr() == ("", "")
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    sweep("is_stable", chunks=1000, **WALLS)
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "sweep" in err
+
+
+def test_importing_the_package_loads_nothing_of_it():
+    program = (
+        "import sys, symhaptic; dir(symhaptic);"
+        "print([n for n in ('xarray', 'dask', 'zarr', 'symhaptic.sweeps') if n in sys.modules])"
+    )
+    told = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
+    assert told.stdout.split() == [b"[]"]
