@@ -1,0 +1,667 @@
+(* What every chapter uses: the meaning of the predicates, and the tactics that prove leaves.
+   A relation whose terms divide stands beside what it divides by: c <> 0 /\ a / c < b. *)
+From Coq Require Export Reals Lra Lia Nsatz FunctionalExtensionality.
+From Coquelicot Require Export Coquelicot.
+From Interval Require Export Tactic.
+Open Scope R_scope.
+
+Definition whole (x : R) : Prop := exists n : nat, x = INR n.
+Definition cot (x : R) : R := cos x / sin x.
+Definition increasing (f : R -> R) (a b : R) : Prop :=
+  forall x y, a < x -> x < y -> y < b -> f x < f y.
+Definition tends (f : R -> R) (a l : R) : Prop := is_lim f a l.
+
+(* Complex numbers: powers with any exponent are principal values. *)
+Fixpoint Cpower (z : C) (n : nat) : C := match n with O => 1%C | S m => (z * Cpower z m)%C end.
+Notation "z ^ n" := (Cpower z n) : C_scope.
+Definition Cexp (z : C) : C := (exp (Re z) * cos (Im z), exp (Re z) * sin (Im z)).
+Parameter Clog : C -> C.
+Definition Craised (z w : C) : C := Cexp (w * Clog z)%C.
+Definition Cless (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z < Re w.
+Definition Cless_eq (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z <= Re w.
+Definition Ctends (f : R -> C) (a : R) (l : C) : Prop :=
+  tends (fun x => Re (f x)) a (Re l) /\ tends (fun x => Im (f x)) a (Im l).
+
+(* What is said of polynomials, walls, loops and devices is not defined here; what is known of it
+   stands in the axioms.  A function of z stands for a polynomial, or for a transfer function. *)
+Parameter stable hurwitz : (C -> C) -> Prop.
+Parameter passive : (C -> C) -> C -> Prop.
+Parameter degree : (C -> C) -> C -> Prop.
+Parameter answers : (C -> C) -> C -> C -> C -> Prop.
+Parameter passive_wall stable_loop stable_substituted : C -> C -> C -> C -> C -> Prop.
+Parameter passive_device : (C -> C) -> C -> C -> C -> C -> C -> Prop.
+Parameter pole device : C -> C -> C -> C -> C -> C -> Prop.
+Parameter swings : C -> C -> C -> C -> Prop.
+
+(* -- logic -------------------------------------------------------------------------- *)
+
+Ltac opened := repeat match goal with H : _ /\ _ |- _ => destruct H end.
+
+(* -- what is not zero --------------------------------------------------------------- *)
+
+Lemma product_apart : forall x y, x * y <> 0 -> x <> 0 /\ y <> 0.
+Proof. intros x y H; split; intro E; apply H; rewrite E; ring. Qed.
+
+Lemma power_apart : forall x n, x ^ S n <> 0 -> x <> 0.
+Proof. intros x n H E; apply H; rewrite E; simpl; ring. Qed.
+
+Ltac factors :=
+  repeat match goal with
+  | H : _ * _ <> 0 |- _ => apply product_apart in H; destruct H
+  | H : _ ^ S _ <> 0 |- _ => apply power_apart in H
+  end.
+
+Ltac nz_known :=
+  match goal with
+  | H : 0 < ?c |- ?e <> 0 =>
+      solve [let E := fresh in intro E; rewrite E in H; clear - H; lra]
+  | H : ?c <> 0 |- ?e <> 0 => exact H
+  | H : ?c <> ?d |- ?e <> 0 => solve [let E := fresh in intro E; apply H; lra]
+  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by ring; exact E]
+  | H : ?c <> 0 |- ?e <> 0 => 
+      solve [let E := fresh in intro E; apply H; replace c with (- e) by ring; rewrite E; ring]
+  end.
+
+Ltac nz_with last :=
+  opened; factors; repeat split;
+  first
+    [ assumption
+    | lra
+    | apply Rgt_not_eq; apply exp_pos
+    | apply Rgt_not_eq; apply PI_RGT_0
+    | apply Rgt_not_eq; lra
+    | apply Rlt_not_eq; lra
+    | nz_known
+    | solve [apply Rmult_integral_contrapositive_currified; nz_with last]
+    | solve [apply pow_nonzero; nz_with last]
+    | solve [apply Rinv_neq_0_compat; nz_with last]
+    | match goal with H : ?c <> 0 |- ?e <> 0 =>
+        solve [replace e with (c * c) by ring; apply Rmult_integral_contrapositive_currified; exact H]
+      end
+    | solve [apply Rgt_not_eq; interval]
+    | solve [apply Rlt_not_eq; interval]
+    | last tt ].
+
+(* The last resort: another divisor would vanish. *)
+Ltac nz_hard _ :=
+  match goal with
+  | H : ?c <> 0 |- ?e <> 0 =>
+      solve [let E := fresh in intro E; apply H; timeout 4 (field_simplify_eq in E; nsatz)]
+  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; timeout 4 nsatz]
+  end.
+
+Ltac nz := nz_with nz_hard.
+Ltac nz_none _ := fail.
+Ltac nz_quick := nz_with nz_none.
+
+Ltac defined := repeat (split; [solve [opened; first [assumption | lra | nz]] |]).
+
+(* -- identities --------------------------------------------------------------------- *)
+
+Ltac known_values :=
+  rewrite ?Ropp_mult_distr_l_reverse, ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI, ?cos_PI,
+    ?sin_PI2, ?cos_PI2, ?exp_0, ?sqrt_0, ?sqrt_1, ?tan_0, ?tan_PI4.
+Ltac same_field := first [reflexivity | solve [ring] | solve [field; nz]].
+Ltac quick_field := first [reflexivity | solve [ring] | solve [field; nz_quick]].
+Lemma by_zero : forall l r q : R, l - r = q -> q = 0 -> l = r.
+Proof. intros l r q H E; lra. Qed.
+
+Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
+Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
+
+Lemma root_squared : forall x, 0 <= x -> sqrt x ^ 2 - x = 0.
+Proof. intros x H; rewrite pow2_sqrt; lra. Qed.
+
+Ltac rooted := opened; first [assumption | lra | nra | interval].
+
+Ltac turned :=
+  repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
+  rewrite ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0; ring.
+
+Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
+
+(* -- signs -------------------------------------------------------------------------- *)
+
+Lemma by_sum_lt : forall l r t z : R, r - l = t + z -> z = 0 -> 0 < t -> l < r.
+Proof. intros; lra. Qed.
+Lemma by_sum_le : forall l r t z : R, r - l = t + z -> z = 0 -> 0 <= t -> l <= r.
+Proof. intros; lra. Qed.
+Lemma by_sum_eq : forall l r z : R, r - l = z -> z = 0 -> l = r.
+Proof. intros; lra. Qed.
+Lemma by_sum_ne : forall l r t z : R, r - l = t + z -> z = 0 -> t <> 0 -> l <> r.
+Proof. intros l r t z H Z N E; apply N; lra. Qed.
+Lemma by_sum_ne' : forall l r t z : R, l - r = t + z -> z = 0 -> t <> 0 -> l <> r.
+Proof. intros l r t z H Z N E; apply N; lra. Qed.
+
+Ltac signed :=
+  first
+    [ lra
+    | lazymatch goal with
+      | |- 0 < _ + _ =>
+          first [ solve [apply Rplus_lt_le_0_compat; signed]
+                | solve [apply Rplus_le_lt_0_compat; signed] ]
+      | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; signed
+      | |- 0 < _ * _ => apply Rmult_lt_0_compat; signed
+      | |- 0 <= _ * _ => apply Rmult_le_pos; signed
+      end ].
+
+Lemma Rplus_le_le_0_compat' : forall a b, 0 <= a -> 0 <= b -> 0 <= a + b.
+Proof. intros; lra. Qed.
+
+
+Ltac apart :=
+  opened;
+  first
+    [ nz
+    | solve [apply Rgt_not_eq; signed]
+    | solve [repeat apply Rmult_integral_contrapositive_currified; first [nz | lra]] ].
+
+Ltac refuted :=
+  first [lra | match goal with H : _ <> _ |- False => solve [apply H; lra] end].
+
+Ltac numeric :=
+  first
+    [ lra
+    | interval
+    | interval with (i_prec 100)
+    | solve [apply Rlt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    | solve [apply Rgt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    | nz ].
+
+(* -- complex numbers ---------------------------------------------------------------- *)
+
+Lemma Cnumbers : ring_morph (RtoC 0) (RtoC 1) Cplus Cmult Cminus Copp (@eq C)
+  0%Z 1%Z Z.add Z.mul Z.sub Z.opp Z.eqb (fun n => RtoC (IZR n)).
+Proof.
+  split; intros; rewrite ?plus_IZR, ?mult_IZR, ?minus_IZR, ?opp_IZR;
+    rewrite ?RtoC_plus, ?RtoC_mult, ?RtoC_minus, ?RtoC_opp; try reflexivity.
+  apply Z.eqb_eq in H; rewrite H; reflexivity.
+Qed.
+Ltac Cnumber t :=
+  match t with RtoC (IZR ?n) => constr:(n) | _ => constr:(InitialRing.NotConstant) end.
+Add Field Cnumbered : C_field_theory (morphism Cnumbers, constants [Cnumber]).
+
+Lemma RtoC_div : forall x y : R, y <> 0 -> RtoC (x / y)%R = (RtoC x / RtoC y)%C.
+Proof. intros x y H; unfold Rdiv, Cdiv; rewrite RtoC_mult, RtoC_inv; [reflexivity | exact H]. Qed.
+Lemma RtoC_power : forall x n, RtoC (x ^ n)%R = (RtoC x ^ n)%C.
+Proof. intros x n; induction n as [| n IH]; simpl; [| rewrite RtoC_mult, IH]; reflexivity. Qed.
+
+Ltac Cpushed :=
+  repeat first
+    [ rewrite RtoC_div by nz | rewrite RtoC_plus | rewrite RtoC_minus | rewrite RtoC_mult | rewrite RtoC_opp
+    | rewrite RtoC_power ].
+Lemma Cnot_zero : forall x : R, x <> 0 -> RtoC x <> RtoC 0.
+Proof. intros x H E; apply H, RtoC_inj, E. Qed.
+Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <> RtoC 0.
+Proof. intros x y; apply Cmult_neq_0. Qed.
+Ltac Cnz :=
+  repeat split;
+  first
+    [ assumption
+    | apply Cnot_zero; nz
+    | solve [apply Cproduct_apart; Cnz]
+    | match goal with
+      | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
+          solve [let E := fresh in intro E; apply H; replace c with e by Cring; exact E]
+      end ]
+with Cring := cbn [Cpower]; first [reflexivity | ring].
+Ltac Csame_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz]].
+
+(* Both components, as real numbers. *)
+Ltac Ccompared := apply injective_projections; simpl; first [reflexivity | solve [ring] | solve [field; nz] | lra].
+
+Lemma Cexp_at : forall (z : C) (a b : R),
+  z = (a + Ci * b)%C -> Cexp z = (exp a * (cos b + Ci * sin b))%C.
+Proof.
+  intros z a b E; rewrite E; unfold Cexp.
+  replace (Re (a + Ci * b)%C) with a by (simpl; ring).
+  replace (Im (a + Ci * b)%C) with b by (simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Ci_squared : (Ci ^ 2 + 1)%C = RtoC 0.
+Proof. apply injective_projections; simpl; ring. Qed.
+Lemma Cpythagoras : forall x : R, (sin x ^ 2 + cos x ^ 2 - 1)%C = RtoC 0.
+Proof.
+  intro x; apply injective_projections; simpl; [| ring].
+  generalize (pythagoras x); simpl; intro H; ring_simplify in H; ring_simplify; exact H.
+Qed.
+Lemma Cby_zero : forall l r q : C, (l - r)%C = q -> q = RtoC 0 -> l = r.
+Proof. intros l r q H E; replace l with ((l - r) + r)%C by ring; rewrite H, E; ring. Qed.
+Lemma Cby_sum_eq : forall l r z : C, (r - l)%C = z -> z = RtoC 0 -> l = r.
+Proof. intros l r z H E; symmetry; apply (Cby_zero _ _ z); assumption. Qed.
+Lemma Cby_sum_ne : forall l r t z : C, (r - l)%C = (t + z)%C -> z = RtoC 0 -> t <> RtoC 0 -> l <> r.
+Proof.
+  intros l r t z H E N F; apply N; rewrite F, E in H.
+  replace t with (t + 0)%C by ring; rewrite <- H; ring.
+Qed.
+Lemma Cby_sum_ne' : forall l r t z : C,
+  (l - r)%C = (t + z)%C -> z = RtoC 0 -> t <> RtoC 0 -> l <> r.
+Proof. intros l r t z H E N F; apply (Cby_sum_ne r l t z H E N); symmetry; exact F. Qed.
+
+Definition Cpos (z : C) : Prop := Im z = 0 /\ 0 < Re z.
+Definition Cnonneg (z : C) : Prop := Im z = 0 /\ 0 <= Re z.
+Lemma Cby_sum_lt : forall l r t z : C,
+  (r - l)%C = (t + z)%C -> z = RtoC 0 -> Cpos t -> Im l = 0 -> Cless l r.
+Proof.
+  intros l r t z H E [I P] L; rewrite E in H; replace r with (l + t)%C.
+  - unfold Cless; simpl; repeat split; unfold Im, Re in *; lra.
+  - replace r with ((r - l) + l)%C by ring; rewrite H; ring.
+Qed.
+Lemma Cby_sum_le : forall l r t z : C,
+  (r - l)%C = (t + z)%C -> z = RtoC 0 -> Cnonneg t -> Im l = 0 -> Cless_eq l r.
+Proof.
+  intros l r t z H E [I P] L; rewrite E in H; replace r with (l + t)%C.
+  - unfold Cless_eq; simpl; repeat split; unfold Im, Re in *; lra.
+  - replace r with ((r - l) + l)%C by ring; rewrite H; ring.
+Qed.
+Lemma Cpos_minus : forall l r, Cless l r -> Cpos (r - l)%C.
+Proof. intros l r (I & J & L); split; simpl; unfold Im, Re in *; lra. Qed.
+Lemma Cnonneg_minus : forall l r, Cless_eq l r -> Cnonneg (r - l)%C.
+Proof. intros l r (I & J & L); split; simpl; unfold Im, Re in *; lra. Qed.
+Lemma Cnonneg_minus' : forall l r, Cless l r -> Cnonneg (r - l)%C.
+Proof. intros l r (I & J & L); split; simpl; unfold Im, Re in *; lra. Qed.
+Lemma Cpos_mult : forall x y, Cpos x -> Cpos y -> Cpos (x * y)%C.
+Proof.
+  intros x y [I P] [J Q]; split; simpl; unfold Im, Re in *; rewrite ?I, ?J; [ring |].
+  generalize (Rmult_lt_0_compat _ _ P Q); lra.
+Qed.
+Lemma Cnonneg_mult : forall x y, Cnonneg x -> Cnonneg y -> Cnonneg (x * y)%C.
+Proof.
+  intros x y [I P] [J Q]; split; simpl; unfold Im, Re in *; rewrite ?I, ?J; [ring |].
+  generalize (Rmult_le_pos _ _ P Q); lra.
+Qed.
+Lemma Cpos_plus : forall x y, Cpos x -> Cnonneg y -> Cpos (x + y)%C.
+Proof. intros x y [I P] [J Q]; split; simpl; unfold Im, Re in *; lra. Qed.
+Lemma Cpos_plus' : forall x y, Cnonneg x -> Cpos y -> Cpos (x + y)%C.
+Proof. intros x y [I P] [J Q]; split; simpl; unfold Im, Re in *; lra. Qed.
+Lemma Cnonneg_plus : forall x y, Cnonneg x -> Cnonneg y -> Cnonneg (x + y)%C.
+Proof. intros x y [I P] [J Q]; split; simpl; unfold Im, Re in *; lra. Qed.
+Lemma Cpos_real : forall x : R, 0 < x -> Cpos x.
+Proof. intros x H; split; [reflexivity | exact H]. Qed.
+Lemma Cnonneg_real : forall x : R, 0 <= x -> Cnonneg x.
+Proof. intros x H; split; [reflexivity | exact H]. Qed.
+Ltac Csigned :=
+  first
+    [ solve [apply Cpos_minus; assumption]
+    | solve [apply Cnonneg_minus; assumption]
+    | solve [apply Cnonneg_minus'; assumption]
+    | lazymatch goal with
+      | |- Cpos (_ + _)%C =>
+          first [solve [apply Cpos_plus; Csigned] | solve [apply Cpos_plus'; Csigned]]
+      | |- Cnonneg (_ + _)%C => apply Cnonneg_plus; Csigned
+      | |- Cpos (_ * _)%C => apply Cpos_mult; Csigned
+      | |- Cnonneg (_ * _)%C => apply Cnonneg_mult; Csigned
+      end
+    | solve [apply Cpos_real; lra]
+    | solve [apply Cnonneg_real; lra]
+    | solve [split; simpl; first [ring | lra]] ].
+Ltac Cimaginary := first [reflexivity | simpl; ring | simpl; lra].
+Lemma Cminus_zero : forall l r : C, l = r -> (r - l)%C = RtoC 0.
+Proof. intros l r E; rewrite E; ring. Qed.
+Ltac Czero := first [apply Cminus_zero; assumption | Ccompared].
+Lemma Cconj_plus : forall x y : C, Cconj (x + y)%C = (Cconj x + Cconj y)%C.
+Proof. intros; apply injective_projections; simpl; ring. Qed.
+Lemma Cconj_minus : forall x y : C, Cconj (x - y)%C = (Cconj x - Cconj y)%C.
+Proof. intros; apply injective_projections; simpl; ring. Qed.
+Lemma Cconj_opp : forall x : C, Cconj (- x)%C = (- Cconj x)%C.
+Proof. intros; apply injective_projections; simpl; ring. Qed.
+Lemma Cconj_mult : forall x y : C, Cconj (x * y)%C = (Cconj x * Cconj y)%C.
+Proof. intros; apply injective_projections; simpl; ring. Qed.
+Lemma Cconj_inv : forall x : C, Cconj (/ x)%C = (/ Cconj x)%C.
+Proof.
+  intro x; apply injective_projections; simpl; unfold Rdiv;
+    replace (- snd x * (- snd x * 1)) with (snd x * (snd x * 1)) by ring; ring.
+Qed.
+Lemma Cconj_real : forall x : R, Cconj (RtoC x) = RtoC x.
+Proof. intros; apply injective_projections; simpl; ring. Qed.
+Lemma Cconj_i : Cconj Ci = (- Ci)%C.
+Proof. apply injective_projections; simpl; ring. Qed.
+Lemma Cconj_exp : forall z : C, Cconj (Cexp z) = Cexp (Cconj z).
+Proof.
+  intro z; unfold Cexp, Cconj, Re, Im; simpl; rewrite cos_neg, sin_neg.
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cconj_power : forall (z : C) n, Cconj (z ^ n)%C = (Cconj z ^ n)%C.
+Proof.
+  intros z n; induction n as [| n IH]; simpl; [apply Cconj_real | rewrite Cconj_mult, IH; reflexivity].
+Qed.
+Ltac Cconjugated :=
+  unfold Cdiv;
+  repeat first
+    [ rewrite Cconj_plus | rewrite Cconj_minus | rewrite Cconj_mult | rewrite Cconj_opp
+    | rewrite Cconj_inv | rewrite Cconj_exp | rewrite Cconj_power | rewrite Cconj_real
+    | rewrite Cconj_i ].
+Ltac Cangles :=
+  repeat match goal with
+  | E : context [Cexp ?a] |- context [Cexp ?b] =>
+      tryif constr_eq a b then fail
+      else replace (Cexp a) with (Cexp b) in E by (f_equal; Cring)
+  end.
+Ltac Cmirrored :=
+  match goal with
+  | H : ?l = ?r |- _ =>
+      let E := fresh in
+      pose proof (f_equal Cconj H) as E; clear - E; revert E; Cconjugated; intro E; Cangles;
+      first [exact E | etransitivity; [| etransitivity; [exact E |]]; Cring]
+  end.
+Ltac Capart := first [Cnz | solve [repeat apply Cproduct_apart; first [Cnz | let E := fresh in intro E; congruence]]].
+Ltac Crefuted :=
+  match goal with
+  | F : (?h - ?l)%C = RtoC 0, H : ?l <> ?h |- False =>
+      apply H; symmetry; apply (Cby_zero _ _ _ F); reflexivity
+  | F : (?h - ?l)%C = RtoC 0, H : Cless ?l ?h |- False =>
+      destruct (Cpos_minus _ _ H) as [_ P]; rewrite F in P; simpl in P; lra
+  end.
+Ltac Cevaluated := known_values; Cpushed; Cring.
+
+(* -- from one form of a proposition to another ---------------------------------------- *)
+
+Ltac same :=
+  lazymatch goal with
+  | |- @eq R _ _ =>
+      first
+        [ quick_field
+        | solve [known_values; quick_field]
+        | solve [f_equal; same]
+        | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; known_values; quick_field] ]
+  | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]]
+  | |- @eq (_ -> _) _ _ =>
+      let x := fresh in apply functional_extensionality; intro x; cbv beta; same
+  end.
+
+(* A relation from one that is known, by a tactic for the equality of their sides. *)
+Ltac from_known tac :=
+  match goal with
+  | H : ?a < ?b |- ?l < ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
+  | H : ?a <= ?b |- ?l <= ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
+  | H : ?a = ?b |- ?l = ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
+  | H : ?a <> ?b |- ?l <> ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
+  | H : ?P |- ?Q => 
+      solve
+        [let E := fresh in
+         assert (E : P = Q) by (f_equal; tac tt);
+         exact (eq_ind P (fun X => X) H Q E)]
+  end.
+
+Ltac by_ring _ := first [reflexivity | ring].
+Ltac by_quick _ := lazymatch goal with |- @eq R _ _ => quick_field end.
+Ltac by_same _ := same.
+
+Ltac atom :=
+  opened;
+  first
+    [ assumption
+    | lazymatch goal with
+      | |- _ <> 0 => nz
+      | |- _ => 
+          first [from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same]
+      end
+    | from_known by_same ].
+
+Ltac conv H :=
+  cbv beta;
+  first
+    [ exact H
+    | lazymatch goal with
+      | |- forall _ : R, _ =>
+          let x := fresh in
+          intro x; let H' := fresh in pose proof (H x) as H'; conv H'
+      | |- exists _ : R, _ =>
+          let x := fresh in
+          let H' := fresh in destruct H as [x H']; exists x; conv H'
+      | |- ~ _ =>
+          let A := fresh in intro A; apply H; conv A
+      | |- _ <-> _ =>
+          let A := fresh in
+          split; intro A;
+          [ let B := fresh in
+            match type of H with ?P <-> _ => assert (B : P) by (conv A) end;
+            apply (proj1 H) in B; conv B
+          | let B := fresh in
+            match type of H with _ <-> ?P => assert (B : P) by (conv A) end;
+            apply (proj2 H) in B; conv B ]
+      | |- _ -> _ =>
+          let A := fresh in
+          intro A;
+          let B := fresh in
+          match type of H with ?P -> _ => assert (B : P) by (conv A) end;
+          let H' := fresh in pose proof (H B) as H'; conv H'
+      | |- _ \/ _ =>
+          let A := fresh in
+          destruct H as [A | A]; [left; conv A | right; conv A]
+      | |- _ /\ _ =>
+          first
+            [ solve [let H' := fresh in pose proof H as H'; opened; repeat split; atom]
+            | conv_parts H ]
+      | |- _ => let H' := fresh in pose proof H as H'; opened; atom
+      end ]
+with conv_parts H :=
+  let A := fresh in
+  let B := fresh in
+  destruct H as [A B];
+  split; [first [conv A | clear B; atom] | conv B].
+
+Ltac finish t := first [exact t | let H := fresh in pose proof t as H; conv H].
+Ltac feed P t :=
+  first
+    [ specialize (P t)
+    | let A := fresh in
+      match type of P with ?T -> _ => assert (A : T) by (let H := fresh in pose proof t as H; conv H) end;
+      specialize (P A); clear A ].
+
+(* -- relations that cannot both hold ------------------------------------------------- *)
+
+Ltac Ccontradiction :=
+  match goal with
+  | P : Cless ?l ?r, D : ?l = ?r |- _ => rewrite D in P; destruct P as (_ & _ & P); lra
+  | P : Cless ?l ?r, D : ?r = ?l |- _ => rewrite D in P; destruct P as (_ & _ & P); lra
+  | P : Cless ?l ?r, D : Cless_eq ?r ?l |- _ => unfold Cless, Cless_eq in *; lra
+  | P : Cless ?l ?r, D : Cless ?r ?l |- _ => unfold Cless, Cless_eq in *; lra
+  end.
+
+Ltac contradict_by P D :=
+  first [exact (D P) | exact (P D) | exfalso; generalize P D; intros; opened; first [contradiction | lra | congruence | Ccontradiction]].
+
+(* -- whole numbers ------------------------------------------------------------------ *)
+
+Lemma whole_plus : forall x y, whole x -> whole y -> whole (x + y).
+Proof. intros x y [n E] [m F]; exists (n + m)%nat; rewrite plus_INR; congruence. Qed.
+Lemma whole_mult : forall x y, whole x -> whole y -> whole (x * y).
+Proof. intros x y [n E] [m F]; exists (n * m)%nat; rewrite mult_INR; congruence. Qed.
+Lemma whole_pow : forall x n, whole x -> whole (x ^ n).
+Proof.
+  intros x n H; induction n as [| n IH]; simpl.
+  - exists 1%nat; reflexivity.
+  - apply whole_mult; assumption.
+Qed.
+Lemma whole_number : forall p : Z, (0 <= p)%Z -> whole (IZR p).
+Proof. intros p H; exists (Z.to_nat p); rewrite INR_IZR_INZ, Z2Nat.id; [reflexivity | exact H]. Qed.
+Ltac wholes :=
+  opened;
+  first
+    [ assumption
+    | solve [apply whole_number; lia]
+    | solve [apply whole_plus; wholes]
+    | solve [apply whole_mult; wholes]
+    | solve [apply whole_pow; wholes]
+    | match goal with H : whole ?x |- whole ?y => solve [replace y with x by same; exact H] end ].
+
+Lemma not_between : forall (x : R) (p : Z), IZR p < x -> x < IZR (p + 1) -> ~ whole x.
+Proof.
+  intros x p L U [n E]; rewrite E, INR_IZR_INZ in L, U.
+  apply lt_IZR in L; apply lt_IZR in U; lia.
+Qed.
+Lemma whole_start : forall x, whole x -> 0 <= x.
+Proof. intros x [n E]; rewrite E; apply pos_INR. Qed.
+Lemma not_negative : forall x, x < 0 -> ~ whole x.
+Proof. intros x H W; apply whole_start in W; lra. Qed.
+Ltac broken p := first [apply not_negative; lra | apply (not_between _ p); simpl; lra].
+
+(* -- analysis ------------------------------------------------------------------------ *)
+
+(* By the mean value theorem, which the standard library proves. *)
+Lemma rises : forall (f g : R -> R) (a b : R),
+  (forall x, a < x < b -> is_derive f x (g x)) -> (forall x, a < x < b -> 0 < g x) ->
+  increasing f a b.
+Proof.
+  intros f g a b D P x y X Y B.
+  destruct (MVT_cor2 f g x y Y) as [c [E C]].
+  - intros c C; apply is_derive_Reals, D; lra.
+  - assert (0 < g c) by (apply P; lra); nra.
+Qed.
+
+Ltac near Y :=
+  unfold ball in Y; simpl in Y; unfold AbsRing_ball, abs, minus, plus, opp in Y; simpl in Y;
+  apply Rabs_def2 in Y.
+
+Lemma above_its_start : forall (f : R -> R) (a b l : R),
+  increasing f a b -> tends f a l -> forall x, a < x -> x < b -> l < f x.
+Proof.
+  intros f a b l I T x X B.
+  assert (M : l <= f ((a + x) / 2)).
+  { apply (filterlim_le (F := at_right a) f (fun _ => f ((a + x) / 2)) l (f ((a + x) / 2))).
+    - exists (mkposreal ((x - a) / 2) ltac:(lra)); intros y Y Z; near Y.
+      apply Rlt_le, I; lra.
+    - intros P Q; destruct (T P Q) as [e E]; exists e; intros y Y Z; apply E; [exact Y | lra].
+    - apply filterlim_const. }
+  apply Rle_lt_trans with (1 := M), I; lra.
+Qed.
+
+Lemma below_its_end : forall (f : R -> R) (a b l : R),
+  increasing f a b -> tends f b l -> forall x, a < x -> x < b -> f x < l.
+Proof.
+  intros f a b l I T x X B.
+  assert (M : f ((x + b) / 2) <= l).
+  { apply (filterlim_le (F := at_left b) (fun _ => f ((x + b) / 2)) f (f ((x + b) / 2)) l).
+    - exists (mkposreal ((b - x) / 2) ltac:(lra)); intros y Y Z; near Y.
+      apply Rlt_le, I; lra.
+    - apply filterlim_const.
+    - intros P Q; destruct (T P Q) as [e E]; exists e; intros y Y Z; apply E; [exact Y | lra]. }
+  apply Rlt_le_trans with (2 := M), I; lra.
+Qed.
+
+Lemma grows : forall (f g : R -> R) (a b : R), a < b ->
+  (forall x, a <= x <= b -> ex_derive f x) -> (forall x, a < x < b -> is_derive f x (g x)) ->
+  (forall x, a < x < b -> 0 < g x) -> f a < f b.
+Proof.
+  intros f g a b L X D P.
+  assert (I : increasing f a b) by (apply (rises f g); assumption).
+  assert (T : forall x, a <= x <= b -> tends f x (f x)).
+  { intros x H; apply (is_lim_continuity f x), continuity_pt_filterlim.
+    apply (ex_derive_continuous f x), X, H. }
+  apply Rlt_trans with (f ((a + b) / 2)).
+  - apply (above_its_start f a b); [exact I | apply T; lra | lra | lra].
+  - apply (below_its_end f a b); [exact I | apply T; lra | lra | lra].
+Qed.
+
+Ltac slope := unfold tan, cot, cosh, sinh, tanh; auto_derive; repeat split; auto; nz.
+
+(* -- limits --------------------------------------------------------------------------- *)
+
+Lemma tends_at : forall (f : R -> R) (a l : R), ex_derive f a -> f a = l -> tends f a l.
+Proof.
+  intros f a l D E; rewrite <- E; apply (is_lim_continuity f a), continuity_pt_filterlim.
+  apply (ex_derive_continuous f a), D.
+Qed.
+
+Lemma tends_slope : forall (n : R -> R) (a n' : R), is_derive n a n' -> n a = 0 ->
+  tends (fun x => n x / (x - a)) a n'.
+Proof.
+  intros n a n' D Z; apply is_derive_Reals in D.
+  apply is_lim_spec; intros e; destruct (D e (cond_pos e)) as [d H].
+  exists d; intros x B N; replace (n x) with (n (a + (x - a)) - n a).
+  - apply H; [intro Y; apply N; lra | exact B].
+  - assert (W : a + (x - a) = x) by lra; rewrite W, Z; lra.
+Qed.
+
+(* The quotient of what vanishes there: that of the slopes. *)
+Lemma tends_quotient : forall (f n d : R -> R) (a n' d' l : R),
+  is_derive n a n' -> is_derive d a d' -> n a = 0 -> d a = 0 -> d' <> 0 -> n' / d' = l ->
+  (forall x, d x <> 0 -> f x = n x / d x) -> tends f a l.
+Proof.
+  intros f n d a n' d' l N D Zn Zd Q E F; rewrite <- E.
+  assert (Sn := tends_slope n a n' N Zn); assert (Sd := tends_slope d a d' D Zd).
+  apply (is_lim_ext_loc (fun x => n x / (x - a) / (d x / (x - a)))).
+  - apply is_lim_spec in Sd.
+    assert (P : 0 < Rabs d') by (apply Rabs_pos_lt; exact Q).
+    destruct (Sd (mkposreal _ P)) as [r H]; exists r; intros x B X.
+    assert (G := H x B X); simpl in G.
+    assert (d x <> 0).
+    { intro Y; rewrite Y in G; replace (0 / (x - a) - d') with (- d') in G.
+      - rewrite Rabs_Ropp in G; lra.
+      - unfold Rdiv; ring. }
+    rewrite F by assumption; field; split; [assumption | lra].
+  - apply (is_lim_div _ _ a n' d'); try assumption.
+    + intro Y; apply Q; injection Y; intro W; exact W.
+    + simpl; unfold is_Rbar_div, is_Rbar_mult; simpl; destruct (Req_EM_T d' 0); [contradiction | reflexivity].
+Qed.
+
+(* What a term is at a point: 0 or a multiple of pi. *)
+Ltac at_point :=
+  cbv beta; unfold tan, cot, cosh, sinh, tanh;
+  rewrite ?Rmult_0_r, ?Rmult_0_l, ?Ropp_0, ?Rplus_0_r, ?Rplus_0_l; known_values;
+  first [same_field | lra].
+
+Lemma by_induction : forall P : R -> Prop,
+  P 0 -> (forall n, whole n /\ P n -> P (n + 1)) -> forall n, whole n -> P n.
+Proof.
+  intros P Z S n [k E]; subst n; induction k as [| k IH]; [exact Z |].
+  rewrite S_INR; apply S; split; [exists k; reflexivity | exact IH].
+Qed.
+
+Lemma unique_limit : forall (f : R -> R) (a p q : R), tends f a p -> p <> q -> ~ tends f a q.
+Proof.
+  intros f a p q P N Q; apply N.
+  apply is_lim_unique in P; apply is_lim_unique in Q; rewrite P in Q; injection Q; intro E; exact E.
+Qed.
+
+Lemma weak_at_the_lower_end : forall (f : R -> R) (a b l : R), a < b ->
+  (forall x, a < x -> x < b -> 0 <= f x) -> tends f a l -> 0 <= l.
+Proof.
+  intros f a b l L P T.
+  apply (filterlim_le (F := at_right a) (fun _ => 0) f 0 l).
+  - exists (mkposreal (b - a) ltac:(lra)); intros y Y Z.
+    unfold ball in Y; simpl in Y; unfold AbsRing_ball, abs, minus, plus, opp in Y; simpl in Y.
+    apply Rabs_def2 in Y; apply P; lra.
+  - apply filterlim_const.
+  - intros S Q; destruct (T S Q) as [e E]; exists e; intros y Y Z; apply E; [exact Y | lra].
+Qed.
+
+Lemma weak_at_the_upper_end : forall (f : R -> R) (a b l : R), a < b ->
+  (forall x, a < x -> x < b -> 0 <= f x) -> tends f b l -> 0 <= l.
+Proof.
+  intros f a b l L P T.
+  apply (filterlim_le (F := at_left b) (fun _ => 0) f 0 l).
+  - exists (mkposreal (b - a) ltac:(lra)); intros y Y Z.
+    unfold ball in Y; simpl in Y; unfold AbsRing_ball, abs, minus, plus, opp in Y; simpl in Y.
+    apply Rabs_def2 in Y; apply P; lra.
+  - apply filterlim_const.
+  - intros S Q; destruct (T S Q) as [e E]; exists e; intros y Y Z; apply E; [exact Y | lra].
+Qed.
+
+Ltac weakly := match goal with H : ?a < ?b |- 0 <= _ => lra | H : ?a <= ?b |- 0 <= _ => lra end.
+
+(* -- school mathematics ------------------------------------------------------------- *)
+
+Lemma one_le_cosh : forall x, 1 <= cosh x.
+Proof.
+  intro x; unfold cosh; rewrite exp_Ropp.
+  assert (E := exp_pos x); set (e := exp x) in *; clearbody e.
+  assert (0 <= (e - 1) ^ 2 / e) by (apply Rdiv_le_0_compat; [apply pow2_ge_0 | exact E]).
+  replace ((e + / e) / 2) with (1 + (e - 1) ^ 2 / e / 2) by (field; lra); lra.
+Qed.
+
+Lemma with_rest : forall x y, 0 <= x -> 0 < y ->
+  exists p, whole p /\ p * y <= x /\ x < (p + 1) * y.
+Proof.
+  intros x y X Y; assert (Q : 0 <= x / y) by (apply Rdiv_le_0_compat; assumption).
+  destruct (archimed (x / y)) as [U L]; set (k := (up (x / y) - 1)%Z) in *.
+  assert (K : IZR k = IZR (up (x / y)) - 1) by (unfold k; rewrite minus_IZR; reflexivity).
+  assert (E : x / y * y = x) by (field; lra).
+  exists (IZR k); split; [| split].
+  - apply whole_number.
+    assert (- 1 < IZR k) by lra; assert (Z : (-1 < k)%Z) by (apply lt_IZR; exact H); lia.
+  - rewrite <- E; apply Rmult_le_compat_r; lra.
+  - rewrite <- E; apply Rmult_lt_compat_r; lra.
+Qed.
+

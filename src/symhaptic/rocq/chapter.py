@@ -1,0 +1,190 @@
+"""A chapter as a file for Rocq: each theorem that it hands over, with all that it was made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from symhaptic.book.chapters import Chapter
+from symhaptic.proof.theorems.axioms import AXIOMS
+from symhaptic.proof.theorems.derivation import sources
+from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
+from symhaptic.rocq.leaves import LEAVES
+from symhaptic.rocq.logic import LOGIC
+from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
+from symhaptic.rocq.terms import Names, NotPrinted
+
+WRITTEN = LOGIC | LEAVES | CLASSICAL
+MEANT = "what the predicate means: the characteristic polynomial of the model"
+BELIEVED = sources() | dict.fromkeys(("loop", "loop_substituted"), MEANT)
+"""Rules that are believed, with where each is from; those that are proved here are not asked."""
+OPEN = "not checked:"
+"""How the comment of a leaf begins that no tactic checks; it is an axiom named ``open_``."""
+
+
+@dataclass
+class File:
+    """The lemmas of a chapter in their order, and which of them each statement is."""
+
+    name: str
+    title: str
+    steps: list[Step] = field(default_factory=list)
+    statements: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """Names of the lemmas by which a statement is settled; none where one is not printed."""
+    missing: dict[str, str] = field(default_factory=dict)
+    """Why a statement is not printed."""
+
+    def written(self) -> str:
+        """The text: byte by byte the same from run to run."""
+        head = [
+            comment(self.title),
+            "From Symhaptic Require Import Prelude.",
+            "",
+        ]
+        steps = [step.written() for step in self.steps]
+        ends = []
+        for id, names in self.statements.items():
+            ends.append(wrapped(f"(* {id} *)", ""))
+            ends += [f"Print Assumptions {name}." for name in names]
+        return "\n".join([*head, *steps, *ends]) + "\n"
+
+
+def slug(id: str) -> str:
+    """A name that Rocq allows."""
+    return "".join(c if c.isascii() and c.isalnum() else "_" for c in id)
+
+
+def theorems_of(chapter: Chapter) -> Iterator[tuple[str, str, Theorem]]:
+    """Each theorem of a chapter: what kind, by what name, and itself."""
+    for block in chapter.page.blocks:
+        if block.theorem is not None:
+            yield "lemma", str(block.number), block.theorem
+    for id, one in chapter.page.settled.items():
+        judged = one.settlement.judged
+        if judged is not None:
+            yield "statement", id, judged.theorem
+            for case in judged.unless:
+                yield "statement", id, case.theorem
+
+
+def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
+    """The file of a chapter; ``broken`` says which lemmas are known to fail, and how."""
+    file = File(chapter.name, chapter.title)
+    known: dict[Said, Step] = {}
+    why: dict[Said, str] = {}
+    named = _named(chapter)
+    roots = [theorem for _, _, theorem in theorems_of(chapter)]
+    for theorem in order(roots):
+        try:
+            found = _step(theorem, len(file.steps) + 1, named.get(said(theorem)), known, why)
+        except NotPrinted as wrong:
+            why[said(theorem)] = str(wrong)
+            continue
+        step = found[-1]
+        if broken and step.name in broken and step.kind != "Axiom":
+            found[-1] = step = _opened(step, broken[step.name])
+        known[said(theorem)] = step
+        file.steps += found
+    for kind, id, theorem in theorems_of(chapter):
+        if kind == "statement":
+            if said(theorem) in known:
+                file.statements[id] = (*file.statements.get(id, ()), known[said(theorem)].name)
+            else:
+                file.missing.setdefault(id, why.get(said(theorem), "a mere assumption"))
+    file.statements = {id: names for id, names in file.statements.items() if id not in file.missing}
+    return file
+
+
+def _named(chapter: Chapter) -> dict[Said, str]:
+    found: dict[Said, str] = {}
+    counts: dict[str, int] = {}
+    for kind, name, theorem in reversed(list(theorems_of(chapter))):
+        if kind == "lemma":
+            found[said(theorem)] = f"lemma_{name}"
+    for kind, name, theorem in theorems_of(chapter):
+        if kind == "statement":
+            counts[name] = counts.get(name, 0) + 1
+            suffix = "" if counts[name] == 1 else f"_fails_{counts[name] - 1}"
+            found.setdefault(said(theorem), f"statement_{slug(name)}{suffix}")
+    return found
+
+
+def _step(
+    theorem: Theorem,
+    number: int,
+    own: str | None,
+    known: Mapping[Said, Step],
+    why: Mapping[Said, str],
+) -> list[Step]:
+    for premise in theorem.premises:
+        if premise.rule != "assume" and said(premise) not in known:
+            raise NotPrinted(why.get(said(premise), "a premise"))
+    free, hypotheses, statement = stated(theorem)
+    rule = theorem.given[0] if theorem.rule == "known" else theorem.rule
+    step = Step(own or f"step_{number}", rule, free, hypotheses, theorem.conclusion, statement)
+    if theorem.rule == "known":
+        return [_axiom(step, rule, own)]
+    if theorem.rule in BELIEVED and theorem.rule not in CLASSICAL:
+        return _instance(step, theorem, known, number)
+    names = Names()
+    try:
+        if theorem.rule not in WRITTEN:
+            raise NotPrinted(f"the rule {theorem.rule}")
+        with names.bound(*free) as over:
+            proof = Proof(step, known, names)
+            _introduce(proof, over)
+            WRITTEN[theorem.rule](proof, theorem)
+    except NotPrinted as wrong:
+        return [_opened(step, str(wrong))]
+    step.lines, step.uses = proof.lines, tuple(sorted(proof.uses))
+    return [step]
+
+
+def _introduce(proof: Proof, over: Sequence[str]) -> None:
+    given = [proof.new("H") for _ in proof.step.hypotheses]
+    for claim, name in zip(proof.step.hypotheses, given, strict=True):
+        proof.know(claim, name)
+    if over or given:
+        proof.say(f"intros {' '.join([*over, *given])}.")
+
+
+def _opened(step: Step, why: str) -> Step:
+    """The leaf as an axiom that every statement on it is seen to rest on."""
+    name = step.name if step.name.startswith("open_") else f"open_{step.name}"
+    return Step(
+        name,
+        step.rule,
+        step.free,
+        step.hypotheses,
+        step.conclusion,
+        step.statement,
+        "Axiom",
+        why=f"{OPEN} {why}",
+    )
+
+
+def _axiom(step: Step, name: str, own: str | None) -> Step:
+    """What an axiom of the kernel says: proved where Rocq's library knows it."""
+    step.name = own or f"known_{slug(name)}"
+    step.rule = name
+    step.why = AXIOMS[name].source
+    if name in ELEMENTARY:
+        step.lines = [ELEMENTARY[name]]
+    else:
+        step.kind = "Axiom"
+        step.name = f"axiom_{slug(name)}"
+    return step
+
+
+def _instance(step: Step, theorem: Theorem, known: Mapping[Said, Step], number: int) -> list[Step]:
+    """A classical rule, for just this use of it: what its premises say gives what it concludes."""
+    premises = [known[said(p)] for p in theorem.premises if p.rule != "assume"]
+    statement = " -> ".join([*(f"({p.statement})" for p in premises), f"({step.statement})"])
+    name = f"rule_{theorem.rule}_{number}"
+    rule = replace(step, name=name, kind="Axiom", why=BELIEVED[theorem.rule], statement=statement)
+    step.lines = [f"exact ({' '.join([name, *(p.name for p in premises)])})."]
+    return [rule, step]
+
+
+__all__ = ["File", "printed", "slug", "theorems_of"]

@@ -1,0 +1,253 @@
+"""Classical rules: those of analysis are proved here, the others are axioms with their source."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, Symbol
+
+from symhaptic.notation.proposition import Relation, proposition, term
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.theorems.definedness import conditions
+from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.rocq.identities import plain, same
+from symhaptic.rocq.logic import Written
+from symhaptic.rocq.propositions import needed
+from symhaptic.rocq.steps import Proof
+from symhaptic.rocq.terms import NotPrinted, complex_, real_text
+
+CLASSICAL: dict[str, Written] = {}
+"""How a step of each classical rule is proved."""
+
+ELEMENTARY = {
+    "square": "intros; apply pow2_ge_0.",
+    "quotient": "intros x y [H G]; split; [lra | apply Rdiv_lt_0_compat; assumption].",
+    "weak quotient": "intros x y [H G]; split; [lra | apply Rdiv_le_0_compat; assumption].",
+    "order": "intros x y; destruct (Rlt_le_dec x y); [left | right]; assumption.",
+    "strictly": "intros x y [H G]; lra.",
+    "both ways": "intros x y [H G]; lra.",
+    "sin": "intros x [H G]; apply sin_gt_0; assumption.",
+    "cos": "intros x [H G]; apply cos_gt_0; lra.",
+    "exp": "intros; apply exp_pos.",
+    "cosh": "intro x; apply one_le_cosh.",
+    "sqrt": "intros x H; split; [exact H | apply sqrt_pos].",
+    "Abs": "intros; apply Rabs_pos.",
+    "size": "intros x H; apply Rabs_pos_eq; exact H.",
+    "opposite size": "intros x H; apply Rabs_left1; exact H.",
+    "sin bounded": "intro x; generalize (pythagoras x) (pow2_ge_0 (cos x)); lra.",
+    "cos bounded": "intro x; generalize (pythagoras x) (pow2_ge_0 (sin x)); lra.",
+    "exp rises": "intros x y H; apply exp_increasing; exact H.",
+    "sinh rises": "intros x y H; apply sinh_lt; exact H.",
+    "atan rises": "intros x y H; apply atan_increasing; exact H.",
+    "sin rises": "intros x y H; opened; apply sin_increasing_1; lra.",
+    "cos falls": "intros x y H; opened; apply cos_decreasing_1; lra.",
+    "not negative": "intros x H; apply whole_start; exact H.",
+    "rest": "intros x y [H G]; apply with_rest; assumption.",
+}
+"""Axioms of our kernel that are theorems of Rocq's library."""
+
+
+def shows(write: Written) -> Written:
+    """A rule's proof, under the rule's name."""
+    CLASSICAL[write.__name__] = write
+    return write
+
+
+def _refused(*terms: Expr) -> None:
+    if complex_(*terms) or any(t.has(sp.Abs) for t in terms):
+        raise NotPrinted("a slope or a limit of a complex term")
+
+
+def _slope(proof: Proof, expr: Expr, variable: Symbol, theorem: Theorem) -> tuple[str, str, str]:
+    """A function, its derivative, and how the derivative is shown."""
+    claim: Any = theorem.conclusion
+    _refused(expr, claim.right)
+    with proof.names.bound(variable) as [v]:
+        names = proof.names
+        body, rate = real_text(expr, names), real_text(claim.right, names)
+        shown = " ".join(same(sp.diff(expr, variable), claim.right, names))
+    return f"(fun {v} : R => {body})", f"(fun {v} : R => {rate})", shown
+
+
+def _inside(
+    proof: Proof, variable: Symbol, ends: Sequence[Expr], then: Sequence[Theorem], *last: str
+) -> None:
+    """In the open interval: what the premises say there, and the tactics that use it."""
+    before = dict(proof.scope)
+    with proof.names.introduced(variable) as [v]:
+        proof.say(f"- intros {v} [Lo Hi].")
+        low, high = (Relation(*p) for p in ((ends[0], "<", variable), (variable, "<", ends[1])))
+        for claim in (low, high):
+            name = proof.new("A")
+            proof.say(f"  assert ({name} : {proof.text(claim)}) by (opened; defined; assumption).")
+            proof.scope[claim] = name
+        for premise in then:
+            proof.keep(premise)
+        proof.say(*(f"  {line}" for line in last))
+    proof.scope = before
+
+
+@shows
+def increases(proof: Proof, theorem: Theorem) -> None:
+    """The derivative is positive on the interval, by Coquelicot's."""
+    expr, variable, lower, upper, slope, *defined = theorem.given
+    expr, lower, upper = term(expr), term(lower), term(upper)
+    f, g, shown = _slope(proof, expr, variable, slope)
+    ends = (lower, upper)
+    proof.say(*["split; [solve [opened; first [assumption | nz]] |]."] * len(needed(*ends)))
+    if needed(expr):
+        low, high = (real_text(t, proof.names) for t in ends)
+        with proof.names.bound(variable) as [v]:
+            proof.say(
+                f"assert (Q : forall {v} : R, {low} < {v} < {high} -> {_conditions(proof, expr)}).",
+                "{",
+            )
+        _inside(proof, variable, ends, defined, "opened; repeat split; nz.")
+        proof.say("}", "split; [intros; apply Q; split; assumption |].")
+    proof.say(f"apply (rises {f} {g}).")
+    _inside(proof, variable, ends, defined, f"evar_last; [slope |]. {shown}")
+    _inside(proof, variable, ends, [slope], "opened; assumption.")
+
+
+def _conditions(proof: Proof, expr: Expr) -> str:
+    found = sorted(proof.text(c) for c in needed(expr))
+    return " /\\ ".join(found)
+
+
+@shows
+def grows(proof: Proof, theorem: Theorem) -> None:
+    """The derivative is positive between, and the function is smooth up to the ends."""
+    expr, variable, x, y, slope, *defined = theorem.given
+    expr, ends = term(expr), (term(x), term(y))
+    f, g, shown = _slope(proof, expr, variable, slope)
+    low, high = (f"({real_text(t, proof.names)})" for t in ends)
+    proof.say(
+        f"assert (Ends : {low} < {high}) by (opened; assumption).",
+        f"assert (Goal : {f} {low} < {f} {high}).",
+        "{",
+        f"apply (grows {f} {g}); [exact Ends | | |].",
+    )
+    with proof.names.introduced(variable) as [v]:
+        proof.say(f"- intros {v} [Lo Hi].")
+        claims = [c for c in sorted(conditions(expr), key=proof.text) if variable in c.free]
+        texts = [proof.text(c) for c in claims]
+    if claims:
+        told = " /\\ ".join(texts)
+        proof.say(f"  assert (Q : forall {v} : R, {low} < {v} < {high} -> {told}).", "  {")
+        _inside(proof, variable, ends, defined, "opened; repeat split; nz.")
+        proof.say(
+            "  }",
+            "  destruct (Rle_lt_or_eq_dec _ _ Lo) as [Lo1 | Lo1];"
+            " [destruct (Rle_lt_or_eq_dec _ _ Hi) as [Hi1 | Hi1] |].",
+            f"  + destruct (Q {v} (conj Lo1 Hi1)); slope.",
+            f"  + clear Q; subst {v}; slope.",
+            f"  + clear Q; subst {v}; slope.",
+        )
+    else:
+        proof.say("  slope.")
+    _inside(proof, variable, ends, defined, f"evar_last; [slope |]. {shown}")
+    _inside(proof, variable, ends, [slope], "opened; assumption.")
+    proof.say("}", "cbv beta in Goal; finish Goal.")
+
+
+@shows
+def above_its_start(proof: Proof, theorem: Theorem) -> None:
+    """What increases lies above its limit."""
+    rise, start = theorem.premises
+    claim: Any = rise.conclusion
+    [variable], (expr, lower, upper) = claim.over, claim.of
+    _refused(expr)
+    proof.keep(rise)
+    proof.keep(start)
+    with proof.names.bound(variable) as [v]:
+        f = f"(fun {v} : R => {real_text(expr, proof.names)})"
+    proof.say(
+        "opened.",
+        f"assert (Goal : {real_text(start.conclusion.of[2], proof.names)} < "  # type: ignore[attr-defined]
+        f"{f} {proof.names[variable]}) by (apply (above_its_start {f} "
+        f"({real_text(lower, proof.names)}) ({real_text(upper, proof.names)})); assumption).",
+        "cbv beta in Goal; defined; assumption.",
+    )
+
+
+@shows
+def in_the_limit(proof: Proof, theorem: Theorem) -> None:
+    """A weak inequality is kept in the limit."""
+    premise, end = theorem.premises
+    variable, lower, upper = theorem.given[1], term(theorem.given[2]), term(theorem.given[3])
+    claim: Any = premise.conclusion
+    limit: Any = end.conclusion
+    _refused(claim.left, claim.right, limit.of[0])
+    proof.keep(end)
+    with proof.names.bound(variable) as [v]:
+        f = f"(fun {v} : R => {real_text(limit.of[0], proof.names)})"
+    at = "lower" if limit.of[1] == lower else "upper"
+    ends = [f"({real_text(t, proof.names)})" for t in (lower, upper)]
+    proof.say(f"assert (Ends : {ends[0]} < {ends[1]}) by (opened; assumption).")
+    proof.say(f"assert (Q : forall v, {ends[0]} < v < {ends[1]} -> 0 <= {f} v).", "{")
+    _inside(proof, variable, (lower, upper), [premise], "opened; cbv beta; weakly.")
+    proof.say("}", "opened; defined.")
+    proof.say(
+        f"apply (weak_at_the_{at}_end {f} {' '.join(ends)}); "
+        "[exact Ends | intros; apply Q; split; assumption | assumption]."
+    )
+
+
+@shows
+def tends(proof: Proof, theorem: Theorem) -> None:
+    """By continuity, or as the quotient of slopes where both parts vanish."""
+    variable = theorem.given[1]
+    expr, at, value = (term(theorem.given[i]) for i in (0, 2, 3))
+    _refused(expr, at, value)
+    names = proof.names
+    a, limit = real_text(at, names), real_text(value, names)
+    there = {variable: at}
+    above, below = sp.fraction(sp.together(plain(expr)))
+    slopes = [sp.diff(part, variable).xreplace(there) for part in (above, below)]
+
+    def function(of: Expr) -> str:
+        with names.bound(variable) as [v]:
+            return f"(fun {v} : R => {real_text(of, names)})"
+
+    proof.say("opened; defined.")
+    if not is_zero(below.xreplace(there)):
+        proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | at_point].")
+        return
+    if not is_zero(above.xreplace(there)) or is_zero(slopes[1]):
+        raise NotPrinted("a limit of higher order")
+    up, down = (real_text(s, names) for s in slopes)
+    functions = " ".join(map(function, (expr, above, below)))
+    proof.say(
+        f"apply (tends_quotient {functions} ({a}) ({up}) ({down}) ({limit})).",
+        "- evar_last; [slope | at_point].",
+        "- evar_last; [slope | at_point].",
+        "- at_point.",
+        "- at_point.",
+        "- nz.",
+        f"- {' '.join(same(slopes[0] / slopes[1], value, names))}",
+        "- intros; cbv beta; unfold tan, cot, cosh, sinh, tanh; field; nz.",
+    )
+
+
+@shows
+def no_other_limit(proof: Proof, theorem: Theorem) -> None:
+    """A limit is unique."""
+    for premise in theorem.premises:
+        proof.keep(premise)
+    proof.say("opened; intro Q; opened; eapply unique_limit; eassumption.")
+
+
+@shows
+def induction(proof: Proof, theorem: Theorem) -> None:
+    """Induction over the natural numbers that whole numbers are."""
+    claim, number, start, step = theorem.given
+    claim = proposition(claim)
+    with proof.names.bound(number) as [n]:
+        body = proof.text(claim)
+    proof.say(f"pose proof (by_induction (fun {n} : R => {body})) as Q; cbv beta in Q.")
+    proof.say(f"apply Q; [finish {proof.have(start)} | | assumption].")
+    with proof.names.introduced(number) as [n]:
+        proof.say(f"intros {n}.")
+        proof.say(f"finish {proof.have(step)}.")

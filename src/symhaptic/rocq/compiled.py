@@ -1,0 +1,231 @@
+"""Rocq at work: a chapter's file is compiled, and what it did not accept is said by name.
+
+A file that Rocq accepts whole is compiled once.  Otherwise it is read step by step, the lemmas that
+fail become open leaves, and what then is accepted says what each statement rests on.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import shutil
+import subprocess
+import time
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+
+from symhaptic.book.chapters import Chapter, run
+from symhaptic.rocq.chapter import File, printed
+
+PRELUDE = Path(__file__).with_name("Prelude.v")
+INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
+SECONDS = 60
+"""So long may one lemma take."""
+
+_STANDARD = ("ClassicalDedekindReals.", "FunctionalExtensionality.", "Classical_Prop.")
+_PRIMITIVE = (
+    "PrimInt63.",
+    "Uint63.",
+    "Sint63.",
+    "PrimFloat.",
+    "FloatAxioms.",
+    "Uint63Axioms.",
+    "FloatOps.",
+)
+REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
+
+
+class NoRocq(OSError):
+    """No coqc, or one that does not take the prelude; the message is one line."""
+
+
+@dataclass
+class Outcome:
+    """What Rocq says of a chapter."""
+
+    chapter: str
+    statements: dict[str, str] = field(default_factory=dict)
+    """``whole``, or why it is not."""
+    rests: dict[str, list[str]] = field(default_factory=dict)
+    """What each printed statement rests on, as ``Print Assumptions`` says."""
+    steps: dict[str, list[int]] = field(default_factory=dict)
+    """Of each rule, how many steps were checked and how many there are."""
+    open: dict[str, str] = field(default_factory=dict)
+    """The leaves that are not checked, and why."""
+    seconds: float = 0.0
+    kept: bool = False
+    """Whether it was known from before."""
+
+
+def coqc() -> str:
+    """Where the compiler is; raises :class:`NoRocq`."""
+    found = shutil.which("coqc")
+    if found is None:
+        raise NoRocq(INSTALL)
+    return found
+
+
+def prepared(folder: Path) -> Path:
+    """The folder with the prelude in it, compiled where it is not yet."""
+    folder.mkdir(parents=True, exist_ok=True)
+    there, text = folder / PRELUDE.name, PRELUDE.read_text(encoding="utf-8")
+    if not there.is_file() or there.read_text(encoding="utf-8") != text:
+        there.write_text(text, encoding="utf-8")
+        there.with_suffix(".vo").unlink(missing_ok=True)
+    return folder
+
+
+def prelude_compiled(folder: Path) -> None:
+    """Compile the prelude; raises :class:`NoRocq` where that fails."""
+    if not (folder / PRELUDE.name).with_suffix(".vo").is_file():
+        done = _compiled(folder, "Prelude")
+        if done.returncode:
+            last = (done.stderr.strip().splitlines() or ["no message"])[-1]
+            raise NoRocq(f"coqc does not take the prelude (is libcoq-interval installed?): {last}")
+
+
+def _compiled(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
+    command = [coqc(), "-q", "-Q", ".", "Symhaptic", f"{name}.v"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def written(path: Path, folder: Path) -> Outcome:
+    """A derivation's file, written and not compiled."""
+    chapter = run(path)
+    file = printed(chapter)
+    (folder / f"{file.name}.v").write_text(file.written(), encoding="utf-8")
+    return _outcome(file, chapter, dict.fromkeys(file.statements, "not compiled"), {})
+
+
+def judged(path: Path, folder: Path) -> Outcome:
+    """A derivation's file, written, compiled and read back; known where the text is known."""
+    chapter = run(path)
+    begin = time.perf_counter()
+    file = printed(chapter)
+    text = file.written()
+    known = folder / f"{file.name}.json"
+    mark = hashlib.sha256((PRELUDE.read_text(encoding="utf-8") + text).encode()).hexdigest()
+    if known.is_file():
+        before = json.loads(known.read_text(encoding="utf-8"))
+        if before["text"] == mark:
+            return Outcome(**{**before["outcome"], "kept": True})
+    place = folder / f"{file.name}.v"
+    place.write_text(text, encoding="utf-8")
+    if not file.steps:
+        return _outcome(file, chapter, {}, {})
+    done = _compiled(folder, file.name)
+    if done.returncode:
+        file = printed(chapter, failing(folder, text))
+        place.write_text(file.written(), encoding="utf-8")
+        done = _compiled(folder, file.name)
+    if done.returncode:
+        why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
+        outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
+        unchecked = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
+        return replace(outcome, steps=unchecked, open={"the file": why})
+    rests = _rests(file, done.stdout)
+    outcome = _outcome(file, chapter, _told(file, rests), rests)
+    outcome.seconds = round(time.perf_counter() - begin, 1)
+    if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
+        # what took too long may be quicker the next time
+        kept = {"text": mark, "outcome": asdict(outcome)}
+        known.write_text(json.dumps(kept, indent=1), encoding="utf-8")
+    return outcome
+
+
+_LEMMA = re.compile(r"^(Lemma ([\w']+) : .*?\.)\nProof\.\n.*?^Qed\.\n", re.S | re.M)
+
+
+def failing(folder: Path, text: str) -> dict[str, str]:
+    """The lemmas that Rocq does not accept, each with what it says, read in one go.
+
+    Behind each lemma stands an axiom that says the same: it is taken where the lemma was not.
+    """
+    names = [found[2] for found in _LEMMA.finditer(text)]
+
+    def doubled(found: re.Match[str]) -> str:
+        axiom = found[1].replace("Lemma", "Axiom", 1)
+        return f"{found[0]}Abort All.\n{axiom}\n"
+
+    source = re.sub(r"^Print Assumptions .*$", "", _LEMMA.sub(doubled, text), flags=re.M)
+    done = subprocess.run(
+        ["coqtop", "-q", "-Q", ".", "Symhaptic"],
+        input=f"Set Default Timeout {SECONDS}.\n{source}",
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+    )
+    found, said = dict[str, str](), ""
+    for line in done.stdout.splitlines():
+        declared = re.search(r"([\w']+) is declared", line)
+        if declared and declared[1] in names:
+            found[declared[1]] = _error(said)
+        said = "" if declared or "already exists" in line else f"{said}{line}\n"
+    return found
+
+
+def _error(said: str) -> str:
+    """The first of the errors between two lemmas."""
+    for error in re.findall(r"(?:Error:|Timeout!)(.*?)(?=\n\n|\Z)", said, re.S):
+        line = " ".join(str(error).split())
+        if line and not line.startswith(("No focused", "(in proof", "There are pending")):
+            return f"coqc: {line[:160]}"
+    return f"coqc: not within {SECONDS} s"
+
+
+def _rests(file: File, said: str) -> dict[str, list[str]]:
+    """What each lemma that is asked for rests on."""
+    blocks = re.split(r"^(?:Axioms:|Closed under the global context)$", said, flags=re.M)[1:]
+    asked = [(id, name) for id, names in file.statements.items() for name in names]
+    found: dict[str, list[str]] = {}
+    for (id, _), block in zip(asked, blocks, strict=True):
+        names = re.findall(r"^([\w.']+)(?= :|$)", block, flags=re.M)
+        found[id] = sorted({*found.get(id, []), *map(_short, names)})
+    return found
+
+
+def _short(name: str) -> str:
+    if name.startswith(_STANDARD) or name == "functional_extensionality_dep":
+        return REALS
+    return INTEGERS if name.startswith(_PRIMITIVE) else name
+
+
+def _told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
+    """Whether a statement is checked whole, or which of its leaves are open."""
+    reasons = {s.name: s.why for s in file.steps if s.name.startswith("open_")}
+    found = {}
+    for id, names in rests.items():
+        open_ = [n for n in names if n in reasons]
+        why = sorted({reasons[n] for n in open_})
+        found[id] = f"{len(open_)} steps open: {'; '.join(why)}" if open_ else "whole"
+    return found
+
+
+def _outcome(
+    file: File, chapter: Chapter, told: dict[str, str], rests: dict[str, list[str]]
+) -> Outcome:
+    steps: dict[str, list[int]] = {}
+    for step in file.steps:
+        if not step.name.startswith(("rule_", "axiom_")):
+            count = steps.setdefault(step.rule, [0, 0])
+            count[0] += not step.name.startswith("open_")
+            count[1] += 1
+    statements = {}
+    for id, one in chapter.page.settled.items():
+        if one.settlement.judged is None:
+            statements[id] = "not printed: it is settled without a theorem"
+        elif id in file.missing:
+            statements[id] = f"not printed: {file.missing[id]}"
+        else:
+            statements[id] = told[id]
+    open_ = {s.name: s.why for s in file.steps if s.name.startswith("open_")}
+    return Outcome(file.name, statements, rests, dict(sorted(steps.items())), open_)
+
+
+def whole(outcomes: Sequence[Outcome]) -> list[str]:
+    """The statements that are checked whole."""
+    return [id for one in outcomes for id, said in one.statements.items() if said == "whole"]

@@ -1,0 +1,301 @@
+"""How Rocq is shown that two terms are equal: which functions are variables, under which relations.
+
+The sines and cosines of sums of angles are written in those of the angles, exponentials likewise;
+then both sides are rational functions of variables that obey s^2 + c^2 = 1 and r^2 = x, and their
+difference is a combination of these relations.  The combination is found here; Rocq checks it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import lcm
+
+import sympy as sp
+from sympy import Expr
+from sympy.polys.fields import FracField
+
+from symhaptic.rocq.complexes import complex_text
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
+
+_AS_OTHERS: dict[type[Expr], Callable[[Expr], Expr]] = {
+    sp.tan: lambda x: sp.sin(x) / sp.cos(x),
+    sp.cot: lambda x: sp.cos(x) / sp.sin(x),
+    sp.sinh: lambda x: (sp.exp(x) - sp.exp(-x)) / 2,
+    sp.cosh: lambda x: (sp.exp(x) + sp.exp(-x)) / 2,
+    sp.tanh: lambda x: (sp.exp(x) - sp.exp(-x)) / (sp.exp(x) + sp.exp(-x)),
+}
+_MOST_TURNS = 12
+
+
+class _Parts:
+    """Angles and exponents over a basis, and the variables that stand for their functions."""
+
+    def __init__(self, terms: Sequence[Expr]) -> None:
+        angles = {a.args[0] for t in terms for a in t.atoms(sp.sin, sp.cos)}
+        powers = set()
+        for exponential in {a for t in terms for a in t.atoms(sp.exp)}:
+            size, angle = polar(exponential)
+            powers.add(size)
+            angles.add(angle)
+        self.angles, self.exponents = _units(angles, sp.pi / 2), _units(powers, None)
+        self.values: dict[Expr, Expr] = {}
+        """Variables for the functions of the units."""
+        self.made: dict[Expr, Expr] = {}
+        """Each function, in the variables."""
+
+    def variable(self, of: Expr) -> Expr:
+        if of not in self.values:
+            self.values[of] = sp.Dummy(f"v{len(self.values)}")
+        return self.values[of]
+
+    def turn(self, angle: Expr) -> tuple[Expr, Expr]:
+        """Cosine and sine of an angle, in the variables."""
+        c, s = sp.S.One, sp.S.Zero
+        for unit, count in _counted(angle, self.angles):
+            if abs(count) > _MOST_TURNS:
+                raise NotPrinted(f"the sine of {count} times an angle")
+            if unit == sp.pi / 2:
+                one = (sp.cos(unit * count), sp.sin(unit * count))
+            else:
+                c1, s1 = self.variable(sp.cos(unit)), self.variable(sp.sin(unit))
+                one = _multiple(c1, s1, count)
+            c, s = sp.expand(c * one[0] - s * one[1]), sp.expand(s * one[0] + c * one[1])
+        return c, s
+
+    def image(self, expr: Expr) -> Expr:
+        """A term as a rational function of variables."""
+        if expr in self.made:
+            return self.made[expr]
+        found = self._image(expr)
+        self.made[expr] = found
+        return found
+
+    def _image(self, expr: Expr) -> Expr:
+        if expr.is_Rational or expr.is_Symbol:
+            return expr
+        if expr in (sp.pi, sp.I):
+            return self.variable(expr)
+        if isinstance(expr, (sp.sin, sp.cos)):
+            c, s = self.turn(expr.args[0])
+            return c if isinstance(expr, sp.cos) else s
+        if isinstance(expr, sp.exp) and complex_(expr):
+            size, angle = polar(expr)
+            turn = self.image(sp.cos(angle)) + self.image(sp.I) * self.image(sp.sin(angle))
+            return self.image(sp.exp(size)) * turn
+        if expr is sp.E or isinstance(expr, sp.exp):
+            found = sp.S.One
+            for unit, count in _counted(expr.args[0] if expr.args else sp.S.One, self.exponents):
+                found *= self.variable(sp.exp(unit)) ** count
+            return found
+        if expr.is_Add or expr.is_Mul:
+            return expr.func(*(self.image(a) for a in expr.args))
+        if expr.is_Pow and expr.exp.is_Integer:
+            return self.image(expr.base) ** expr.exp
+        if expr.is_Pow and expr.exp.is_Rational and expr.exp.q == 2:
+            self.image(expr.base)
+            return self.variable(sp.sqrt(expr.base)) ** expr.exp.p
+        return self.variable(expr)
+
+
+def polar(exponential: Expr) -> tuple[Expr, Expr]:
+    """Real and imaginary part of an exponent."""
+    exponent = sp.expand(exponential.args[0])
+    size, turned = exponent.as_independent(sp.I, as_Add=True)
+    angle = sp.expand(-sp.I * turned)
+    if complex_(size, angle):
+        raise NotPrinted("an exponential of a complex symbol")
+    return size, angle
+
+
+def _units(of: set[Expr], quarter: Expr | None) -> dict[Expr, Expr]:
+    """For each product of symbols the largest unit of which all arguments hold whole multiples."""
+    shares: dict[Expr, int] = {}
+    for angle in of:
+        for monomial, share in sp.expand(angle).as_coefficients_dict().items():
+            shares[monomial] = lcm(shares.get(monomial, 1), int(share.q))
+    units = {m: m / n for m, n in shares.items()}
+    if quarter is not None and sp.pi in units and shares[sp.pi] in (1, 2):
+        units[sp.pi] = quarter
+    return units
+
+
+def _counted(of: Expr, units: dict[Expr, Expr]) -> list[tuple[Expr, int]]:
+    parts = sp.expand(of).as_coefficients_dict()
+    if any(m not in units for m in parts if parts[m]):
+        raise NotPrinted(f"the argument {of}")
+    return [
+        (units[m], int(parts[m] * m / units[m])) for m in sorted(parts, key=str) if parts[m] != 0
+    ]
+
+
+def _multiple(c: Expr, s: Expr, count: int) -> tuple[Expr, Expr]:
+    """Cosine and sine of a whole multiple."""
+    real, imaginary = sp.S.One, sp.S.Zero
+    for _ in range(abs(count)):
+        real, imaginary = sp.expand(real * c - imaginary * s), sp.expand(imaginary * c + real * s)
+    return real, imaginary if count >= 0 else -imaginary
+
+
+def plain(expr: Expr) -> Expr:
+    """Without tangents and hyperbolic functions."""
+    changes = {f: _AS_OTHERS[f.func](f.args[0]) for f in expr.atoms(*_AS_OTHERS)}
+    return plain(expr.xreplace(changes)) if changes else expr
+
+
+Image = Callable[[Expr], Expr]
+
+
+def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Names) -> list[str]:
+    """Tactics that show that a difference vanishes, given as it is made of the images of terms.
+
+    What the terms divide by is known not to be zero.
+    """
+    of_complex = complex_(*terms)
+    c, scope = ("C", "%C") if of_complex else ("", "")
+    field, ring = ("Csame_field", "Cring") if of_complex else ("same_field", "ring")
+    write = complex_text if of_complex else real_text
+    if _rational(terms, difference):
+        return ["Cpushed; Csame_field." if of_complex else "same_field."]
+    lines = []
+    if any(t.has(*_AS_OTHERS) for t in terms):
+        lines.append("unfold tan, cot, sinh, cosh, tanh in *.")
+    of = {t: plain(t) for t in terms}
+    parts = _Parts(list(of.values()))
+    value = difference(lambda t: parts.image(of[t]))
+    relations = _relations(parts)
+    names.spelled |= {v: write(f, names) for f, v in parts.values.items()}
+    lines += _turned(parts, names) + _expansions(parts, names)
+    if of_complex:
+        lines.append("Cpushed.")
+    quotients = _combination(value, [p for p, _, _ in relations], list(parts.values.values()))
+    if not any(quotients):
+        return [*lines, f"{field}."]
+    used = [(*r, q) for r, q in zip(relations, quotients, strict=True) if q != 0]
+    total = " + ".join(f"({said(names)}) * ({write(q, names)})" for _, said, _, q in used)
+    lines.append(f"apply ({c}by_zero _ _ ({total}){scope}); [{field} |].")
+    for _, said, why, _ in used:
+        zero = f"({said(names)})%C with (RtoC 0)" if of_complex else f"({said(names)}) with 0"
+        lines.append(f"replace {zero} by (symmetry; {why(names)}).")
+    return [*lines, f"{ring}."]
+
+
+def same(left: Expr, right: Expr, names: Names) -> list[str]:
+    """Tactics that show ``left = right``."""
+    return script([left, right], lambda of: of(left) - of(right), names)
+
+
+def _rational(terms: Sequence[Expr], difference: Callable[[Image], Expr]) -> bool:
+    """Whether it vanishes with each function for a variable."""
+    outer = set[Expr]().union(*(t.atoms(sp.Function, sp.Pow) for t in terms))
+    names = {
+        f: sp.Dummy()
+        for f in outer
+        if not (f.is_Pow and not isinstance(f, sp.exp) and f.exp.is_Integer)
+    }
+    names |= {c: sp.Dummy() for c in (sp.pi, sp.E, sp.I)}
+    bare = difference(lambda t: t.xreplace(names))
+    symbols = sorted(bare.free_symbols, key=sp.default_sort_key) or [sp.Dummy()]
+    return bool(FracField(symbols, sp.QQ).from_expr(bare) == 0)
+
+
+def _expansions(parts: _Parts, names: Names) -> list[str]:
+    """Each function of a sum written in those of its parts."""
+    lines = []
+    for function, image in parts.made.items():
+        if not isinstance(function, (sp.sin, sp.cos, sp.exp)) or complex_(function):
+            continue
+        if image == parts.values.get(function):
+            continue
+        turning = not isinstance(function, sp.exp)
+        argument = function.args[0]
+        pieces = [
+            f"{'(- ' if count < 0 else ''}({real_text(unit, names)}){')' if count < 0 else ''}"
+            for unit, count in _counted(argument, parts.angles if turning else parts.exponents)
+            for _ in range(abs(count))
+        ]
+        said, wanted = real_text(function, names), real_text(image, names)
+        name = said[: said.index("(")]
+        sum_ = f"{name} ({' + '.join(pieces) or '0'})"
+        lines += [
+            f"assert (E : {said} = {wanted}) by (transitivity ({sum_}); "
+            f"[f_equal; field | {'turned' if turning else 'raised'}]).",
+            "rewrite ?E in *; clear E.",
+        ]
+    return lines
+
+
+def _turned(parts: _Parts, names: Names) -> list[str]:
+    """Each complex exponential by its size and angle."""
+    lines = []
+    for function in parts.made:
+        if isinstance(function, sp.exp) and complex_(function):
+            size, angle = polar(function)
+            parts_ = [real_text(f, names) for f in (sp.exp(size), sp.cos(angle), sp.sin(angle))]
+            at = f"(Cexp_at _ ({real_text(size, names)}) ({real_text(angle, names)}))"
+            wanted = f"({parts_[0]}) * (({parts_[1]}) + Ci * ({parts_[2]}))"
+            lines += [
+                f"assert (E : ({complex_text(function, names)} = {wanted} :> C)%C) "
+                f"by (rewrite {at} by Ccompared; Cevaluated).",
+                "rewrite ?E in *; clear E.",
+            ]
+    return lines
+
+
+Written = Callable[[Names], str]
+
+
+def _relations(parts: _Parts) -> list[tuple[Expr, Written, Written]]:
+    """What vanishes: in the variables, as it is written, and how it is shown."""
+    found: list[tuple[Expr, Written, Written]] = []
+    in_c = sp.I in parts.values
+    for function, variable in list(parts.values.items()):
+        if function == sp.I:
+            found.append((variable**2 + 1, lambda _: "Ci ^ 2 + 1", lambda _: "apply Ci_squared"))
+        elif isinstance(function, sp.sin):
+            cosine = parts.values.get(sp.cos(function.args[0]))
+            if cosine is not None:
+                found.append((variable**2 + cosine**2 - 1, *_pythagoras(function.args[0], in_c)))
+        elif function.is_Pow and function.exp == sp.S.Half:
+            found.append((variable**2 - parts.image(function.base), *_root(function.base, in_c)))
+    return found
+
+
+def _pythagoras(angle: Expr, in_c: bool) -> tuple[Written, Written]:
+    def said(names: Names) -> str:
+        x = real_text(angle, names)
+        return f"sin({x})^2 + cos({x})^2 - 1"
+
+    return said, lambda _: "apply Cpythagoras" if in_c else "apply pythagoras"
+
+
+def _root(base: Expr, in_c: bool) -> tuple[Written, Written]:
+    if in_c:
+        raise NotPrinted("a root beside j")
+
+    def said(names: Names) -> str:
+        x = real_text(base, names)
+        return f"sqrt({x})^2 - ({x})"
+
+    return said, lambda _: "apply root_squared; rooted"
+
+
+def _combination(
+    difference: Expr, relations: Sequence[Expr], variables: Sequence[Expr]
+) -> list[Expr]:
+    """Quotients by which the difference is a sum of multiples of the relations."""
+    known = difference.free_symbols.union(*(r.free_symbols for r in relations))
+    first = [v for v in reversed(variables) if v in known]
+    others = sorted(known - set(first), key=str)
+    field = FracField([*first, *others] or [sp.Dummy()], sp.QQ)
+    value = field.from_expr(difference)
+    if value == 0 or not relations:
+        if value != 0:
+            raise NotPrinted("an identity of which more has to be known")
+        return [sp.S.Zero] * len(relations)
+    divisors = [field.from_expr(r) for r in relations]
+    quotients, rest = value.numer.div([d.numer for d in divisors])
+    quotients = [field(q) * field(d.denom) for q, d in zip(quotients, divisors, strict=True)]
+    if rest != 0:
+        raise NotPrinted("an identity that needs more than s^2 + c^2 = 1 and r^2 = x")
+    below = sp.factor(value.denom.as_expr())
+    return [q.as_expr() / below for q in quotients]

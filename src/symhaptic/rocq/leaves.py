@@ -1,0 +1,193 @@
+"""The leaves: what our deciders found, as Rocq checks it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, floor
+
+from symhaptic.notation.proposition import Relation, term
+from symhaptic.proof.ball import sign
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.rocq.complexes import complex_text
+from symhaptic.rocq.identities import Image, same, script
+from symhaptic.rocq.logic import Written
+from symhaptic.rocq.steps import Proof
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
+
+__all__ = ["LEAVES"]
+
+LEAVES: dict[str, Written] = {}
+"""How a leaf of each kind is checked."""
+
+
+def shows(write: Written) -> Written:
+    """A leaf's proof, under the rule's name."""
+    LEAVES[write.__name__] = write
+    return write
+
+
+def _relation(theorem: Theorem) -> Relation:
+    claim = theorem.conclusion
+    assert isinstance(claim, Relation)
+    return claim
+
+
+@shows
+def identity(proof: Proof, theorem: Theorem) -> None:
+    claim = _relation(theorem)
+    proof.say("opened; defined.", *same(claim.left, claim.right, proof.names))
+
+
+@shows
+def number(proof: Proof, theorem: Theorem) -> None:
+    claim = _relation(theorem)
+    if claim.sign == "=" or (claim.sign == "<=" and sign(claim.right - claim.left) == 0):
+        proof.say("opened; defined.")
+        if claim.sign == "<=":
+            proof.say("apply Req_le.")
+        proof.say(*same(claim.left, claim.right, proof.names))
+    else:
+        proof.say("opened; defined; numeric.")
+
+
+Write = Callable[[Expr, Names], str]
+
+
+@dataclass(frozen=True)
+class _Product:
+    """A product of theorems and rationals: its factors, as pairs of sides or numbers."""
+
+    factors: tuple[tuple[Expr, Expr], ...]
+    equation: tuple[Expr, Expr] | None
+
+    def written(self, names: Names, write: Write) -> str:
+        """As it stands in the sum."""
+        return " * ".join(_way(f, names, write) for f in self.factors) or "1"
+
+    def value(self, of: Image) -> Expr:
+        """Made of the images of its sides."""
+        return sp.Mul(*(of(right) - of(left) for left, right in self.factors))
+
+
+def _way(factor: tuple[Expr, Expr], names: Names, write: Write) -> str:
+    if write is complex_text and not complex_(*factor):
+        return f"RtoC ({_way(factor, names, real_text)})"
+    left, right = (write(t, names) for t in factor)
+    return f"({right})" if factor[0] == 0 and factor[1].is_Rational else f"({right} - ({left}))"
+
+
+def _product(given: Any) -> _Product:
+    factors, equation = list[tuple[Expr, Expr]](), None
+    for factor in given:
+        if isinstance(factor, Theorem):
+            claim: Any = factor.conclusion
+            factors.append((claim.left, claim.right))
+            equation = factors[-1] if claim.sign == "=" else equation
+        else:
+            factors.append((sp.S.Zero, term(factor)))
+    return _Product(tuple(factors), equation)
+
+
+@shows
+def combined(proof: Proof, theorem: Theorem) -> None:
+    claim, names = _relation(theorem), proof.names
+    products = [_product(p) for p in theorem.given[1:]]
+    terms = [claim.left, claim.right, *(t for p in products for f in p.factors for t in f)]
+    for premise in theorem.premises:
+        proof.keep(premise)
+    of_complex = complex_(*terms)
+    c, scope, nought = ("C", "%C", "(RtoC 0)") if of_complex else ("", "", "0")
+    write, zeroed, ring = (
+        (complex_text, "Czero", "Cring") if of_complex else (real_text, "lra", "ring")
+    )
+    zero = [p for p in products if p.equation]
+    signed = [p for p in products if not p.equation]
+    t, z = (" + ".join(p.written(names, write) for p in some) or "0" for some in (signed, zero))
+
+    def plain_sum(of: Image) -> Expr:
+        return of(claim.right) - of(claim.left) - sp.Add(*(p.value(of) for p in products))
+
+    turned = claim.sign == "!=" and not is_zero(plain_sum(lambda x: x))
+
+    def difference(of: Image) -> Expr:
+        if not turned:
+            return plain_sum(of)
+        return of(claim.left) - of(claim.right) - sp.Add(*(p.value(of) for p in products))
+
+    name = {"<": "lt", "<=": "le", "!=": "ne", "=": "eq"}[claim.sign] + ("'" if turned else "")
+    sums = f"({z}){scope}" if claim.sign == "=" else f"({t}){scope} ({z}){scope}"
+    if c and not complex_(claim.left, claim.right):
+        proof.say("opened; defined; apply RtoC_inj." if claim.sign == "=" else "opened; defined.")
+        if claim.sign != "=":
+            raise NotPrinted("a real relation from complex ones")
+        proof.say("Cpushed.")
+    else:
+        proof.say("opened; defined.")
+    proof.say(f"apply ({c}by_sum_{name} _ _ {sums}).")
+    lines = script(terms, difference, names)
+    proof.say(f"- {lines[0]}", *(f"  {line}" for line in lines[1:]))
+    zeros = [
+        f"replace {_way(p.equation, names, write)}{scope} with {nought} by {zeroed}"
+        for p in zero
+        if p.equation
+    ]
+    proof.say("- " + "; ".join([*dict.fromkeys(zeros), ring]) + ".")
+    if claim.sign != "=":
+        proof.say(f"- {c}apart." if claim.sign == "!=" else f"- {c}signed.")
+    if c and claim.sign in ("<", "<="):
+        proof.say("- Cimaginary.")
+
+
+@shows
+def factor(proof: Proof, theorem: Theorem) -> None:
+    (product,), (of, _, other) = theorem.premises, theorem.given
+    of, other, claim = term(of), term(other), product.conclusion
+    assert isinstance(claim, Relation)
+    low, high, names = claim.left, claim.right, proof.names
+    c = complex_(of, other, low, high)
+    if c and not (complex_(of) and complex_(low, high)):
+        raise NotPrinted("a real factor of a complex term")
+    proof.keep(product)
+    sides = [(complex_text if c else real_text)(t, names) for t in (high, low, of, other)]
+    said = f"{sides[0]} - ({sides[1]}) = ({sides[2]}) * ({sides[3]})"
+    product_ = f"(({sides[2]}) * ({sides[3]})){'%C' if c else ''}"
+    nought = "RtoC 0" if c else "0"
+    found = script([low, high, of, other], lambda f: f(high) - f(low) - f(of) * f(other), names)
+    proof.say(
+        "opened; defined.",
+        f"assert (Fact : ({said} :> C)%C)." if c else f"assert (Fact : {said}).",
+        "{",
+        *found,
+        "}",
+        f"intro Z; assert (Nil : {product_} = {nought}) by (rewrite Z; ring).",
+        f"pose proof (eq_trans Fact Nil); {'C' if c else ''}refuted.",
+    )
+
+
+@shows
+def mirrored(proof: Proof, theorem: Theorem) -> None:
+    proof.keep(theorem.premises[0])
+    proof.say("opened; defined; Cmirrored.")
+
+
+@shows
+def is_whole(proof: Proof, theorem: Theorem) -> None:
+    for premise in theorem.premises:
+        proof.keep(premise)
+    proof.say("opened; defined; wholes.")
+
+
+@shows
+def broken(proof: Proof, theorem: Theorem) -> None:
+    value = theorem.conclusion.parts[0].terms[0]
+    proof.say(f"broken ({floor(value)})%Z.")
+
+
+@shows
+def on_box(proof: Proof, theorem: Theorem) -> None:
+    raise NotPrinted("the pieces of a box")

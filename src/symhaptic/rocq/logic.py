@@ -1,0 +1,267 @@
+"""The rules of logic: what each is in Rocq's."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from sympy import Expr, Symbol
+
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    ForAll,
+    Iff,
+    Implies,
+    Or,
+    Proposition,
+    is_complex,
+    proposition,
+    term,
+)
+from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.rocq.complexes import complex_text
+from symhaptic.rocq.steps import Proof, said
+from symhaptic.rocq.terms import NotPrinted, complex_, real_text
+
+Written = Callable[[Proof, Theorem], None]
+LOGIC: dict[str, Written] = {}
+"""How a step of each rule is proved."""
+
+
+def shows(write: Written) -> Written:
+    """A rule's proof, under the rule's name."""
+    LOGIC[write.__name__] = write
+    return write
+
+
+def _assumed(proof: Proof, claim: Proposition) -> None:
+    """A hypothesis that is at the head of the goal."""
+    name = proof.new("G")
+    proof.say(f"intros {name}.")
+    proof.know(claim, name)
+
+
+def _given(parts: tuple[Any, ...]) -> Proposition:
+    found = tuple(proposition(p) for p in parts)
+    return found[0] if len(found) == 1 else And(found)
+
+
+@shows
+def weakened(proof: Proof, theorem: Theorem) -> None:
+    """Hypotheses that are not used are left out."""
+    proof.say(f"finish {proof.have(theorem.premises[0])}.")
+
+
+@shows
+def discharged(proof: Proof, theorem: Theorem) -> None:
+    """The hypothesis is brought in, and the premise has it."""
+    _assumed(proof, _given(theorem.given[1:]))
+    proof.say(f"finish {proof.have(theorem.premises[0])}.")
+
+
+@shows
+def cut(proof: Proof, theorem: Theorem) -> None:
+    """What lemmas conclude is known before the theorem is used."""
+    for lemma in theorem.premises[1:]:
+        proof.keep(lemma)
+    proof.say(f"finish {proof.have(theorem.premises[0])}.")
+
+
+@shows
+def applied(proof: Proof, theorem: Theorem) -> None:
+    """An implication is a function; an equivalence a pair of them."""
+    implication, given = theorem.premises
+    found, known = proof.keep(implication), proof.keep(given)
+    proof.know(given.conclusion, known)
+    claim = implication.conclusion
+    if isinstance(claim, Implies):
+        given_: Proposition = claim.of[0]
+        proof.say(f"finish ({found} {proof.find(given_)}).")
+        return
+    assert isinstance(claim, Iff)
+    left, right = claim.parts
+    for one, other, side in ((left, right, "proj1"), (right, left, "proj2")):
+        if other == theorem.conclusion and proof.knows(one):
+            proof.say(f"finish ({side} {found} {proof.find(one)}).")
+            return
+    raise NotPrinted("an equivalence that is applied to neither side")
+
+
+@shows
+def conjoined(proof: Proof, theorem: Theorem) -> None:
+    """A proof of a conjunction is made of those of its parts."""
+    proof.say(f"finish {proof.joined([proof.have(p) for p in theorem.premises])}.")
+
+
+@shows
+def part(proof: Proof, theorem: Theorem) -> None:
+    """A part of a conjunction is one of its components."""
+    proof.keep(theorem.premises[0])
+    proof.say(f"finish {proof.find(theorem.conclusion)}.")
+
+
+@shows
+def widened(proof: Proof, theorem: Theorem) -> None:
+    """A disjunction is proved on one of its sides."""
+    wanted, known = theorem.conclusion, theorem.premises[0]
+    assert isinstance(wanted, Or)
+    place = wanted.of.index(known.conclusion)
+    last = place == len(wanted.of) - 1
+    proof.say(
+        " ".join(["right;"] * place + ([] if last else ["left;"]))
+        + " " * (place > 0 or not last)
+        + f"finish {proof.have(known)}."
+    )
+
+
+@shows
+def by_cases(proof: Proof, theorem: Theorem) -> None:
+    """A disjunction is taken apart, and each case has its own proof."""
+    cover, *cases = theorem.premises
+    claim = cover.conclusion
+    assert isinstance(claim, Or)
+    names = [proof.new("D") for _ in claim.of]
+    pattern = names[-1]
+    for name in reversed(names[:-1]):
+        pattern = f"[{name} | {pattern}]"
+    proof.say(f"destruct {proof.have(cover)} as {pattern}.")
+    before = dict(proof.scope)
+    for name, disjunct, case in zip(names, claim.of, cases, strict=True):
+        proof.scope = dict(before)
+        proof.scope.pop(disjunct, None)
+        proof.know(disjunct, name)
+        proof.say(f"- finish {proof.have(case)}.")
+
+
+@shows
+def absurd(proof: Proof, theorem: Theorem) -> None:
+    """What contradicts itself proves falsehood."""
+    one, other = theorem.premises
+    if theorem.given[2:]:
+        _assumed(proof, _given(theorem.given[2:]))
+    proof.say(f"contradict_by {proof.have(one)} {proof.have(other)}.")
+
+
+@shows
+def anything(proof: Proof, theorem: Theorem) -> None:
+    """Falsehood has no case."""
+    proof.say(f"destruct {proof.have(theorem.premises[0])}.")
+
+
+@shows
+def equivalent(proof: Proof, theorem: Theorem) -> None:
+    """Both directions."""
+    there, back = theorem.premises
+    proof.say("split.", f"- finish {proof.have(there)}.", f"- finish {proof.have(back)}.")
+
+
+@shows
+def general(proof: Proof, theorem: Theorem) -> None:
+    """A symbol is brought in that nothing is known of."""
+    claim = theorem.conclusion
+    assert isinstance(claim, ForAll)
+    with proof.names.introduced(*claim.over) as names:
+        proof.say(f"intros {' '.join(names)}.", f"finish {proof.have(theorem.premises[0])}.")
+
+
+def _values(proof: Proof, over: Any, values: Any) -> list[str]:
+    return [_value(proof, s, term(values[s])) for s in over]
+
+
+def _value(proof: Proof, symbol: Symbol, value: Expr) -> str:
+    if is_complex(symbol):
+        return f"({complex_text(value, proof.names)})%C"
+    if complex_(value):
+        raise NotPrinted("a real number that is written with j")
+    return f"({real_text(value, proof.names)})"
+
+
+@shows
+def instance(proof: Proof, theorem: Theorem) -> None:
+    """What holds for all holds for a term, in the form that SymPy gives it."""
+    (premise,), values = theorem.premises, theorem.given[1]
+    claim = premise.conclusion
+    assert isinstance(claim, ForAll)
+    proof.say(f"finish ({proof.have(premise)} {' '.join(_values(proof, claim.over, values))}).")
+
+
+@shows
+def unfolded(proof: Proof, theorem: Theorem) -> None:
+    """An implication is applied to its hypotheses."""
+    (premise,) = theorem.premises
+    claim = premise.conclusion
+    assert isinstance(claim, Implies)
+    proof.say(f"finish ({proof.have(premise)} {proof.find(claim.of[0])}).")
+
+
+@shows
+def placed(proof: Proof, theorem: Theorem) -> None:
+    """A lemma at terms; its hypotheses are found among those that SymPy made of them."""
+    (premise,), values = theorem.premises, theorem.given[1]
+    if premise.rule == "assume":
+        proof.say(f"finish {proof.find(premise.conclusion.at(values))}.")
+        return
+    step = proof.known[said(premise)]
+    proof.uses.add(step.name)
+    at = {s: values.get(s, s) for s in step.free}
+    inner = {s: proof.value(s) for s in step.free if s not in values}
+    args = [inner[s] if s in inner else _values(proof, [s], at)[0] for s in step.free]
+    name = proof.new("P")
+    proof.say(f"pose proof ({' '.join([step.name, *args])}) as {name}.")
+    for claim in step.hypotheses:
+        moved = claim.at(values)
+        known = proof.scope.get(moved, "I")
+        proof.say(f"feed {name} {known}.")
+    proof.say(f"finish {name}.")
+
+
+@shows
+def substituted(proof: Proof, theorem: Theorem) -> None:
+    """Equals for equals, by the principle of equality."""
+    pattern, place, known, equation = (
+        proposition(theorem.given[0]),
+        theorem.given[1],
+        *theorem.premises,
+    )
+    claim: Any = equation.conclusion
+    if complex_(claim.left, claim.right):
+        raise NotPrinted("a complex term in place of a symbol")
+    sides = [real_text(t, proof.names) for t in (claim.left, claim.right)]
+    equal, before = proof.keep(equation), proof.have(known)
+    with proof.names.bound(place) as [name]:
+        body = proof.text(pattern)
+    old, new, turned = proof.new("P"), proof.new("P"), proof.new("E")
+    proof.say(
+        f"assert ({old} : (fun {name} : R => {body}) ({sides[0]})) by finish {before}.",
+        f"assert ({turned} : {sides[0]} = {sides[1]}) by (opened; assumption).",
+        f"pose proof (eq_ind _ (fun {name} : R => {body}) {old} _ {turned}) as {new}.",
+        f"cbv beta in {new}; clear {old}; finish {new}.",
+    )
+    del equal
+
+
+@shows
+def witnessed(proof: Proof, theorem: Theorem) -> None:
+    """A term that has the property."""
+    wanted, values = theorem.conclusion, theorem.given[2]
+    assert isinstance(wanted, Exists)
+    terms = ", ".join(_values(proof, wanted.over, values))
+    proof.say(f"exists {terms}.", f"finish {proof.have(theorem.premises[0])}.")
+
+
+@shows
+def chosen(proof: Proof, theorem: Theorem) -> None:
+    """What exists is given a name."""
+    existence, then = theorem.premises
+    claim = existence.conclusion
+    assert isinstance(claim, Exists)
+    source = proof.have(existence)
+    with proof.names.introduced(*claim.over) as names:
+        held = proof.new("B")
+        pattern = held
+        for name in reversed(names):
+            pattern = f"[{name} {pattern}]"
+        proof.say(f"destruct {source} as {pattern}.")
+        proof.know(claim.body, held)
+        proof.say(f"finish {proof.have(then)}.")

@@ -1,0 +1,135 @@
+"""Propositions as Rocq writes them: a relation beside all that its terms divide by.
+
+A relation here is true only where both sides have values, so ``0 < 1/x`` is printed
+``(x <> 0 /\\ 0 < 1/x)``; of a root the radicand is not negative, of a logarithm it is positive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+from sympy import Expr, Symbol
+
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    ForAll,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Predicate,
+    Proposition,
+    Relation,
+    is_complex,
+)
+from symhaptic.proof.theorems.definedness import conditions
+from symhaptic.rocq.complexes import complex_text
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
+
+AND = " /\\ "
+SIGNS = {"=": "=", "!=": "<>", "<": "<", "<=": "<="}
+_JOINED: dict[type[Proposition], tuple[str, str]] = {
+    And: (AND, "True"),
+    Or: (" \\/ ", "False"),
+    Implies: (" -> ", ""),
+    Iff: (" <-> ", ""),
+}
+DEFINED = {"whole": "whole", "increasing": "increasing", "limit": "tends"}
+"""Predicates of real terms that the prelude defines."""
+
+
+def text(claim: Proposition, names: Names) -> str:
+    """A proposition; compound ones stand in brackets."""
+    if isinstance(claim, Relation):
+        both = (claim.left, claim.right)
+        return _beside(both, _relation(claim, names), names)
+    if isinstance(claim, Predicate):
+        return _predicate(claim, names)
+    if isinstance(claim, Not):
+        return f"(~ {text(claim.of[0], names)})"
+    if isinstance(claim, (ForAll, Exists)):
+        with names.bound(*claim.over) as over:
+            head = "forall" if isinstance(claim, ForAll) else "exists"
+            return f"({head} {typed(claim.over, over)}, {text(claim.body, names)})"
+    sign, empty = _JOINED[type(claim)]
+    parts = [text(p, names) for p in claim.parts]
+    return parts[0] if len(parts) == 1 else f"({sign.join(parts)})" if parts else empty
+
+
+def typed(symbols: Sequence[Symbol], names: Sequence[str]) -> str:
+    """Symbols with their types, as a quantifier binds them."""
+    kinds = ["C" if is_complex(s) else "R" for s in symbols]
+    if len(set(kinds)) == 1:
+        return f"{' '.join(names)} : {kinds[0]}"
+    return " ".join(f"({n} : {k})" for n, k in zip(names, kinds, strict=True))
+
+
+def _relation(claim: Relation, names: Names) -> str:
+    left, right = claim.left, claim.right
+    if not complex_(left, right):
+        return f"{real_text(left, names)} {SIGNS[claim.sign]} {real_text(right, names)}"
+    sides = complex_text(left, names), complex_text(right, names)
+    if claim.sign in ("=", "!="):
+        return f"({sides[0]} {SIGNS[claim.sign]} {sides[1]} :> C)%C"
+    return f"({'Cless' if claim.sign == '<' else 'Cless_eq'} ({sides[0]})%C ({sides[1]})%C)"
+
+
+def needed(*terms: Expr) -> list[Proposition]:
+    """What has to hold so that terms have the values that Rocq gives them."""
+    found = set(conditions(*terms))
+    for expr in terms:
+        for part in sp.preorder_traversal(expr):
+            base = part.base if part.is_Pow else None
+            if base is not None and part.exp.is_Rational and not part.exp.is_Integer:
+                if not (base.is_Rational and base >= 0):
+                    found.add(Relation(sp.S.Zero, "<=", base))
+            elif isinstance(part, sp.log):
+                found.add(Relation(sp.S.Zero, "<", part.args[0]))
+    return list(found)
+
+
+def _beside(terms: Sequence[Expr], said: str, names: Names) -> str:
+    """What is said, beside what the terms divide by."""
+    found = sorted({_relation(c, names) for c in needed(*terms) if isinstance(c, Relation)})
+    return f"({AND.join([*found, said])})" if found or " " in said else said
+
+
+def _predicate(claim: Predicate, names: Names) -> str:
+    name, terms = claim.name, claim.of
+    if name == "whole" and not complex_(*terms):
+        return _beside(terms, f"whole ({real_text(terms[0], names)})", names)
+    if name in ("increasing", "limit"):
+        return _on_line(claim, names)
+    first: list[str] = []
+    if claim.over:
+        with names.bound(*claim.over) as [v]:
+            names.as_complex.add(claim.over[0])
+            first = [f"(fun {v} : C => {complex_text(terms[0], names)})%C"]
+            names.as_complex.discard(claim.over[0])
+        terms = terms[1:]
+    said = " ".join([name, *first, *(f"({complex_text(t, names)})%C" for t in terms)])
+    return _beside(terms, said, names)
+
+
+def _on_line(claim: Predicate, names: Names) -> str:
+    terms, name = claim.of, DEFINED[claim.name]
+    if (complex_(*terms[1:]) and claim.name == "increasing") or complex_(terms[1]):
+        raise NotPrinted(f"the predicate {claim.name} of complex terms")
+    if complex_(terms[0], terms[2]):
+        with names.bound(*claim.over) as [v]:
+            body = complex_text(terms[0], names)
+        said = (
+            f"Ctends (fun {v} : R => ({body})%C) ({real_text(terms[1], names)}) "
+            f"({complex_text(terms[2], names)})%C"
+        )
+        return _beside(terms[1:], said, names)
+    with names.bound(*claim.over) as [v]:
+        body = real_text(terms[0], names)
+        inside = sorted({_relation(c, names) for c in needed(terms[0]) if isinstance(c, Relation)})
+    low, high = (real_text(t, names) for t in terms[1:])
+    said = f"{name} (fun {v} : R => {body}) ({low}) ({high})"
+    if name == "increasing" and inside:
+        said = f"(forall {v} : R, {low} < {v} -> {v} < {high} -> {AND.join(inside)}) /\\ {said}"
+    return _beside(terms[1:], said, names)

@@ -1,0 +1,159 @@
+"""Terms as Rocq writes them: real ones in ``R``, those with j or with a complex symbol in ``C``.
+
+Rocq's functions are total.  Where a term has no value here, 1/0 is *some* number there; so a
+relation is printed with what its terms divide by (:mod:`symhaptic.rocq.propositions`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+import sympy as sp
+from sympy import Expr, Symbol
+from sympy.core.function import AppliedUndef
+from sympy.printing.str import StrPrinter
+
+from symhaptic.notation.proposition import is_complex
+
+
+class NotPrinted(ValueError):
+    """What cannot be said in Rocq yet; the message says what it is."""
+
+
+_RESERVED = (
+    "as at cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return Set "
+    "then Type using where with R C N Z Q I S O E D PI INR IZR exp ln sin cos tan cot sqrt sinh "
+    "cosh tanh atan pow Rabs Rpower true false nat whole increasing tends up stable hurwitz "
+    "passive degree answers pole device swings Re Im Ci Lo Hi Ends Goal Fact"
+)
+_TAKEN = frozenset(_RESERVED.split())
+"""Names that a variable would hide."""
+
+_NAMES: Mapping[Any, str] = {
+    **{f: f.__name__ for f in (sp.exp, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh)},
+    sp.atan: "atan",
+    sp.log: "ln",
+    sp.Abs: "Rabs",
+}
+
+
+class Names:
+    """Names of symbols in one lemma: the symbol's own, with a prime where two share it."""
+
+    def __init__(self) -> None:
+        self._of: dict[Symbol, str] = {}
+        self.as_complex: set[Symbol] = set()
+        """Bound symbols that are complex where they are bound, whatever their name says."""
+        self.spelled: dict[Expr, str] = {}
+        """Variables that stand for what is written so."""
+
+    def __getitem__(self, symbol: Symbol) -> str:
+        if symbol not in self._of:
+            raise NotPrinted(f"the symbol {symbol} is not bound")
+        return self._of[symbol]
+
+    def __contains__(self, symbol: object) -> bool:
+        return symbol in self._of
+
+    @contextmanager
+    def bound(self, *symbols: Symbol) -> Iterator[list[str]]:
+        """Names for symbols that are bound meanwhile."""
+        before = dict(self._of)
+        for symbol in symbols:
+            self._of.pop(symbol, None)
+            self._of[symbol] = self.fresh(symbol.name)
+        yield [self._of[s] for s in symbols]
+        self._of = before
+
+    @contextmanager
+    def introduced(self, *symbols: Symbol) -> Iterator[list[str]]:
+        """Names for symbols that a proof brings in beside all that are there."""
+        before = dict(self._of)
+        for symbol in symbols:
+            self._of[symbol] = self.fresh(symbol.name)
+        yield [self._of[s] for s in symbols]
+        self._of = before
+
+    def fresh(self, name: str) -> str:
+        """A name that nothing has."""
+        name = "".join(c for c in name if c.isascii() and (c.isalnum() or c == "_")).strip("_")
+        name = f"{name or 'x'}_" if name in _TAKEN or name[:1].isdigit() or not name else name
+        while name in self._of.values():
+            name += "'"
+        return name
+
+
+def complex_(*terms: Expr) -> bool:
+    """Whether one of them is no real number by its form."""
+    return any(t.has(sp.I) or any(is_complex(s) for s in t.free_symbols) for t in terms)
+
+
+class Real(StrPrinter):  # type: ignore[misc]
+    """Prints real terms; what Rocq has no name for is refused."""
+
+    def __init__(self, names: Names) -> None:
+        super().__init__({"order": "lex"})
+        self.names = names
+
+    def emptyPrinter(self, expr: Any) -> str:
+        """Refuse what is not known."""
+        raise NotPrinted(f"{type(expr).__name__}")
+
+    def _print_Symbol(self, expr: Symbol) -> str:
+        return self.names.spelled.get(expr) or self.names[expr]
+
+    _print_Dummy = _print_Symbol  # noqa: N815
+
+    def _print_Rational(self, expr: Any) -> str:
+        return f"{expr.p}/{expr.q}"
+
+    def _print_Pi(self, expr: Any) -> str:
+        return "PI"
+
+    def _print_Exp1(self, expr: Any) -> str:
+        return "exp(1)"
+
+    def _print_ImaginaryUnit(self, expr: Any) -> str:
+        return "Ci"
+
+    def _print_Function(self, expr: Any) -> str:
+        if isinstance(expr, AppliedUndef):
+            raise NotPrinted(f"the unknown function {expr.func.__name__}")
+        if expr.func not in _NAMES:
+            raise NotPrinted(f"the function {expr.func.__name__}")
+        return f"{_NAMES[expr.func]}({self._print(expr.args[0])})"
+
+    _print_exp = _print_log = _print_Abs = _print_Function  # noqa: N815
+    _print_re = _print_im = _print_conjugate = _print_Function
+
+    def _print_Pow(self, expr: Any, rational: bool = False) -> str:
+        base, power = expr.as_base_exp() if isinstance(expr, sp.exp) else expr.args
+        if power.is_Rational and power < 0:
+            below = self._raised(base, -power)
+            return f"1/{below if power == -1 and base.is_Atom else f'({below})'}"
+        return self._raised(base, power)
+
+    def _raised(self, base: Expr, power: Expr) -> str:
+        if power == 1:
+            return str(self._print(base))
+        if power.is_Integer:
+            return f"{self.inside(base)}^{power}"
+        if power.is_Rational and power.q == 2:
+            root = f"sqrt({self._print(base)})"
+            return root if power.p == 1 else f"{root}^{power.p}"
+        if base.is_Rational and base > 0:
+            return f"Rpower ({self._print(base)}) ({self._print(power)})"
+        raise NotPrinted(f"the power {base}**{power}")
+
+    def inside(self, base: Expr) -> str:
+        """A base, in brackets unless it is a name or an application."""
+        text = str(self._print(base))
+        plain = base.is_Symbol or (base.is_Integer and base >= 0) or base.is_Function
+        return text if plain or base is sp.pi else f"({text})"
+
+
+def real_text(expr: Expr, names: Names) -> str:
+    """A real term."""
+    return str(Real(names)._print(expr))

@@ -1,0 +1,224 @@
+"""Rocq says no: what is wrong in one place is not proved by the proof of what is right."""
+
+import re
+import shutil
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+from sympy import I, Lt, Rational, S, cos, exp, pi, sin, symbols, tan
+
+from symhaptic.notation.proposition import Relation, proposition, whole
+from symhaptic.proof.theorems.analysis import grows, increases, induction
+from symhaptic.proof.theorems.familiar import axiom
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    assume,
+    by_cases,
+    conjoined,
+    discharged,
+    general,
+    instance,
+    placed,
+    substituted,
+    unfolded,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import (
+    broken,
+    combined,
+    factor,
+    identity,
+    is_whole,
+    mirrored,
+    number,
+    tends,
+)
+from symhaptic.rocq import compiled
+from symhaptic.rocq.chapter import printed
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(shutil.which("coqc") is None, reason=compiled.INSTALL),
+]
+
+x, y, n = symbols("x y n")
+ABOVE = proposition(x > 0)
+
+
+def less(left, right):
+    return number(Lt(left, right, evaluate=False))
+
+
+def cases():
+    cover = axiom("order", 0, x)
+    right = combined(x**2 >= 0, [assume(Relation(S.Zero, "<", x))] * 2)
+    left = combined(x**2 >= 0, [combined(-x >= 0, [assume(x <= 0)])] * 2)
+    return by_cases(cover, right, left)
+
+
+def sum_of_whole():
+    start = is_whole(S.Zero)
+    step = discharged(is_whole(n + 1, assume(whole(n))), whole(n), whole(n))
+    return induction(whole(n), n, start, step)
+
+
+def chosen_number():
+    from symhaptic.notation.proposition import Exists
+
+    wanted = Exists((y,), proposition(y > 1))
+    return witnessed(less(S.One, S(2)), wanted, {y: S(2)})
+
+
+ATTACKS = {
+    # kind: the theorem, and wrong variants of its statement
+    "an identity": (
+        lambda: identity((x**2 - 1) / (x - 1), x + 1),
+        [("x + 1)", "x - 1)"), ("(x - 1 <> 0) -> ", ""), ("(x^2 - 1)", "(x^3 - 1)")],
+    ),
+    "sines of sums": (
+        lambda: identity(sin(3 * x), 3 * sin(x) - 4 * sin(x) ** 3),
+        [("3*sin(x)", "2*sin(x)"), ("4*sin", "-4*sin"), ("sin(3*x)", "cos(3*x)")],
+    ),
+    "a tangent": (
+        lambda: identity(tan(x) ** 2 * cos(x) ** 2, 1 - cos(x) ** 2),
+        [("1)", "2)"), ("(cos(x) <> 0) -> ", "")],
+    ),
+    "an exponential": (
+        lambda: identity((exp(x) + exp(-x)) ** 2, exp(2 * x) + 2 + exp(-2 * x)),
+        [("^2", "^3"), ("exp(-2*x)", "exp(2*x)"), ("2 +", "3 +")],
+    ),
+    "a root": (
+        lambda: combined(
+            proposition(y**2 < 3 * x), [assume(x > 0)], [assume(Relation(y**2, "<", 2 * x))]
+        ),
+        [("y^2 < 3*x)", "y^2 < x)"), ("(0 < x) -> ", "")],
+    ),
+    "j": (
+        lambda: identity(exp(I * x) - exp(-I * x), 2 * I * sin(x)),
+        [("2*Ci", "Ci"), ("Cexp(-Ci*x)", "Cexp(Ci*x)"), ("sin(x)", "cos(x)")],
+    ),
+    "a mirror": (
+        lambda: mirrored(assume(Relation(exp(I * x), "=", I * y))),
+        [("= -Ci*y", "= Ci*y"), ("(Cexp(-Ci*x)", "(Cexp(-2*Ci*x)")],
+    ),
+    "digits": (
+        lambda: less(Rational(16568, 10000), 4 * tan(pi / 8)),
+        [("2071/1250 <", "2072/1250 <"), ("2071/1250 <", "2071/1249 <"), ("4*sqrt", "3*sqrt")],
+    ),
+    "a sum of products": (
+        lambda: combined(y > 0, [assume(x > 0)], [assume(y >= x)]),
+        [("(0 < x) -> ", ""), ("-> (0 < y)", "-> (0 < y - x)"), ("(x <= y)", "(y <= x)")],
+    ),
+    "a factor": (
+        lambda: factor(x, assume(Relation(S.Zero, "!=", x * y)), y),
+        [("-> (x <> 0)", "-> (x - 1 <> 0)"), ("(0 <> x*y) -> ", "")],
+    ),
+    "whole numbers": (
+        lambda: is_whole(2 * n + 1, assume(whole(n))),
+        [("2*n + 1", "2*n - 1"), ("2*n + 1", "n/2 + 1"), ("(whole (n)) -> ", "")],
+    ),
+    "no whole number": (
+        lambda: broken(Rational(5, 2)),
+        [("5/2", "6/2"), ("5/2", "2")],
+    ),
+    "a growing function": (
+        lambda: grows(
+            x**3,
+            x,
+            S.One,
+            y,
+            combined(
+                3 * x**2 > 0,
+                [3, assume(x > 1), assume(x > 1)],
+                [6, assume(x > 1)],
+                [3, less(S.Zero, S.One)],
+            ),
+        ),
+        [("(1 < y^3)", "(2 < y^3)"), ("(1 < y) -> ", ""), ("(1 < y^3)", "(y^3 < 1)")],
+    ),
+    "an increasing function": (
+        lambda: increases(x**2, x, S.Zero, S(2), combined(2 * x > 0, [2, assume(x > 0)])),
+        [("(0) (2)", "(-1) (2)"), ("x^2", "-x^2")],
+    ),
+    "a limit": (
+        lambda: tends(sin(3 * x) / sin(x), x, S.Zero, S(3)),
+        [("(0) (3)", "(0) (2)"), ("(0) (3)", "(1) (3)"), ("sin(3*x)", "sin(2*x)")],
+    ),
+    "a value": (
+        lambda: tends(y * cos(x) - x, x, S.Zero, y),
+        [("(0) (y)", "(0) (-y)"), ("cos", "sin")],
+    ),
+    "induction": (sum_of_whole, [("(whole (n)) -> ", "")]),
+    "cases": (cases, [("0 <= x^2", "0 < x^2"), ("0 <= x^2", "1 <= x^2")]),
+    "an instance": (
+        lambda: unfolded(
+            instance(
+                general(discharged(combined(2 * x > 0, [2, assume(x > 0)]), x > 0), x), {x: y + 1}
+            )
+        ),
+        [("(0 < y + 1) -> ", ""), ("0 < 2*y + 2", "0 < 2*y - 2")],
+    ),
+    "a symbol replaced": (
+        lambda: placed(combined(2 * x > 0, [2, assume(x > 0)]), {x: y**2}),
+        [("(0 < y^2) -> ", ""), ("0 < 2*y^2", "0 < 2*y")],
+    ),
+    "equals for equals": (
+        lambda: substituted(
+            proposition(y > 1), y, assume(proposition(x > 1)), assume(Relation(x, "=", n))
+        ),
+        [("(x = n) -> ", ""), ("(1 < n)", "(2 < n)")],
+    ),
+    "an example": (chosen_number, [("1 < y", "2 < y"), ("1 < y", "y < 1")]),
+    "a contradiction": (
+        lambda: absurd(assume(x < y), assume(y <= x), x < y),
+        [("(y <= x) -> ", ""), ("y <= x", "x <= y")],
+    ),
+    "a conjunction": (
+        lambda: conjoined(assume(x > 0), assume(y > 0)),
+        [("(0 < x) -> ", ""), ("-> ((0 < x)", "-> ((1 < x)")],
+    ),
+}
+
+
+def file_of(theorem):
+    page = SimpleNamespace(blocks=[SimpleNamespace(theorem=theorem, number=1)], settled={})
+    return printed(SimpleNamespace(name="attack", title="An attack", page=page))
+
+
+def variants(number, kind):
+    """The lemmas of a theorem, and those of its wrong variants, under names of their own.
+
+    What is wrong is written into the statement alone, and into its proof as well.
+    """
+    make, wrong = ATTACKS[kind]
+    file = file_of(make())
+    target = file.steps[-1]
+    assert target.name == "lemma_1", (kind, [s.why for s in file.steps])
+    texts = {f"kind_{number}_right": target.written()}
+    for i, (old, new) in enumerate(wrong):
+        assert old in target.statement, (kind, old, target.statement)
+        other = replace(target, statement=target.statement.replace(old, new))
+        texts[f"kind_{number}_{i}"] = other.written()
+        lines = [line.replace(old, new) for line in target.lines]
+        texts[f"kind_{number}_{i}_both"] = replace(other, lines=lines).written()
+    body = "\n".join(s.written() for s in file.steps[:-1])
+    for name, text in texts.items():
+        body += "\n" + re.sub(r"\blemma_1\b", name, text)
+    for step in file.steps[:-1]:
+        body = re.sub(rf"\b{step.name}\b", f"of_{number}_{step.name}", body)
+    wanted = {name: (kind, name) for name in texts}
+    return body, wanted
+
+
+def test_what_is_wrong_in_one_place_is_refused(tmp_path):
+    folder = compiled.prepared(tmp_path)
+    compiled.prelude_compiled(folder)
+    text, asked = "From Symhaptic Require Import Prelude.\n\n", {}
+    for number_, kind in enumerate(ATTACKS):
+        body, wanted = variants(number_, kind)
+        text, asked = f"{text}{body}\n", asked | wanted
+    failed = compiled.failing(folder, text)
+    right = {n for n in asked if n.endswith("right")}
+    assert {asked[n]: failed[n] for n in right & set(failed)} == {}
+    assert [asked[n] for n in asked if n not in failed | dict.fromkeys(right)] == []

@@ -1,0 +1,72 @@
+"""``symhaptic verify --rocq``: what is written, and what is said without a compiler and with."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+from command import symhaptic
+
+from symhaptic.rocq import compiled
+
+
+def test_without_a_compiler_the_files_are_written_and_it_says_what_to_install(tmp_path):
+    run = subprocess.run(
+        [sys.executable, "-m", "symhaptic", "verify", "--rocq", tmp_path, "eq2"],
+        env={**os.environ, "PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0
+    assert "apt install coq libcoq-interval" in run.stderr
+    assert (tmp_path / "Prelude.v").is_file()
+    found = json.loads((tmp_path / "rocq.json").read_text())["statements"]
+    assert found["eq2"]["checked"] != "whole"
+
+
+def test_a_folder_that_cannot_be_is_refused(tmp_path):
+    (tmp_path / "file").write_text("")
+    run = symhaptic("verify", "--rocq", tmp_path / "file" / "deeper", "eq2")
+    assert run.returncode == 2
+    assert run.stderr.startswith("symhaptic: error: --rocq")
+
+
+CHAPTER = '''r"""Is a spring that is stretched further pulled harder?"""
+
+from sympy import symbols
+
+from symhaptic.notation import k, x
+from symhaptic.notation.proposition import ForAll, implied
+from symhaptic.proof.theorems.tactics import example, for_all, positive
+
+y = symbols("y")
+
+
+def derive(page):
+    claim = ForAll((k, x, y), implied([x < y, k > 0], k * x < k * y))
+    page.state("stretched", "a spring that is stretched further pulls harder", claim=claim)
+    harder = page.lemma("It pulls harder", positive(k * x < k * y, [k > 0, x < y]))
+    page.settle(
+        "stretched",
+        for_all((k, x, y), [x < y, k > 0], harder),
+        example=example({k: 1, x: 0, y: 1}, [x < y, k > 0]),
+    )
+'''
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason=compiled.INSTALL)
+def test_a_chapter_of_ones_own_is_checked_whole_and_known_the_next_time(tmp_path):
+    chapter, folder = tmp_path / "mine.py", tmp_path / "rocq"
+    chapter.write_text(CHAPTER)
+    wanted = ("verify", "--rocq", folder, "stretched", "--derivation", chapter)
+    for _ in range(2):
+        run = symhaptic(*wanted)
+        assert run.returncode == 0, run.stderr
+        assert "stretched: whole" in run.stdout
+    assert "the slowest chapter" not in run.stdout
+    rests = json.loads((folder / "rocq.json").read_text())["statements"]["stretched"]["rests"]
+    assert set(rests) <= {compiled.REALS, compiled.INTEGERS}
