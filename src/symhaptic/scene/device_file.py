@@ -1,4 +1,4 @@
-"""A device, its arm, its loop and its wall from a TOML file whose numbers have units."""
+"""A device, its arm or a range of arms, its loop and its wall from a TOML file with units."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.notation.suggest import suggested
+from symhaptic.scene.arms import Arm, ArmRange
+from symhaptic.scene.arms import device as published
 from symhaptic.scene.scene import Scene
 
 UNITS: dict[str, dict[str, float]] = {
@@ -16,6 +18,8 @@ UNITS: dict[str, dict[str, float]] = {
     "Ns/m": {"Ns/m": 1.0, "N s/m": 1.0, "Ns/mm": 1e3, "mNs/m": 1e-3},
     "N/m": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3},
     "s": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6},
+    "1/s": {"1/s": 1.0, "Ns/m/kg": 1.0},
+    "1/s^2": {"1/s^2": 1.0, "1/s²": 1.0, "N/m/kg": 1.0},
     "": {"": 1.0},
 }
 """Spellings of each SI unit, and what they are in it."""
@@ -24,9 +28,16 @@ MOVED = {"mass": "kg", "damping": "Ns/m", "stiffness": "N/m"}
 SCHEMA: dict[str, dict[str, str]] = {
     "": {**MOVED, "sampling_period": "s", "delay": "s", "delay_samples": ""},
     "arm": MOVED,
+    "arms": {**MOVED, "damping_per_mass": "1/s", "stiffness_per_mass": "1/s^2"},
     "wall": {"K": "N/m", "B": "Ns/m"},
 }
 """Keys of each table with their units; those of the device and its loop stand at the top."""
+
+NAMED = {"": "device", "arm": "name"}
+"""The key of a table that names a published device, or a row of Table II."""
+
+RANGED = "arms"
+"""The table whose numbers may be pairs, the lowest and the highest."""
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
@@ -45,6 +56,8 @@ class Device:
     """The device alone, (3): the loop that has to be passive."""
     wall: tuple[float, float] | None
     """K and B."""
+    arms: ArmRange | None
+    """The range of arms for which walls are proved safe, where the file has one."""
 
 
 def read(path: Path) -> Device:
@@ -67,26 +80,50 @@ def read(path: Path) -> Device:
                 told = suggested(name, [n for n in SCHEMA if n])
                 raise BadDevice(f"{_place(path, text, '', name)} is no table; {told}")
             tables[name] = table
-    found = {
-        name: {key: _value(path, text, name, key, given) for key, given in table.items()}
+    names = {name: tables.get(name, {}).pop(key, None) for name, key in NAMED.items()}
+    found: dict[str, dict[str, Any]] = {
+        name: {key: _given(path, text, name, key, given) for key, given in table.items()}
         for name, table in tables.items()
     }
-    device, arm, wall = (found.get(name, {}) for name in SCHEMA)
-    for key in ("mass", "sampling_period"):
-        if key not in device:
-            raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
+    device, arm, ranged, wall = (found.get(name, {}) for name in SCHEMA)
     if wall and wall.keys() != SCHEMA["wall"].keys():
         raise BadDevice(f"{path}: [wall] needs K and B")
-    sums = {key: device.get(key, 0.0) + arm.get(key, 0.0) for key in MOVED}
+    table = ""
     try:
-        return Device(
-            Scene(**{**device, **sums}),
-            Scene(**device),
-            (wall["K"], wall["B"]) if wall else None,
-        )
+        known = device if names[""] is None else {**_published(names[""]), **device}
+        for key in ("mass", "sampling_period"):
+            if key not in known:
+                raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
+        alone, table = Scene(**known), "arm"
+        hand = Arm(**{"mass": 0.0, **arm})
+        if names.get("arm") is not None:
+            hand = Arm.of(names["arm"])
+        held = alone.held_by(hand) if "arm" in tables else alone
+        table = RANGED
+        arms = ArmRange(**ranged) if RANGED in tables else None
+    except BadDevice:
+        raise
     except ValueError as wrong:
         key, _, said = str(wrong).partition(":")
-        raise BadDevice(f"{_place(path, text, '', key)}:{said}") from None
+        raise BadDevice(f"{_place(path, text, table, key)}:{said}") from None
+    return Device(held, alone, (wall["K"], wall["B"]) if wall else None, arms)
+
+
+def _published(name: Any) -> dict[str, float]:
+    """Mass and damping of a device, as far as they are published."""
+    found = published(name)
+    numbers = (("mass", found.mass), ("damping", found.damping))
+    return {key: float(value) for key, value in numbers if value is not None}
+
+
+def _given(path: Path, text: str, table: str, key: str, given: Any) -> Any:
+    """A number, or in a table of ranges a pair."""
+    if table == RANGED and isinstance(given, list):
+        if len(given) != 2:
+            place = _place(path, text, table, key)
+            raise BadDevice(f"{place} = {given!r} is not allowed; one number or two are")
+        return tuple(_value(path, text, table, key, end) for end in given)
+    return _value(path, text, table, key, given)
 
 
 _EXAMPLES = {"mass": '"72 g"', "sampling_period": '"1 ms"'}
@@ -96,7 +133,8 @@ def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
     """A number in SI units."""
     known = SCHEMA[table]
     if key not in known:
-        raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, known)}")
+        named = [*known, *([NAMED[table]] if table in NAMED else [])]
+        raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")
     unit = known[key]
     if isinstance(given, int | float) and not isinstance(given, bool):
         return float(given)

@@ -13,6 +13,7 @@ from symhaptic.numeric.stability import is_stable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from symhaptic.scene.safe import SafeWalls
     from symhaptic.scene.scene import Scene, Stiffness
 
 STABLE, EDGE, PASSIVE, UNSTABLE = "#cfe6da", "#1b6e4b", "#c98a1b", "#b3261e"
@@ -52,11 +53,73 @@ def draw(
     if wall is not None:
         good = bool(held.is_stable(K=wall[0], B=wall[1]))
         text = f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m"
-        axes.plot(wall[1], wall[0], "x", ms=9, mew=2, color=EDGE if good else UNSTABLE, label=text)
+        color = EDGE if good else UNSTABLE
+        top = held.limit_at(B=wall[1]).K
+        if good and wall[0] < top:
+            axes.plot(
+                [wall[1], wall[1]], [wall[0], top],
+                ":", color=color, label=f"to its limit: {top - wall[0]:.0f} N/m more",
+            )  # fmt: skip
+        axes.plot(wall[1], wall[0], "x", ms=9, mew=2, color=color, label=text)
     axes.fill([], [], color=STABLE, label="stable walls")
     axes.axhline(0, color="black", lw=0.6)
     axes.axvline(0, color="black", lw=0.6)
     axes.set(xlim=(low["B"], high["B"]), ylim=(low["K"], high["K"]))
+    axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, frameon=False, fontsize=9)
+
+
+def new_axes() -> Axes:
+    """Axes of a new figure, of the size of the pictures in the guides."""
+    from matplotlib import pyplot
+
+    axes: Axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")[1]
+    return axes
+
+
+def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = None) -> None:
+    """Walls that every arm of a range keeps stable, with their largest rectangle, passive ones.
+
+    The border of the stable walls of the device without an arm is drawn beside them.
+    """
+    outline, box = safe.outline, safe.rectangle
+    axes.fill(outline[:, 1], outline[:, 0], color=STABLE, lw=0, label="stable with every arm")
+    alone = safe.scene
+    most = alone.max_stable_stiffness()
+    high = {
+        "K": 1.12 * max(most.K, safe.stiffest[0], wall[0] if wall else 0.0),
+        "B": 1.05 * max(2 * most.B, outline[:, 1].max(), wall[1] if wall else 0.0),
+    }
+    n = alone.dimensionless
+    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
+    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
+    per_B = alone.mass / alone.sampling_period
+    K, B = alpha * per_B / alone.sampling_period, beta * per_B
+    far = {name: 2 * end for name, end in high.items()}
+    seen = (K > 0) & (far["K"] > K) & (abs(B) < far["B"])
+    axes.plot(
+        np.where(seen, B, np.nan), np.where(seen, K, np.nan),
+        color=EDGE, lw=1.3, label="border without an arm",
+    )  # fmt: skip
+    (low, top), (left, right) = box
+    axes.plot(
+        [left, right, right, left, left], [low, low, top, top, low],
+        color="black", lw=1, ls="--", label=f"{top:.0f} N/m with {left:.3g} to {right:.3g} Ns/m",
+    )  # fmt: skip
+    if safe.passive_corners:
+        corners = np.array(safe.passive_corners)
+        axes.fill(corners[:, 1], corners[:, 0], color=PASSIVE, lw=0, label="passive")
+        stiff = safe.stiffest_passive
+        if stiff and stiff[0] < 0.02 * high["K"]:
+            axes.plot(stiff[1], stiff[0], "d", ms=5, color=PASSIVE, zorder=3, clip_on=False)
+    if wall is not None:
+        good = bool(safe.contains(*wall))
+        axes.plot(
+            wall[1], wall[0], "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
+            label=f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m",
+        )  # fmt: skip
+    axes.set(xlim=(0, high["B"]), ylim=(0, high["K"]))
     axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, frameon=False, fontsize=9)

@@ -7,18 +7,26 @@ from __future__ import annotations
 
 import math
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from numbers import Real
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from symhaptic.model.parts import Parts
-from symhaptic.notation.quantities import decimal, nearest, number
+from symhaptic.notation.quantities import decimal, nearest, number, shown
+from symhaptic.scene.limit import Limit
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from collections.abc import Sequence
+
+    import numpy as np
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike, NDArray
 
     from symhaptic.bounds.simplest.choose import Simplest
-    from symhaptic.scene.walls import StableWalls
+    from symhaptic.scene.arms import Arm
+    from symhaptic.scene.safe import Arms, SafeWalls
+    from symhaptic.scene.walls import PassiveWalls, StableWalls
 
 
 class Dimensionless(NamedTuple):
@@ -30,17 +38,6 @@ class Dimensionless(NamedTuple):
     """b T/m."""
     delay: float
     """t_d/T."""
-
-
-class Limit(NamedTuple):
-    """A wall on the border of stability, in SI units."""
-
-    K: float
-    """Virtual stiffness in N/m."""
-    B: float
-    """Virtual damping in Ns/m."""
-    frequency_hz: float
-    """The frequency in Hz at which the loop begins to swing there."""
 
 
 class Stiffness(float):
@@ -138,6 +135,67 @@ class Scene:
                 stacklevel=3,
             )
 
+    @classmethod
+    def of(cls, device: str, **given: Any) -> Scene:
+        """The loop of a published device, by the name that ``Scene.devices()`` has.
+
+        ``given`` are arguments of :class:`Scene`: the sampling period, the delay, and what nobody
+        publishes of the device; they go before what is published.  Its source, and the wall that
+        its driver recommends, has :meth:`devices`.
+
+        Raises :class:`ValueError` for a name that is not there, and where neither ``given`` nor
+        the source has a mass.
+
+        >>> Scene.of("Phantom Premium 1.5", sampling_period=0.001, delay_samples=1.5).damping
+        0.005
+        """
+        from symhaptic.scene.arms import device as published
+
+        found = published(device)
+        known = {
+            name: float(value)
+            for name, value in (("mass", found.mass), ("damping", found.damping))
+            if value is not None
+        }
+        if "mass" not in {**known, **given}:
+            raise ValueError(f"mass: is not published of the {found.name}; give one in kg")
+        return cls(**{**known, **given})
+
+    @staticmethod
+    def devices() -> dict[str, dict[str, float | str | None]]:
+        """What is published of devices: mass in kg, damping in Ns/m, K in N/m, B in Ns/m, source.
+
+        K and B are the largest that a driver or a course recommends; ``None`` is not published.
+
+        >>> Scene.devices()["Novint Falcon"]["K"]
+        3000.0
+        """
+        from symhaptic.scene.arms import published
+
+        return published()
+
+    def held_by(self, arm: Arm) -> Scene:
+        """The loop with an arm that holds the device, (2): masses, dampings and stiffnesses add.
+
+        An arm that was measured together with its device (``arm.with_device``) takes its place.
+
+        >>> from symhaptic import Arm
+        >>> alone = Scene(mass=0.072, damping=0.005, sampling_period=0.001)
+        >>> held = alone.held_by(Arm.of("Lawrence and Chapel"))
+        >>> round(held.mass, 6), round(held.damping, 6), held.stiffness
+        (0.572, 6.005, 40.0)
+        """
+        from symhaptic.scene.arms import UNITS as MOVED
+
+        sums = {
+            name: float(
+                decimal(getattr(arm, name))
+                + (0 if arm.with_device else decimal(getattr(self, name) or 0))
+            )
+            for name in MOVED
+        }
+        return replace(self, **sums)
+
     @property
     def parts(self) -> Parts:
         """What is in the loop."""
@@ -176,16 +234,23 @@ class Scene:
     def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
         """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
 
+        Raises :class:`ValueError` for what is no number.
+
         >>> limit = Scene(mass=0.1, sampling_period=0.001).limit(0.5, 0.25, 1.0)
         >>> round(limit.K, 6), round(limit.B, 6), round(limit.frequency_hz, 3)
         (50000.0, 25.0, 159.155)
         """
+        given = {"alpha": alpha, "beta": beta, "theta": theta}
+        for name, value in given.items():
+            if not isinstance(value, Real) and getattr(value, "shape", None) != ():
+                raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
         return Limit(*self._wall(alpha, beta, theta))
 
     def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
 
         Numbers give a truth value; arrays, also of other libraries, broadcast.  NaN is not stable.
+        Where numbers are asked for, Pint's quantities give Pint's, in N/m, Ns/m, s or Hz.
 
         Raises :class:`ValueError` for an infinite K or B and units that cannot be converted.
 
@@ -252,6 +317,19 @@ class Scene:
 
         return stable_region(self)
 
+    def passive_region(self) -> PassiveWalls:
+        """The passive walls of the (K, B) plane, in N/m and Ns/m: outline, area, stiffest wall.
+
+        Empty without a damper.
+
+        >>> region = Scene(mass=0.1, damping=0.5, sampling_period=0.001).passive_region()
+        >>> round(region.area, 3), region.contains(400.0, 0.2)  # a triangle, b times 2 b/T
+        (500.0, True)
+        """
+        from symhaptic.scene.walls import passive_region
+
+        return passive_region(self)
+
     def max_stable_stiffness(self) -> Stiffness:
         """Largest stiffness in N/m of a stable wall, with the damping ``.B`` that it needs.
 
@@ -282,12 +360,12 @@ class Scene:
         _, delta, delay = self.dimensionless
         return Stiffness(*self._wall(*max_passive_stiffness(delta, delay)))
 
-    def limit_at(self, B: float) -> Limit:
+    def limit_at(self, B: float | Sequence[float] | NDArray[np.float64]) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
 
-        Returns K, ``B`` and the frequency in Hz at which the loop swings there; K is NaN where no
-        stiffness makes a wall of this damping stable.  It is a supremum, found among the crossings
-        of the explicit boundary; K may also have a lower limit.
+        Returns K, ``B`` and the frequency in Hz at which the loop swings there, arrays where ``B``
+        is one; K is NaN where no stiffness makes a wall of this damping stable.  It is a supremum,
+        found among the crossings of the explicit boundary; K may also have a lower limit.
 
         Raises :class:`ValueError` for a ``B`` that is no finite number.
 
@@ -295,6 +373,10 @@ class Scene:
         >>> round(scene.limit_at(B=0.0).K, 1)
         250.4
         """
+        if isinstance(B, list | tuple) or getattr(B, "ndim", None):
+            from symhaptic.scene.walls import limit_at
+
+            return limit_at(self, B)
         from symhaptic.numeric.tracing.extremes import stiffest_at
 
         gamma, delta, delay = self.dimensionless
@@ -302,6 +384,98 @@ class Scene:
         found = stiffest_at(damping * self.sampling_period / self.mass, gamma, delta, delay)
         K, _, frequency = self._wall(*found)
         return Limit(K, damping, frequency)
+
+    def sensitivity(self, B: float | None = None) -> dict[str, float]:
+        """By how many per cent the stiffness limit grows where a parameter grows by one per cent.
+
+        Of :meth:`max_stable_stiffness`, or of :meth:`limit_at` for a damping ``B`` in Ns/m that is
+        given; a parameter that is left out or 0 has no entry.  A delay in s stays as it is where
+        the sampling period changes, and one in periods goes with it.  By differences, to some
+        1e-6.
+
+        >>> scene = Scene(mass=0.1, sampling_period=0.001, delay_samples=1)
+        >>> {name: round(x, 3) for name, x in scene.sensitivity().items()}
+        {'mass': 1.0, 'sampling_period': -2.0, 'delay_samples': -1.078}
+        """
+        from symhaptic.scene.walls import sensitivity
+
+        return sensitivity(self, B)
+
+    def describe(self) -> str:
+        """The scene and its limits in words, with units.
+
+        >>> print(Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015).describe())
+        mass             0.1 kg
+        damping          0.5 Ns/m
+        sampling period  0.001 s
+        delay            0.0015 s, 1.5 sampling periods
+        stable up to     9275 N/m with B = 34.48 Ns/m, at 69.48 Hz
+        without B        250.4 N/m, at 7.945 Hz
+        passive up to    328.9 N/m with B = 0.2027 Ns/m, at 97.76 Hz
+        """
+        from symhaptic.scene.words import facts, lines
+
+        return lines(facts(self))
+
+    def _repr_html_(self) -> str:
+        from symhaptic.scene.words import facts, table
+
+        return table(facts(self))
+
+    def _repr_latex_(self) -> str:
+        from symhaptic.scene.words import latex
+
+        return latex(self)
+
+    def plot(
+        self,
+        K: float | None = None,
+        B: float | None = None,
+        *,
+        arm: Arm | None = None,
+        axes: Axes | None = None,
+    ) -> Axes:
+        """Draw the stable and the passive walls over B in Ns/m and K in N/m.
+
+        With an ``arm`` that holds the device the stable walls are those of both, and the passive
+        ones still those of the device.  A wall ``K``, ``B`` is marked, with what is left to the
+        stiffness limit above it.  Draws into ``axes`` of matplotlib's, or new ones; returns them.
+
+        Raises :class:`ValueError` where only one of ``K`` and ``B`` is given.
+        """
+        from symhaptic.scene.picture import draw, new_axes
+
+        if (K is None) != (B is None):
+            raise ValueError(f"K: {K!r} with B={B!r} is not allowed; both are, or none")
+        wall = None
+        if K is not None and B is not None:
+            wall = number("K", K, "N/m"), number("B", B, "N*s/m")
+        axes = axes if axes is not None else new_axes()
+        draw(axes, self.held_by(arm) if arm else self, self, wall)
+        return axes
+
+    def safe_walls(self, arms: Arms = None) -> SafeWalls:
+        """The walls (K, B) that are proved stable, and passive, for every arm of a range.
+
+        The scene is the device without an arm.  ``arms`` is an :class:`symhaptic.ArmRange`, an
+        :class:`Arm`, or some of them, which stand for all between them; left out it is (23) of the
+        paper: up to 23 kg, 1000 N/m and 20 Ns/m per kg, and no arm at all.  Proved by enclosure,
+        with a certificate that a second check confirmed; whole and fractional delays up to 60
+        periods.  Takes some seconds.
+
+        Raises :class:`ValueError` in one line where no wall is proved.
+
+        >>> from symhaptic import Arm
+        >>> device = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> safe = device.safe_walls(Arm(mass=0.8, damping=5.5, stiffness=568))
+        >>> safe.contains(K=20_000.0, B=100.0), safe.contains(K=2000.0, B=0.0)
+        (True, True)
+        >>> safe.is_passive(K=100.0, B=0.0)
+        True
+        """
+        from symhaptic.scene.safe import safe_walls
+
+        return safe_walls(self, arms)
 
     def simplest(
         self,
@@ -315,9 +489,9 @@ class Scene:
         """The smallest model whose stiffness limit is proved to be within ``rtol`` of the scene's.
 
         The limit is :meth:`max_stable_stiffness`, or the largest stable stiffness of walls with
-        the virtual damping ``B`` (Ns/m) where that is given; the error is |K_model/K - 1|.  Models
-        are, the smallest first: the linear limit (25) (only with ``B``, as it grows with it), the
-        loop without spring and damper, without spring, without damper, and all of it.
+        the virtual damping ``B`` (Ns/m) where that is given; the error is ``|K_model/K - 1|``.
+        Models are, the smallest first: the linear limit (25) (only with ``B``, as it grows with
+        it), the loop without spring and damper, without spring, without damper, and all of it.
 
         ``mass``, ``damping``, ``stiffness`` and ``B`` take the scene's place: a number, or a range
         (lowest, highest) over which the bound holds.  Numbers are the decimals that they print as.
@@ -368,19 +542,15 @@ class Scene:
 
         return sympy_system(self)
 
-    def delay_margin(self, K: float, B: float) -> float:
-        """Largest delay in s up to which the wall of stiffness ``K`` (N/m), ``B`` (Ns/m) is stable.
+    def delay_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
+        """Largest delay in s up to which walls of stiffness ``K`` (N/m), ``B`` (Ns/m) are stable.
 
-        The scene's own delay does not count.
+        The scene's own delay does not count.  Arguments as for :meth:`is_stable`.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(1000 * scene.delay_margin(K=1000.0, B=5.0), 3)  # ms
         4.401
         """
-        from symhaptic.numeric.tracing.margin import delay_margin
+        from symhaptic.scene.walls import delay_margin
 
-        K, B = number("K", K, "N/m"), number("B", B, "N*s/m")
-        gamma, delta, _ = self.dimensionless
-        scale = self.sampling_period / self.mass
-        found = delay_margin(K * scale * self.sampling_period, B * scale, gamma, delta)
-        return float(found) * self.sampling_period
+        return delay_margin(self, K, B)

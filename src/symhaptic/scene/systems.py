@@ -26,7 +26,11 @@ def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
     gamma, delta, _ = scene.dimensionless
     steps = math.floor(scene.periods)
     part = float(scene.periods - steps)
-    found = haptic.discretize_late(gamma, delta, part) if part else haptic.discretize(gamma, delta)
+    found = (
+        haptic.discretize_fractional(gamma, delta, part)
+        if part
+        else haptic.discretize(gamma, delta)
+    )
     *force, a, e = map(float, found)
     scale = scene.sampling_period**2 / scene.mass
     top = [scale * v for v in force]

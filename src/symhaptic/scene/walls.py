@@ -7,23 +7,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.notation.quantities import in_unit
+from symhaptic.notation.quantities import in_unit, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
+from symhaptic.numeric.tracing import margin
 from symhaptic.numeric.tracing import region as tracing
 from symhaptic.numeric.tracing.shape import Shape
+from symhaptic.scene.limit import Limit
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from symhaptic.numeric.extremum import Extremum
-    from symhaptic.scene.scene import Limit, Scene
+    from symhaptic.scene.scene import Scene, Stiffness
 
 
 def is_stable(scene: Scene, K: Any, B: Any) -> Any:
@@ -57,7 +59,19 @@ def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
         found = passivity.passivity_margin(*_scaled(scene, K, B), delta, delay)
         return found * (scene.mass / scene.sampling_period)
 
-    return _asked(answer, K, B, float)
+    return _asked(answer, K, B, float, "N*s/m")
+
+
+def delay_margin(scene: Scene, K: Any, B: Any) -> Any:
+    """The delay in s up to which a wall stays stable."""
+    gamma, delta, _ = scene.dimensionless
+
+    @kept(delay_margin=float)
+    def answer(K: Any, B: Any) -> Any:
+        found = margin.delay_margin(*_scaled(scene, K, B), gamma, delta)
+        return found * scene.sampling_period
+
+    return _asked(answer, K, B, float, "s")
 
 
 def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
@@ -75,8 +89,8 @@ def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
         alpha, beta = boundary.stability_boundary(2 * math.pi * period * hz, gamma, delta, delay)
         return alpha * (mass / period**2), beta * (mass / period)
 
-    K, B = answer(in_unit("frequency_hz", frequency_hz, "Hz"))
-    return _one(K, float), _one(B, float)
+    K, B = (_one(found, float) for found in answer(in_unit("frequency_hz", frequency_hz, "Hz")))
+    return with_unit(K, "N/m", frequency_hz), with_unit(B, "N*s/m", frequency_hz)
 
 
 def _scaled(scene: Scene, K: Any, B: Any) -> tuple[Any, Any]:
@@ -86,8 +100,10 @@ def _scaled(scene: Scene, K: Any, B: Any) -> tuple[Any, Any]:
     return K * (scale * scene.sampling_period), B * scale
 
 
-def _asked(answer: Callable[..., Any], K: Any, B: Any, kind: type) -> Any:
-    return _one(answer(in_unit("K", K, "N/m"), in_unit("B", B, "N*s/m")), kind)
+def _asked(answer: Callable[..., Any], K: Any, B: Any, kind: type, unit: str = "") -> Any:
+    """The answer, which has a ``unit`` where it is a number and one of both came with one."""
+    found = _one(answer(in_unit("K", K, "N/m"), in_unit("B", B, "N*s/m")), kind)
+    return with_unit(found, unit, K, B) if unit else found
 
 
 def _one(found: Any, kind: type) -> Any:
@@ -128,6 +144,77 @@ class StableWalls(Shape):
 
     def _limit(self, found: Extremum) -> Limit:
         return self.scene.limit(*found)
+
+
+@dataclass(frozen=True)
+class PassiveWalls(Shape):
+    """The walls (K, B) from which no motion extracts energy, in N/m and Ns/m."""
+
+    scene: Scene
+    polygon: Any
+    """Shapely's polygon, inside the curved border; ``area`` is in N^2 s/m^2."""
+
+    @property
+    def max_stiffness(self) -> Stiffness:
+        """The stiffest passive wall."""
+        return self.scene.max_passive_stiffness()
+
+    def contains(self, K: ArrayLike, B: ArrayLike) -> Any:
+        """Whether walls are passive, by their margin and not by the outline."""
+        return is_passive(self.scene, K, B)
+
+
+def passive_region(scene: Scene, corners: int = 400) -> PassiveWalls:
+    """The passive walls of the (K, B) plane: convex, from (0, -b) to (0, b) and beyond."""
+    from shapely import MultiPoint, Polygon
+
+    b, period = scene.damping or 0.0, scene.sampling_period
+    if b == 0:
+        return PassiveWalls(scene, Polygon())
+    omega = np.linspace(1e-4, math.pi * (1 - 1e-6), 10 * corners)
+    alpha, beta = passivity.passivity_boundary(omega, 1.0, scene.dimensionless.delay)
+    known = np.flatnonzero(np.isfinite(alpha) & (alpha >= 0))
+    near = known[np.unique(np.linspace(0, len(known) - 1, corners).astype(int))]
+    stiffest = scene.max_passive_stiffness()
+    walls = np.column_stack([alpha[near] * (b / period), beta[near] * b])
+    points = [(0.0, -b), (0.0, b), (stiffest.K, stiffest.B), *walls.tolist()]
+    return PassiveWalls(scene, MultiPoint(points).convex_hull)
+
+
+def limit_at(scene: Scene, B: Any) -> Limit:
+    """The largest stable stiffness at one damping, or at each of many."""
+    from symhaptic.numeric.tracing.extremes import stiffest_at
+
+    gamma, delta, delay = scene.dimensionless
+    damping = np.asarray(in_unit("B", B, "N*s/m"), dtype=float)
+    arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers are")
+    scale = scene.sampling_period / scene.mass
+    found = [
+        scene.limit(*stiffest_at(float(b), gamma, delta, delay)) for b in (damping * scale).flat
+    ]
+    K, hz = (np.array([getattr(f, name) for f in found]) for name in ("K", "frequency_hz"))
+    return Limit(K.reshape(damping.shape), damping, hz.reshape(damping.shape))
+
+
+_STEP = 1e-4
+"""By this part the parameters are changed to see what comes of it."""
+
+
+def sensitivity(scene: Scene, B: float | None = None) -> dict[str, float]:
+    """By how many per cent the stiffness limit grows where a parameter grows by one."""
+
+    def limit(**changed: float) -> float:
+        one = replace(scene, **changed)
+        return one.max_stable_stiffness().K if B is None else one.limit_at(B=B).K
+
+    here, found = limit(), {}
+    for name in ("mass", "damping", "stiffness", "sampling_period", "delay", "delay_samples"):
+        value = getattr(scene, name)
+        if value:
+            # forward alone: a delay that is whole has another slope to its left
+            more, most = (limit(**{name: value * (1 + n * _STEP)}) for n in (1, 2))
+            found[name] = (4 * more - 3 * here - most) / (2 * _STEP * here)
+    return found
 
 
 def stable_region(scene: Scene) -> StableWalls:

@@ -1,0 +1,223 @@
+"""m = m_D + m_H, b = b_D + b_H, k = k_H: arms that hold a device, by (2) of the paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from symhaptic.notation.quantities import number, shown
+from symhaptic.notation.suggest import suggested
+
+if TYPE_CHECKING:
+    from symhaptic.rules.devices import Device
+
+UNITS = {"mass": "kg", "damping": "N*s/m", "stiffness": "N/m"}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Arm:
+    """An arm as mass, damper and spring, (2): it adds to a device what it is.
+
+    =============  ====  =====  ====
+    ``mass``       m_H   kg     >= 0
+    ``damping``    b_H   Ns/m   >= 0
+    ``stiffness``  k_H   N/m    >= 0
+    =============  ====  =====  ====
+
+    Numbers become float64; quantities of Pint's are converted.  :meth:`of` has the rows of Table
+    II.  Raises :class:`ValueError` for what is negative, infinite, NaN or of another dimension.
+
+    >>> Arm.of("Hogan")
+    Arm(mass=0.8, damping=5.5, stiffness=568.0, with_device=False)
+    """
+
+    mass: float
+    """m_H in kg, >= 0."""
+    damping: float = 0.0
+    """b_H in Ns/m, >= 0."""
+    stiffness: float = 0.0
+    """k_H in N/m, >= 0."""
+    with_device: bool = False
+    """Whether the numbers are those of an arm and its device together."""
+
+    def __post_init__(self) -> None:
+        for name, unit in UNITS.items():
+            object.__setattr__(self, name, number(name, getattr(self, name), unit, ">= 0"))
+
+    @classmethod
+    def of(cls, name: str) -> Arm:
+        """The arm of a row of Table II, by its authors as :meth:`names` has them.
+
+        Raises :class:`ValueError` for a name that is not there.
+
+        >>> Arm.of("Lawrence and Chapel").mass
+        0.5
+        """
+        from symhaptic.paper.tables import TABLE_II
+
+        row = _named("name", name, {row.authors: row for row in TABLE_II})
+        return cls(
+            mass=float(row.mass),
+            damping=float(row.damping),
+            stiffness=float(row.stiffness),
+            with_device=row.with_device,
+        )
+
+    @staticmethod
+    def names() -> list[str]:
+        """The authors of the rows of Table II.
+
+        >>> len(Arm.names()), Arm.names()[0]
+        (11, 'Daniel et al.')
+        """
+        from symhaptic.paper.tables import TABLE_II
+
+        return [row.authors for row in TABLE_II]
+
+
+Range: TypeAlias = float | tuple[float, float]
+"""One number, or the lowest and the highest."""
+
+_HEAVIEST = 23.0
+"""kg: the heaviest arm of Table II and 30 % more, as (23) extends the others."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ArmRange:
+    """All arms between two: a number, or (lowest, highest), for each of their parts.
+
+    =========================  ===========  =======  =====================================
+    ``mass``                   m_H          kg       0 to 23, the heaviest of Table II + 30 %
+    ``damping``                b_H          Ns/m     whatever the mass
+    ``stiffness``              k_H          N/m      whatever the mass
+    ``damping_per_mass``       b_H/m_H      1/s      0 to 20, by (23) of the paper
+    ``stiffness_per_mass``     k_H/m_H      1/s^2    0 to 1000, by (23) of the paper
+    =========================  ===========  =======  =====================================
+
+    The range of (23), delta <= 0.02 and gamma <= 0.001 at 1 kHz, is k_H <= 1000/s^2 m_H and
+    b_H <= 20/s m_H at any rate, and so the default; where ``damping`` or ``stiffness`` is given,
+    it takes the place of that by mass.  No arm at all is one of mass 0.  Raises
+    :class:`ValueError` for what is negative, infinite or in the wrong order, and for two ranges
+    of one part.
+
+    >>> ArmRange(mass=(0.5, 2), damping=6, stiffness=(0, 600)).hands
+    ((0.5, 2.0), (6.0, 6.0), (0.0, 600.0))
+    """
+
+    mass: Range = (0.0, _HEAVIEST)
+    damping: Range | None = None
+    stiffness: Range | None = None
+    damping_per_mass: Range | None = None
+    stiffness_per_mass: Range | None = None
+
+    def __post_init__(self) -> None:
+        for part, default in (("damping", (0.0, 20.0)), ("stiffness", (0.0, 1000.0))):
+            per = f"{part}_per_mass"
+            both = getattr(self, part), getattr(self, per)
+            if None not in both:
+                raise ValueError(f"{per}: {both[1]!r} beside {part}={both[0]!r} is not allowed")
+            if both == (None, None):
+                object.__setattr__(self, per, default)
+        for name, unit in _RANGED.items():
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, _ends(name, value, unit))
+
+    @classmethod
+    def around(cls, arms: Iterable[Arm]) -> ArmRange:
+        """The smallest range that has all of some arms in it.
+
+        >>> ArmRange.around([Arm.of("Hogan"), Arm.of("Lee et al.")]).mass
+        (0.15, 0.8)
+        """
+        some = list(arms)
+        if not some or not all(isinstance(arm, Arm) for arm in some):
+            raise ValueError(f"arms: {shown(arms)} is not allowed; some Arm(...) are")
+        if any(arm.with_device for arm in some):
+            raise ValueError(
+                "arms: one that was measured with its device is not allowed in a range"
+            )
+        ends = {
+            name: (min(getattr(a, name) for a in some), max(getattr(a, name) for a in some))
+            for name in UNITS
+        }
+        return cls(**ends)
+
+    @property
+    def by_mass(self) -> tuple[bool, bool]:
+        """Whether damping and stiffness are those per mass."""
+        return self.damping is None, self.stiffness is None
+
+    @property
+    def hands(self) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
+        """Mass, damping and stiffness, these perhaps per mass, each with its ends."""
+        damping = self.damping_per_mass if self.damping is None else self.damping
+        stiffness = self.stiffness_per_mass if self.stiffness is None else self.stiffness
+        return self.mass, damping, stiffness  # type: ignore[return-value]
+
+    def __str__(self) -> str:
+        """In words, with units."""
+        units = zip(self.hands, ("kg", "Ns/m", "N/m"), (False, *self.by_mass), strict=True)
+        return ", ".join(
+            (f"{low:g}" if low == high else f"{low:g} to {high:g}")
+            + f" {unit}"
+            + (" per kg" if by else "")
+            for (low, high), unit, by in units
+        )
+
+
+_RANGED = {
+    "mass": "kg",
+    "damping": "N*s/m",
+    "stiffness": "N/m",
+    "damping_per_mass": "1/s",
+    "stiffness_per_mass": "1/s**2",
+}
+
+
+def _ends(name: str, value: Any, unit: str) -> tuple[float, float]:
+    pair = value if isinstance(value, tuple | list) else (value, value)
+    if len(pair) != 2:
+        raise ValueError(f"{name}: {shown(value)} is not allowed; a number or (low, high) is")
+    low, high = (number(name, end, unit, ">= 0") for end in pair)
+    if low > high:
+        raise ValueError(f"{name}: {shown(value)} is not allowed; the lowest comes first")
+    return low, high
+
+
+def device(name: str) -> Device:
+    """A published device by its name.
+
+    Raises :class:`ValueError` for a name that is not there.
+
+    >>> device("novint falcon").K
+    '3000'
+    """
+    from symhaptic.rules.devices import DEVICES
+
+    found: Device = _named("device", name, {each.name: each for each in DEVICES})
+    return found
+
+
+def published() -> dict[str, dict[str, float | str | None]]:
+    """What :meth:`symhaptic.scene.scene.Scene.devices` returns."""
+    from symhaptic.rules.devices import DEVICES
+
+    numbers = ("mass", "damping", "K", "B")
+    return {
+        each.name: {
+            **{n: None if (v := getattr(each, n)) is None else float(v) for n in numbers},
+            "source": each.source,
+        }
+        for each in DEVICES
+    }
+
+
+def _named(argument: str, name: str, known: dict[str, Any]) -> Any:
+    """By its name, whatever its capitals."""
+    folded = {each.casefold(): value for each, value in known.items()}
+    if not isinstance(name, str) or name.casefold() not in folded:
+        told = suggested(str(name), known)
+        raise ValueError(f"{argument}: {name!r} is not allowed; {told}")
+    return folded[name.casefold()]

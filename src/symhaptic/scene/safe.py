@@ -1,0 +1,263 @@
+"""The walls that no arm of a range makes unstable, in N/m and Ns/m: what was proved, to be asked.
+
+The mathematics is in :mod:`symhaptic.bounds.safe`; nothing is proved here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+
+from symhaptic.bounds.safe.arms import Loops
+from symhaptic.bounds.safe.check import Certificate, recheck
+from symhaptic.bounds.safe.delay import borne, guessed
+from symhaptic.bounds.safe.find import certified
+from symhaptic.bounds.safe.passive import is_passive, passive
+from symhaptic.notation.quantities import decimal, in_unit, number
+from symhaptic.scene.arms import Arm, ArmRange
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from symhaptic.scene.scene import Scene
+
+Arms = ArmRange | Arm | Iterable[Arm] | None
+"""A range of arms, one, some of them and all between, or by (23) of the paper."""
+
+_TRIED = 12
+"""Dampings that are compared for the best of them."""
+
+
+class Rectangle(NamedTuple):
+    """All walls of two ranges are safe."""
+
+    K: tuple[float, float]
+    """The lowest and the highest stiffness in N/m."""
+    B: tuple[float, float]
+    """The lowest and the highest damping in Ns/m."""
+
+
+class Best(NamedTuple):
+    """The damping with which a stiffness bears the most delay."""
+
+    B: float
+    """Virtual damping in Ns/m."""
+    safe: tuple[float, float]
+    """The dampings in Ns/m with which it is safe at all."""
+    delay_margin: float
+    """So many seconds more delay are likely to be borne, by some arms; ``delay_margin`` proves."""
+
+
+@dataclass(frozen=True)
+class SafeWalls:
+    """The walls that are proved to be stable for every arm of a range.
+
+    For each virtual damping B in Ns/m from 0 on, all stiffnesses K in N/m from nearly 0 up to a
+    limit.  The limits hold for whole columns, from one damping to the next, and are proved by
+    balls; what is left out beside them is about a hundredth.
+    """
+
+    scene: Scene
+    """The device without an arm."""
+    arms: ArmRange
+    certificate: Certificate = field(repr=False)
+    passive_corners: tuple[tuple[float, float], ...] = field(repr=False)
+    """(K, B) of passive walls; by (3) those between them are passive, whatever arm there is."""
+
+    @cached_property
+    def _edges(self) -> NDArray[np.float64]:
+        return np.array(self.certificate.columns.edges)
+
+    @cached_property
+    def _tops(self) -> NDArray[np.float64]:
+        return np.array(self.certificate.columns.tops)
+
+    def limit_at(self, B: Any) -> Any:
+        """The largest stiffness in N/m that is proved safe with the damping ``B`` in Ns/m.
+
+        0 where none is.  Arrays are welcome.
+        """
+        B = np.asarray(in_unit("B", B, "N*s/m"), dtype=float)
+        last = len(self._tops) - 1
+        found = np.zeros_like(B)
+        sides: tuple[Literal["left", "right"], ...] = ("left", "right")
+        for side in sides:  # an edge belongs to the columns on both sides of it
+            at = np.searchsorted(self._edges, B, side=side) - 1
+            inside = (at >= 0) & (at <= last)
+            found = np.maximum(found, np.where(inside, self._tops[np.clip(at, 0, last)], 0.0))
+        return float(found) if found.ndim == 0 else found
+
+    def contains(self, K: Any, B: Any) -> Any:
+        """Whether walls of ``K`` in N/m and ``B`` in Ns/m are proved stable for every arm.
+
+        ``False`` says that nothing is proved, and so do NaN and infinite numbers.
+        """
+        K = np.asarray(in_unit("K", K, "N/m"), dtype=float)
+        found = (self.softest <= K) & (self.limit_at(B) >= K)
+        return bool(found) if np.ndim(found) == 0 else found
+
+    def is_passive(self, K: Any, B: Any) -> Any:
+        """Whether walls are proved passive, and so for every arm that is."""
+        from shapely import Polygon, intersects_xy
+
+        K = np.asarray(in_unit("K", K, "N/m"), dtype=float)
+        B = np.asarray(in_unit("B", B, "N*s/m"), dtype=float)
+        if len(self.passive_corners) < 3:
+            return False if K.ndim + B.ndim == 0 else np.zeros(np.broadcast(K, B).shape, bool)
+        found = intersects_xy(Polygon(self.passive_corners).convex_hull, *np.broadcast_arrays(K, B))
+        return bool(found) if np.ndim(found) == 0 else found
+
+    @property
+    def softest(self) -> float:
+        """The softest wall that is proved, in N/m; 0 itself holds nothing without a spring."""
+        return self.certificate.columns.low
+
+    @cached_property
+    def stiffest(self) -> tuple[float, float]:
+        """K in N/m and B in Ns/m of the stiffest safe wall."""
+        i = int(np.argmax(self._tops))
+        return float(self._tops[i]), float((self._edges[i] + self._edges[i + 1]) / 2)
+
+    @cached_property
+    def stiffest_passive(self) -> tuple[float, float] | None:
+        """K in N/m and B in Ns/m of the stiffest wall that is proved passive."""
+        return max(self.passive_corners, default=None)
+
+    @cached_property
+    def area(self) -> float:
+        """Of the safe walls, in N^2 s/m^2."""
+        return float(self._tops @ np.diff(self._edges))
+
+    @cached_property
+    def rectangle(self) -> Rectangle:
+        """The largest rectangle of safe walls: K and B may be chosen apart from each other."""
+        best, found = 0.0, (0.0, (0, 0))
+        for first in range(len(self._tops)):
+            height = np.inf
+            for last in range(first, len(self._tops)):
+                height = min(height, self._tops[last])
+                size = height * (self._edges[last + 1] - self._edges[first])
+                if size > best:
+                    best, found = size, (float(height), (first, last + 1))
+        height, (first, after) = found
+        return Rectangle(
+            (self.softest, height), (float(self._edges[first]), float(self._edges[after]))
+        )
+
+    def best_damping(self, K: float) -> Best:
+        """The damping with which the stiffness ``K`` in N/m bears the most delay.
+
+        Raises :class:`ValueError` where no damping makes this stiffness safe.
+        """
+        K = number("K", K, "N/m")
+        (safe,) = np.nonzero((self._tops >= K) & (self.softest <= K))
+        if not len(safe):
+            raise ValueError(
+                f"K: {K!r} is not allowed; {self.softest:.3g} to {self.stiffest[0]:.6g} N/m are"
+            )
+        gap = np.nonzero(np.diff(safe) > 1)[0]
+        run = max(np.split(safe, gap + 1), key=len)
+        low, high = float(self._edges[run[0]]), float(self._edges[run[-1] + 1])
+        tried = np.linspace(low, high, _TRIED)
+        loops = self.certificate.loops
+        late = [guessed(loops, K, float(B)) for B in tried]
+        best = int(np.argmax(late))
+        spare = (late[best] - float(loops.periods[0])) * float(loops.period)
+        return Best(float(tried[best]), (low, high), spare)
+
+    def delay_margin(self, K: float, B: float) -> float:
+        """So many seconds more delay the wall ``K`` (N/m), ``B`` (Ns/m) bears with every arm.
+
+        Proved, and so a little less than what is so.  Raises :class:`ValueError` for a wall that
+        is not proved safe.
+        """
+        K, B = number("K", K, "N/m"), number("B", B, "N*s/m")
+        if not self.contains(K, B):
+            raise ValueError(f"K: {K!r} with B={B!r} is not proved safe")
+        loops = self.certificate.loops
+        at, _ = borne(loops, K, B)
+        return float((at - loops.periods[0]) * loops.period)
+
+    def recheck(self) -> bool:
+        """Whether the second check confirms all of it: the walls, and the passive corners."""
+        loops = self.certificate.loops
+        return recheck(self.certificate) and all(
+            is_passive(loops, wall) for wall in self.passive_corners
+        )
+
+    @cached_property
+    def outline(self) -> NDArray[np.float64]:
+        """Corners of the safe walls, one row (K, B) each, of the largest run of columns."""
+        run = max(self.certificate.columns.runs(), key=len)
+        B = np.repeat(self._edges[run.start : run.stop + 1], 2)[1:-1]
+        K = np.repeat(self._tops[run.start : run.stop], 2)
+        low = self.softest
+        corners = np.column_stack([K, B])
+        return np.vstack([[low, B[0]], corners, [low, B[-1]], [low, B[0]]])
+
+    def __str__(self) -> str:
+        """In words."""
+        facts = self.facts()
+        lines = [f"proved for every arm of {facts.pop('arms')}:"]
+        return "\n".join(lines + [f"  {name:<14} {said}" for name, said in facts.items()])
+
+    def plot(self, axes: Axes | None = None) -> Axes:
+        """Safe and passive walls over B in Ns/m, with the largest rectangle.
+
+        Draws into ``axes`` of matplotlib's, or into new ones, and returns them.
+        """
+        from symhaptic.scene.picture import draw_safe, new_axes
+
+        axes = axes if axes is not None else new_axes()
+        draw_safe(axes, self)
+        return axes
+
+    def _repr_html_(self) -> str:
+        from symhaptic.scene.words import table
+
+        return table(self.facts())
+
+    def facts(self) -> dict[str, str]:
+        """What there is to say, in words with units."""
+        (K, B), box = self.stiffest, self.rectangle
+        found = {
+            "arms": str(self.arms),
+            "stable up to": f"{K:.5g} N/m with B = {B:.4g} Ns/m",
+            "without B": _stiff(self.limit_at(0.0)),
+            "any wall of": f"{box.K[0]:.2g} to {box.K[1]:.5g} N/m "
+            f"with {box.B[0]:.4g} to {box.B[1]:.4g} Ns/m",
+            "passive up to": "nothing",
+        }
+        if self.stiffest_passive:
+            K, B = self.stiffest_passive
+            found["passive up to"] = f"{K:.5g} N/m with B = {B:.4g} Ns/m"
+        return found
+
+
+def _stiff(K: float) -> str:
+    return f"{K:.4g} N/m" if K > 0 else "nothing"
+
+
+def safe_walls(scene: Scene, arms: Arms) -> SafeWalls:
+    """What :meth:`symhaptic.scene.scene.Scene.safe_walls` returns."""
+    if arms is None:
+        arms = ArmRange()
+    elif isinstance(arms, Arm):
+        arms = ArmRange.around([arms])
+    elif not isinstance(arms, ArmRange):
+        arms = ArmRange.around(arms)
+    loops = Loops(
+        decimal(scene.mass),
+        decimal(scene.damping or 0.0),
+        decimal(scene.stiffness or 0.0),
+        decimal(scene.sampling_period),
+        (scene.periods, scene.periods),
+        tuple((decimal(low), decimal(high)) for low, high in arms.hands),  # type: ignore[arg-type]
+        arms.by_mass,
+    )
+    return SafeWalls(scene, arms, certified(loops), passive(loops))

@@ -1,0 +1,106 @@
+"""What there is to say of a scene, as text, HTML or LaTeX."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from html import escape
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from symhaptic.scene.scene import Scene
+
+
+def table(facts: Mapping[str, str]) -> str:
+    """Two columns of HTML.
+
+    >>> table({"mass": "0.1 kg"})
+    '<table><tr><th>mass</th><td>0.1 kg</td></tr></table>'
+    """
+    rows = (
+        f"<tr><th>{escape(name)}</th><td>{escape(said)}</td></tr>" for name, said in facts.items()
+    )
+    return f"<table>{''.join(rows)}</table>"
+
+
+def lines(facts: Mapping[str, str]) -> str:
+    """One line for each, the names in a column.
+
+    >>> print(lines({"mass": "0.1 kg", "delay": "1.5 ms"}))
+    mass   0.1 kg
+    delay  1.5 ms
+    """
+    width = max(map(len, facts), default=0)
+    return "\n".join(f"{name:<{width}}  {said}" for name, said in facts.items())
+
+
+def facts(scene: Scene) -> dict[str, str]:
+    """What a scene is, and its limits, with units."""
+    units = (("mass", "kg"), ("damping", "Ns/m"), ("stiffness", "N/m"), ("sampling_period", "s"))
+    given = {name: (getattr(scene, name), unit) for name, unit in units}
+    found = {
+        name.replace("_", " "): f"{value:g} {unit}"
+        for name, (value, unit) in given.items()
+        if value is not None
+    }
+    if scene.parts.delay:
+        seconds = float(scene.periods) * scene.sampling_period
+        found["delay"] = f"{seconds:g} s, {float(scene.periods):g} sampling periods"
+    most, free = scene.max_stable_stiffness(), scene.limit_at(B=0.0)
+    found["stable up to"] = _limit(most.K, most.frequency_hz, most.B)
+    found["without B"] = _limit(free.K, free.frequency_hz)
+    if scene.damping:
+        safe = scene.max_passive_stiffness()
+        found["passive up to"] = _limit(safe.K, safe.frequency_hz, safe.B)
+    else:
+        found["passive up to"] = "nothing, for no damper is there"
+    return found
+
+
+def _limit(K: float, hz: float, B: float | None = None) -> str:
+    if not (math.isfinite(K) and K > 0):
+        return "nothing"
+    found = f"{K:.4g} N/m" if B is None else f"{K:.4g} N/m with B = {B:.4g} Ns/m"
+    return f"{found}, at {hz:.4g} Hz" if math.isfinite(hz) else found
+
+
+def latex(scene: Scene) -> str:
+    r"""The parameters and the dimensionless ones of Table I, as LaTeX.
+
+    >>> from symhaptic.scene.scene import Scene
+    >>> print(latex(Scene(mass=0.1, sampling_period=0.001, delay=0.001)))
+    $m = 0.1\,\mathrm{kg},\ T = 0.001\,\mathrm{s},\ t_d = 0.001\,\mathrm{s};\ d = 1$
+    """
+    n = scene.dimensionless
+    seconds = float(scene.periods) * scene.sampling_period
+    parts = (
+        ("m", scene.mass, "kg"),
+        ("b", scene.damping, "Ns/m"),
+        ("k", scene.stiffness, "N/m"),
+        ("T", scene.sampling_period, "s"),
+        ("t_d", seconds if scene.parts.delay else None, "s"),
+    )
+    given = [rf"{s} = {_number(v)}\,\mathrm{{{unit}}}" for s, v, unit in parts if v is not None]
+    without = [
+        rf"{symbol} = {_number(value)}"
+        for symbol, value, there in (
+            (r"\gamma", n.gamma, scene.parts.stiffness),
+            (r"\delta", n.delta, scene.parts.damping),
+            ("d", n.delay, scene.parts.delay),
+        )
+        if there
+    ]
+    both = [r",\ ".join(each) for each in (given, without) if each]
+    joined = r";\ ".join(both)
+    return f"${joined}$"
+
+
+def _number(value: float) -> str:
+    r"""A number of six digits as LaTeX.
+
+    >>> _number(0.25), _number(2.5e-7)
+    ('0.25', '2.5\\cdot 10^{-7}')
+    """
+    text = f"{value:.6g}"
+    digits, _, power = text.partition("e")
+    return text if not power else rf"{digits}\cdot 10^{{{int(power)}}}"

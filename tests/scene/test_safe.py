@@ -1,0 +1,116 @@
+"""Safe walls in SI units: what is proved is what is answered, and nothing beyond it."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from symhaptic import Arm, ArmRange, Scene
+
+
+@cache
+def phantom():
+    return Scene.of("Phantom Premium 1.5", sampling_period=1e-3, delay_samples=1.5).safe_walls()
+
+
+def arms(count, seed=1):
+    """Arms of the default range: (23), up to 23 kg, and none at all."""
+    rng = np.random.default_rng(seed)
+    yield Arm(mass=0.0)
+    for _ in range(count):
+        mass = 23 * rng.uniform() ** 4
+        damping, stiffness = rng.choice([0, 1, rng.uniform()], 2)
+        yield Arm(mass=mass, damping=20 * mass * damping, stiffness=1000 * mass * stiffness)
+
+
+def test_no_arm_makes_a_wall_unstable_that_is_inside():
+    safe = phantom()
+    rng = np.random.default_rng(2)
+    B = rng.uniform(0, 46, 400)
+    K = safe.limit_at(B) * rng.choice([1, 0.9, 0.1], 400)
+    kept = safe.softest <= K
+    assert kept.sum() > 200
+    assert np.array_equal(safe.contains(K, B)[kept], np.ones(kept.sum(), bool))
+    for arm in arms(60):
+        held = safe.scene.held_by(arm)
+        assert held.is_stable(K[kept], B[kept]).all(), arm
+
+
+def test_a_wall_beyond_the_limit_of_some_arm_is_not_inside():
+    safe = phantom()
+    B = np.linspace(0, 46, 24)
+    for arm in arms(8, seed=4):
+        held = safe.scene.held_by(arm)
+        K = np.array([held.limit_at(float(b)).K for b in B])
+        beyond = np.isfinite(K) & (K > 0)
+        assert not safe.contains(1.0001 * K[beyond], B[beyond]).any()
+
+
+def test_the_rectangle_is_inside_and_not_small():
+    safe = phantom()
+    (low, high), (left, right) = safe.rectangle
+    K, B = np.meshgrid(np.linspace(low, high, 30), np.linspace(left, right, 50))
+    assert safe.contains(K, B).all()
+    assert not safe.contains(high * 1.02, np.linspace(left, right, 50)).all()
+    assert (high - low) * (right - left) > 0.4 * safe.area
+
+
+def test_passive_walls_are_passive_and_nearly_all():
+    safe = phantom()
+    K, B = np.meshgrid(np.linspace(0, 5, 60), np.linspace(-0.006, 0.006, 60))
+    found = safe.is_passive(K, B)
+    known = safe.scene.is_passive(K, B)
+    assert not (found & ~known).any()
+    assert found.sum() > 0.95 * known.sum()
+
+
+def test_the_best_damping_is_safe_and_bears_the_most():
+    safe = phantom()
+    best = safe.best_damping(2000.0)
+    assert safe.contains(2000.0, np.linspace(*best.safe, 50)).all()
+    light = [Arm(mass=m, damping=20 * m, stiffness=1000 * m) for m in (0.0, 0.02)]
+    held = [safe.scene.held_by(arm) for arm in light]
+    delay = 1.5e-3 + best.delay_margin
+
+    def spare(B):
+        return min(scene.delay_margin(K=2000.0, B=float(B)) for scene in held)
+
+    assert spare(best.B) >= 0.98 * delay
+    assert all(spare(B) < 1.05 * delay for B in (best.safe[0], best.safe[1]))
+
+
+def test_it_is_checked_again_and_says_so():
+    safe = phantom()
+    assert safe.recheck()
+    text = str(safe)
+    assert "stable up to" in text
+    assert "N/m with B" in text
+    assert "0 to 23 kg, 0 to 20 Ns/m per kg, 0 to 1000 N/m per kg" in text
+    assert safe._repr_html_().startswith("<table>")
+
+
+def test_one_wall_gives_a_truth_value_and_nonsense_is_not_safe():
+    safe = phantom()
+    assert safe.contains(1000.0, 20.0) is True
+    assert type(safe.limit_at(20.0)) is float
+    assert not safe.contains([np.nan, np.inf, -1.0, 1000.0], [20.0, 20.0, 20.0, np.nan]).any()
+    assert safe.limit_at([-1.0, 1e9]).tolist() == [0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        (lambda: ArmRange(mass=(2, 1)), r"mass: \(2, 1\) is not allowed; the lowest comes first"),
+        (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
+        (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
+        (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
+        (lambda: ArmRange.around([]), "arms: .* is not allowed"),
+        (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one that was measured with"),
+        (lambda: phantom().best_damping(1e5), "K: 100000.0 is not allowed"),
+        (lambda: phantom().delay_margin(1e5, 3.0), "K: 100000.0 with B=3.0 is not proved safe"),
+    ],
+)
+def test_what_is_refused_in_one_line(call, told):
+    with pytest.raises(ValueError, match="^" + told) as wrong:
+        call()
+    assert "\n" not in str(wrong.value)
