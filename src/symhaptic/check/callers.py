@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib
+import inspect
 import os
 import shlex
 import subprocess
@@ -27,6 +28,17 @@ def python(name: str, results: int) -> Caller:
     return called(function, results)
 
 
+def place(name: str) -> tuple[str, int] | None:
+    """File and line of ``module:function``, below the folder one stands in."""
+    module, _, attribute = name.partition(":")
+    try:
+        function = inspect.unwrap(getattr(importlib.import_module(module), attribute))
+        file = Path(inspect.getsourcefile(function) or "").resolve().relative_to(Path.cwd())
+        return file.as_posix(), inspect.getsourcelines(function)[1]
+    except (TypeError, ValueError, OSError):  # it is none of Python's own, or lies elsewhere
+        return None
+
+
 def called(function: Callable[..., Any], results: int) -> Caller:
     """An error of arithmetic (a division by zero, a logarithm of nothing) is NaN."""
 
@@ -41,7 +53,13 @@ def called(function: Callable[..., Any], results: int) -> Caller:
                 given = ", ".join(map(str, point))
                 raise ValueError(f"--python: called with {given} it fails ({wrong})") from None
             many = value if isinstance(value, tuple | list) else (value,)
-            found.append(tuple(float(v) for v in many))
+            try:
+                found.append(tuple(float(v) for v in many))
+            except (TypeError, ValueError):
+                given = ", ".join(map(str, point))
+                raise ValueError(
+                    f"--python: called with {given} it gives {value!r}; numbers are allowed"
+                ) from None
         return found
 
     return run

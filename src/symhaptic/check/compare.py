@@ -1,56 +1,70 @@
-"""The worst error in units in the last place, where it is, and which mistake it may be."""
+"""The worst error in units in the last place, where it is, and the plainest place where it is.
+
+All points are compared with the package's own numbers, which takes little, and only where these
+are farthest off, and at as many others, with balls.  Balls alone decide what is wrong.
+"""
 
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import islice, product
 from typing import Any
 
 import flint
+import numpy as np
 from flint import arb
 
-from symhaptic.check.callers import Caller, Points
-from symhaptic.check.formulas import Checked
+from symhaptic.bench.exact import bits
+from symhaptic.check.callers import Caller
+from symhaptic.check.checked import Checked
 
-_BITS = 2400
-"""Enough for exponentials of the smallest arguments, 1e-300."""
+Point = tuple[float, ...]
 
 
 @dataclass(frozen=True)
 class Found:
     """What a comparison found; ``worst`` is infinite for NaN and for a wrong truth value."""
 
+    checked: Checked
+    ulp: float
     points: int
+    looked: tuple[tuple[Point, Point, float], ...]
+    """Points that were held against balls, with results and errors."""
     worst: float
-    at: tuple[float, ...]
+    at: Point
     result: str
-    got: tuple[float, ...]
-    missing: int
+    got: Point
+    right: tuple[str, ...]
+    missing: tuple[Point, ...]
+    """Where it gives NaN."""
     names: tuple[str, ...]
 
+    @property
+    def agrees(self) -> bool:
+        """Whether no error is larger than is allowed."""
+        return self.worst <= self.ulp
 
-def points(checked: Checked, count: int, seed: int = 20) -> list[tuple[float, ...]]:
+
+def points(checked: Checked, count: int, seed: int = 20) -> list[Point]:
     """Edges and hard values in all pairs first, then random ones inside."""
-    rng = random.Random(seed)
     edges = [
         [v for v in dict.fromkeys((low, high, *hard)) if low <= v <= high]
         for low, high, hard in checked.ranges.values()
     ]
     found = list(islice(product(*edges), count // 2))
-    while len(found) < count:
-        point = []
-        for name, (low, high, _) in checked.ranges.items():
-            value = rng.uniform(low, high)
-            point.append(float(round(value)) if name in checked.whole else value)
-        found.append(tuple(point))
-    return found
+    rng = np.random.default_rng(seed)
+    inside = [rng.uniform(*ends[:2], count - len(found)) for ends in checked.ranges.values()]
+    for i, name in enumerate(checked.ranges):
+        if name in checked.whole:
+            low, high, _ = checked.ranges[name]
+            inside[i] = np.clip(np.round(inside[i]), math.ceil(low), math.floor(high))
+    return found + list(zip(*(column.tolist() for column in inside), strict=True))
 
 
 def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
-    """Compare at ``count`` points, and make the worst of them simpler where it stays wrong.
+    """Compare at ``count`` points, and make the worst of them plainer where it stays wrong.
 
     A function that gives the first of several results is held against these.
     """
@@ -61,99 +75,117 @@ def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
         raise ValueError(f"gives {max(map(len, got))} numbers; {', '.join(checked.results)} are")
     checked = replace(checked, results=checked.results[:given])
     got = [g[:given] for g in got]
-    offs = [off(checked, p, g) for p, g in zip(some, got, strict=True)]
-    k = max(range(len(offs)), key=lambda i: offs[i][0])
-    at = some[k]
-    if offs[k][0] > ulp:
-        at = simpler(checked, call, at, ulp)
-    last = call([at])[0][:given]
-    worst, result = off(checked, at, last)
-    missing = sum(any(map(math.isnan, g)) for g in got)
-    names = named(checked, some, got, missing) if offs[k][0] > ulp else ()
-    return Found(len(some), max(worst, offs[k][0]), at, result, last, missing, names)
+    places = _looked(checked, some, got)
+    looked = [(some[i], got[i], off(checked, some[i], got[i])[0]) for i in places]
+    at, last, most = max(looked, key=lambda one: one[2])
+    wrong = most > ulp
+    if wrong:
+        at = plainest(checked, call, at, ulp)
+        last = call([at])[0][:given]
+    return Found(
+        checked,
+        ulp,
+        len(some),
+        tuple(looked),
+        most,
+        at,
+        off(checked, at, last)[1],
+        last,
+        tuple(map(shown, exact(checked, at)[0])),
+        tuple(p for p, g in zip(some, got, strict=True) if any(map(math.isnan, g))),
+        _named(checked, some, got) if wrong else (),
+    )
 
 
-def off(checked: Checked, point: tuple[float, ...], got: Sequence[float]) -> tuple[float, str]:
+def _named(checked: Checked, some: list[Point], got: list[Point]) -> tuple[str, ...]:
+    """Mistakes are read from the paper, which who is right need not wait for."""
+    from symhaptic.check.mistakes import named
+
+    return named(checked, some, got)
+
+
+def _looked(checked: Checked, some: list[Point], got: list[Point]) -> list[int]:
+    """Which points are held against balls: where it is farthest off, and as many others."""
+    if len(some) <= checked.balls or checked.near is None:
+        return list(range(0, len(some), max(1, len(some) // checked.balls)))
+    columns = [np.array(column) for column in zip(*some, strict=True)]
+    mine = np.array(got, dtype=float)
+    with np.errstate(all="ignore"):
+        near = np.stack(np.broadcast_arrays(*checked.near(*columns)), axis=1).astype(float)
+        size = np.abs(near)
+        if checked.scale:
+            scale = np.broadcast_arrays(columns[0], *checked.scale(*columns))[1:]
+            size = np.maximum(size, np.stack(scale, axis=1))
+        near, size = near[:, : mine.shape[1]], size[:, : mine.shape[1]]
+        away = np.abs(mine - near) / np.spacing(size)
+    away[np.isnan(mine) & ~np.isnan(near)] = np.inf
+    order = np.argsort(-np.nan_to_num(away, nan=0.0, posinf=np.inf).max(axis=1), kind="stable")
+    half = checked.balls // 2
+    others = order[half :: max(1, (len(order) - half) // half)][:half]
+    return [int(i) for i in (*order[:half], *others)]
+
+
+def off(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, str]:
     """The error of the worst result, and its name."""
-    exact, sizes = _exact(checked, point)
     worst = 0.0, checked.results[0]
-    for name, value, right, size in zip(checked.results, got, exact, sizes, strict=True):
-        worst = max(worst, (_off(value, right, size), name))
+    rights, sizes = exact(checked, point)
+    for name, value, right, size in zip(checked.results, got, rights, sizes, strict=True):
+        worst = max(worst, (_off(value, right, size), name), key=lambda one: one[0])
     return worst
 
 
-def _exact(checked: Checked, point: tuple[float, ...]) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    """Exact results, and the sizes that their errors are measured by."""
     tiny = any(0 < abs(v) < 1e-12 for v in point)
-    with flint.ctx.workprec(_BITS if tiny else 256):
-        exact = checked.exact(*point)
-    sizes = checked.scale(*point) if checked.scale else (0.0,) * len(exact)
+    with flint.ctx.workprec(bits(point) if tiny else 256):
+        found = checked.exact(*point)
+    sizes = checked.scale(*point) if checked.scale else (0.0,) * len(found)
     given = len(checked.results)
-    return exact[:given], sizes[:given]
+    return found[:given], sizes[:given]
 
 
 def _off(value: float, right: Any, size: float) -> float:
+    """At least so many units; nothing where the formula has no value or balls do not tell it."""
     if right is None:
         return 0.0
     if isinstance(right, bool):
-        return 0.0 if bool(value) is right and not math.isnan(value) else math.inf
+        return 0.0 if value == right else math.inf
     if not right.is_finite():
         return 0.0
     if not math.isfinite(value):
         return math.inf
     with flint.ctx.workprec(256):
-        return float(abs(arb(value) - right)) / math.ulp(max(abs(float(right)), size))
+        away = float((arb(value) - right).abs_lower())
+    return away / math.ulp(max(abs(float(right.mid())), float(size)))
 
 
-def simpler(
-    checked: Checked, call: Caller, point: tuple[float, ...], ulp: float
-) -> tuple[float, ...]:
-    """Round and plain values for one argument after the other, as long as it stays wrong."""
-    for i, (low, high, _) in enumerate(checked.ranges.values()):
-        for value in (0.0, 1.0, 2.0, *(float(f"{point[i]:.{n}g}") for n in (1, 2, 4))):
-            if not low <= value <= high:
-                continue
-            other = (*point[:i], value, *point[i + 1 :])
-            if off(checked, other, call([other])[0][: len(checked.results)])[0] > ulp:
-                point = other
-                break
+def shown(right: Any) -> str:
+    """An exact value in 25 digits; ``None`` where it is not told."""
+    return str(right) if isinstance(right, bool | None) else str(right.str(25, radius=False))
+
+
+def plainest(checked: Checked, call: Caller, point: Point, ulp: float) -> Point:
+    """The plainest arguments that are reached, one after the other, while it stays wrong."""
+    before: Point = ()
+    while before != point:
+        before = point
+        for i, (name, (low, high, _)) in enumerate(checked.ranges.items()):
+            values = [v for v in _plainer(point[i], name in checked.whole) if low <= v <= high]
+            others = [(*point[:i], v, *point[i + 1 :]) for v in values]
+            got = call(others) if others else []
+            wrong = (
+                other
+                for other, g in zip(others, got, strict=True)
+                if off(checked, other, g[: len(checked.results)])[0] > ulp
+            )
+            point = next(wrong, point)
     return point
 
 
-def named(
-    checked: Checked, some: Points, got: Sequence[Sequence[float]], missing: int
-) -> tuple[str, ...]:
-    """Mistakes that give what was found at most points, and at more than the formula itself."""
-    few = list(zip(some, got, strict=True))[:: max(1, len(some) // 500)]
-    right = _near(checked.exact, few, 1e-5)
-    shares = {name: _near(exact, few, 1e-6) for name, exact in checked.mistakes.items()}
-    names = [name for name, share in shares.items() if share > max(_MOST, right)]
-    if right > _MOST and _single(few):
-        names.append("single precision: every result is a float32")
-    if missing and checked.naught and not names:
-        names.append(checked.naught)
-    return tuple(names)
-
-
-_MOST = 0.7
-"""Of the values; a misprint, too, loses its digits at some points."""
-
-
-def _single(few: Sequence[tuple[tuple[float, ...], Sequence[float]]]) -> bool:
-    values = [v for _, g in few for v in g if math.isfinite(v) and abs(v) < 1e38]
-    return bool(values) and all(v == 0 or math.frexp(v)[0] * 2**24 % 1 == 0 for v in values)
-
-
-def _near(exact: Any, few: Sequence[tuple[tuple[float, ...], Sequence[float]]], by: float) -> float:
-    """The share of values that are near: a guess at the cause, and no verdict."""
-    told = near = 0
-    for point, got in few:
-        with flint.ctx.workprec(256):
-            for value, right in zip(got, exact(*point), strict=False):
-                if isinstance(right, bool):
-                    told += 1
-                    near += bool(value) is right
-                elif right is not None and right.is_finite() and math.isfinite(value):
-                    wanted = float(right)
-                    told += 1
-                    near += abs(value - wanted) <= by * max(abs(wanted), 1e-12)
-    return near / told if told else 0.0
+def _plainer(value: float, whole: bool) -> list[float]:
+    """Values with less to read, the plainest first."""
+    plain = [0.0, 1.0, 2.0, 0.5]
+    plain += [10.0 ** math.floor(math.log10(abs(value)))] if value else []
+    plain += [float(f"{value:.{n}g}") for n in range(1, 17)]
+    plain = [v for v in dict.fromkeys(plain) if not whole or v.is_integer()]
+    return plain[: plain.index(value)] if value in plain else plain

@@ -34,6 +34,7 @@ class Agreement:
 
         from symhaptic.check.callers import called
         from symhaptic.check.compare import compared
+        from symhaptic.check.told import Report, text
 
         ranges = dict(self.checked.ranges)
         for name, (low, high) in (over or {}).items():
@@ -45,13 +46,9 @@ class Agreement:
             ranges[name] = low, high, ranges[name][2]
         checked = replace(self.checked, ranges=ranges)
         found = compared(checked, called(function, len(checked.results)), ulp, points)
-        if found.worst > ulp:
-            at = ", ".join(f"{n} = {v.hex()}" for n, v in zip(ranges, found.at, strict=True))
-            names = "".join(f"; {name}" for name in found.names)
-            pytest.fail(
-                f"{checked.id}: {found.worst:.3g} ulp of {found.result} at {at}{names}",
-                pytrace=False,
-            )
+        if not found.agrees:
+            name = getattr(function, "__qualname__", repr(function))
+            pytest.fail(text(Report(found, name, 0.0)), pytrace=False)
 
 
 @pytest.fixture
