@@ -16,7 +16,7 @@ from flint import arb
 from symhaptic.bench import error, libm
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns, leaving_pi
-from symhaptic.export import device, library, pairs, request, whole_turns
+from symhaptic.export import device, double_word, module, request, whole_turns
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED, MEASURED_ON
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.vectors import sized
@@ -34,7 +34,7 @@ SLOPES = {DOUBLE: 240, SINGLE: 60}
 SOME, SOME_SLOPES = 200, 60
 """So many of the same in `make test`, the hard cases first; `make check` has all."""
 GOALS = {
-    "discretize": 2, "discretize_late": 4, "characteristic_polynomial": 4, "linear_limit": 4,
+    "discretize": 2, "discretize_fractional": 4, "characteristic_polynomial": 4, "linear_limit": 4,
     "passivity_margin_at": 4, "passivity_margin": 4, "passivity_boundary": 8,
     "max_passive_stiffness": 8, "stability_boundary": 8, "max_stable_stiffness": 8,
 }  # fmt: skip
@@ -179,15 +179,15 @@ def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Pa
         return replace(found, **{low: 0 * getattr(found, low)})
 
     (form,) = request.chosen(["discretize"])
-    library.known.cache_clear()
+    module.known.cache_clear()
     with monkeypatch.context() as patch:
         if low == "root_low":
-            for module in (device, pairs, whole_turns):
-                patch.setattr(module, "root_low", lambda *_: sp.S.Zero)
+            for caller in (device, double_word, whole_turns):
+                patch.setattr(caller, "root_low", lambda *_: sp.S.Zero)
         else:
             patch.setattr(device, "motion", mutant)
         run = error.compiled(form, tmp_path, precision)
-    library.known.cache_clear()
+    module.known.cache_clear()
     arrays = columns(form, np.random.default_rng(2), COUNT, precision)
     found = error.compare(form, arrays, run(arrays), precision)
     assert max(off for off, _ in found.values()) > MEASURED[precision]["discretize"].error
@@ -237,7 +237,7 @@ def test_points_around_others_are_in_the_domain(precision):
 @needs_gcc
 def test_a_search_finds_what_plain_points_do_not():
     """Around them more than ten times as many: one more at least is worse."""
-    (form,) = request.chosen(["discretize_late"])
+    (form,) = request.chosen(["discretize_fractional"])
     plain = error.measure(form, 150, seed=3)
     found = error.climb(form, 150, seed=3, rounds=2)
     assert all(found[result][0] >= off for result, (off, _) in plain.items())

@@ -1,10 +1,11 @@
-"""Every pair of language, scene, derivative, delay, precision and function is exported and run.
+"""Every pair of language, scene, derivative, delays, precision and function is exported and run.
 
 The functions of rows that are alike otherwise share an export.  SYMHAPTIC_ALL_EXPORTS=1 takes each
 function alone, in every scene, with every derivative, in every language.
 """
 
 import os
+from contextlib import suppress
 from functools import cache
 from itertools import product
 
@@ -13,10 +14,12 @@ from export.covering import covering, pairs
 from export.test_targets import run_all
 
 from symhaptic.export import request, vectors
+from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 from symhaptic.forms.stable import NoForm
+from symhaptic.forms.whole_delays import of_whole_delays
 
 ALL = bool(os.environ.get("SYMHAPTIC_ALL_EXPORTS"))
 PARTS = "stiffness", "damping", "virtual-damping", "delay"
@@ -32,7 +35,18 @@ FACTORS = {
     "delay": [None, 0, 1, 2, 3, 4, 5, 6] if ALL else [None, 0, 6],
     "precision": ["double", "single"],
     "function": list(stable.FORMS),
+    "whole": [False, True],
 }
+
+
+@cache
+def precisions(language):
+    """Those that are not refused."""
+    found = []
+    for name in FACTORS["precision"]:
+        with suppress(Refused):
+            found.append(request.target(language, name) and name)
+    return found
 
 
 @cache
@@ -52,16 +66,27 @@ def periods(row):
 def allowed(row):
     """What is not refused; a derivative only of what has one, a delay only where it counts."""
     for_one = row["function"] in stable.FOR_ONE_DELAY
-    if row["precision"] == "single" and TARGETS[row["language"]].single is None:
+    if row["precision"] not in precisions(row["language"]):
         return False
     if for_one != (row["delay"] is not None or "no-delay" in row["scene"]):
         return False
     if "no-delay" in row["scene"] and row["delay"] is not None:
         return False
     own = form(row["function"], row["scene"], periods(row) if for_one else None)
-    if own is None:
+    if own is None or (row["whole"] and not whole(own)):
         return False
     return row["by"] in ("", "all") or row["by"] in {s.name for s in own.arguments}
+
+
+@cache
+def whole(own):
+    """The form for whole delays alone, if there is another one."""
+    if "d" not in {s.name for s in own.arguments}:
+        return None
+    try:
+        return of_whole_delays(own)
+    except NoForm:
+        return None
 
 
 @cache
@@ -73,6 +98,7 @@ def asked(row):
     """The form of a row, with the derivatives that it has of those asked for."""
     for_one = row["function"] in stable.FOR_ONE_DELAY
     own = form(row["function"], row["scene"], periods(row) if for_one else None)
+    own = whole(own) if row["whole"] else own
     by = () if not row["by"] else slopes(own) if row["by"] == "all" else (row["by"],)
     return with_derivatives(own, by) if by and set(by) <= set(slopes(own)) else own
 
@@ -110,12 +136,15 @@ def grouped():
 EXPORTS = grouped()
 
 
-@pytest.mark.parametrize(
-    ("language", "scene", "precision", "members"),
-    EXPORTS,
-    ids=[f"{i}-{e[0]}-{e[1] or 'everything'}-{e[2]}" for i, e in enumerate(EXPORTS)],
-)
-def test_the_self_test_passes(language, scene, precision, members, tmp_path, monkeypatch):
+def named(exports):
+    """The exports as parameters of a test."""
+    names = "language", "scene", "precision", "members"
+    ids = [f"{i}-{e[0]}-{e[1] or 'everything'}-{e[2]}" for i, e in enumerate(exports)]
+    return pytest.mark.parametrize(names, exports, ids=ids)
+
+
+def written(language, scene, precision, members, folder, monkeypatch):
+    """The export of these rows, with fewer vectors, and its target."""
     monkeypatch.setattr(vectors, "_MOST", 12)
     few = lambda form, p: (*vectors._rows(form, p), *vectors._outside(form, p))  # noqa: E731
     monkeypatch.setattr(vectors, "vectors", few)
@@ -123,9 +152,26 @@ def test_the_self_test_passes(language, scene, precision, members, tmp_path, mon
     _, files = request.built(target, [asked(row) for row in members])
     source = (text for name, text in files.items() if name.endswith(SOURCE))
     assert max(len(line) for text in source for line in text.splitlines()) <= 100
-    request.write(files, tmp_path / "out")
+    request.write(files, folder)
+    return target
+
+
+@named(EXPORTS)
+def test_the_self_test_passes(language, scene, precision, members, tmp_path, monkeypatch):
+    target = written(language, scene, precision, members, tmp_path / "out", monkeypatch)
     said = run_all(target, "haptic", tmp_path / "out")
     assert int(said.split()[0]) > 0
+
+
+@pytest.mark.slow
+@named([export for export in EXPORTS if export[0] in ("c", "cpp", "microcontroller")])
+def test_nothing_is_undefined(language, scene, precision, members, tmp_path, monkeypatch):
+    """The same in C and C++, compiled with sanitizers."""
+    target = written(language, scene, precision, members, tmp_path / "out", monkeypatch)
+    compile_, run = target.commands("haptic")
+    watched = [*compile_, "-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+    monkeypatch.setattr(target, "commands", lambda _: [watched, run])
+    run_all(target, "haptic", tmp_path / "out")
 
 
 def test_every_pair_occurs():

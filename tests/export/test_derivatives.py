@@ -12,7 +12,7 @@ from export.test_request import symhaptic
 from export.test_targets import run_all
 
 from symhaptic import lambdify
-from symhaptic.export import library, request
+from symhaptic.export import module, request
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused
@@ -79,16 +79,18 @@ def test_the_self_test_passes_in_single_precision_with_derivatives(language, tmp
 
 
 @needs_gcc
-@pytest.mark.parametrize("name", ["Echo", "RiseDrop", "FallDrop", "Ebb", "Kick", "DropSeries"])
+@pytest.mark.parametrize(
+    "name", ["Echo", "PlantN1Drop", "PlantN0Drop", "Ebb", "Kick", "DropSeries"]
+)
 def test_a_wrong_routine_is_found_by_the_self_test(name, tmp_path, monkeypatch):
     """One part in 10^12 off."""
-    right = library.known(DOUBLE)
+    right = module.known(DOUBLE)
     old = right[name]
     ((result, value),) = old.results
     factor = 1 + 2.0**-40
     changed = sp.piecewise_fold(value * factor)
     wrong = Routine(name, old.about, old.arguments, old.steps, ((result, changed),))
-    monkeypatch.setattr(library, "known", lambda precision=DOUBLE: {**right, name: wrong})
+    monkeypatch.setattr(module, "known", lambda precision=DOUBLE: {**right, name: wrong})
     _, files = request.built(TARGETS["c"], [asked("discretize")])
     request.write(files, tmp_path / "out")
     compile_, execute = TARGETS["c"].commands("haptic")
@@ -153,8 +155,8 @@ def test_the_list_and_the_readme_name_them(monkeypatch, capsys):
     assert "discretize(" in out
     text = request.built(TARGETS["c"], [asked("discretize")])[1]["README.md"]
     assert "Derivatives with respect to gamma, delta" in text
-    assert "    n1_by_gamma = -RiseDrop(gamma, delta)" in text
-    assert "- RiseDrop: " in text
+    assert "    n1_by_gamma = -PlantN1Drop(gamma, delta)" in text
+    assert "- PlantN1Drop: " in text
 
 
 def test_lambdify_gives_them_behind_the_results():

@@ -1,4 +1,4 @@
-"""Careful functions: their routines are their closed forms and round once where they say it."""
+"""Compensated functions: their routines are their closed forms and round once where they say it."""
 
 import math
 import random
@@ -11,14 +11,14 @@ import sympy as sp
 from export.inlining import inlined
 
 from symhaptic.export.array_api import TARGET
-from symhaptic.export.library import known, library
+from symhaptic.export.module import known, library
 from symhaptic.export.response import less
-from symhaptic.export.routine import ProductError, Steps
+from symhaptic.export.routine import Steps, TwoProdError
 from symhaptic.forms import stable
-from symhaptic.forms.response import Ahead, InPhase, LateApart
-from symhaptic.forms.worst import Between, Straight
+from symhaptic.forms.required_damping import Between, Straight
+from symhaptic.forms.response import Ahead, FractionalNumeratorGap, InPhase
 
-PARTS = {cls.__name__: cls for cls in (InPhase, Ahead, LateApart, Straight, Between)}
+PARTS = {cls.__name__: cls for cls in (InPhase, Ahead, FractionalNumeratorGap, Straight, Between)}
 T = sp.Symbol("t")
 
 
@@ -26,7 +26,7 @@ T = sp.Symbol("t")
 def test_without_rounding_it_is_the_closed_form(name):
     routine, at = inlined(known()[name], known()), {}
     for symbol, expr in (*routine.steps, (None, routine.results[0][1])):
-        at[symbol] = expr.replace(ProductError, lambda *_: sp.S.Zero).xreplace(at)
+        at[symbol] = expr.replace(TwoProdError, lambda *_: sp.S.Zero).xreplace(at)
     psi = routine.arguments[0]
     turned = {sp.cos(psi): 1 / sp.sqrt(1 + T**2), sp.sin(psi): T / sp.sqrt(1 + T**2)}
     closed = PARTS[name].definition(*routine.arguments).xreplace(turned)
@@ -43,11 +43,11 @@ def program(steps, arguments, without):
     before = list(arguments)
     for symbol, expr in steps:
         if symbol == without:
-            expr = expr.replace(ProductError, lambda *_: sp.S.Zero)
+            expr = expr.replace(TwoProdError, lambda *_: sp.S.Zero)
         squares = {
             x: sp.Mul(x.base, x.base, evaluate=False) for x in expr.atoms(sp.Pow) if x.exp == 2
         }
-        yield sp.lambdify(before, expr.xreplace(squares), [{"ProductError": missed}, math])
+        yield sp.lambdify(before, expr.xreplace(squares), [{"TwoProdError": missed}, math])
         before.append(symbol)
 
 
@@ -70,7 +70,7 @@ def chances():
 def difference():
     """The steps of one - factor t^2, their arguments, and the exact value."""
     do, (one, factor, t) = Steps(), sp.symbols("begin factor tan")
-    square, low = do("square", t * t), do("low", ProductError(t, t))
+    square, low = do("square", t * t), do("low", TwoProdError(t, t))
     less(do, one, factor, square, low)
     found = do.done[-1].names[0]  # the float itself, without what it misses
     routine = inlined(do.routine("Less", "", (one, factor, t), found), known())
@@ -80,9 +80,9 @@ def difference():
 
 def late():
     """The same of M at -1 behind a fraction of a period."""
-    routine = inlined(known()["LateApart"], known())
+    routine = inlined(known()["FractionalNumeratorGap"], known())
     steps = (*routine.steps, (sp.Symbol("found"), routine.results[0][1]))
-    return steps, routine.arguments, LateApart.definition
+    return steps, routine.arguments, FractionalNumeratorGap.definition
 
 
 def straight():
@@ -136,7 +136,7 @@ def test_it_is_rounded_once(work):
 
 @pytest.mark.parametrize("work", [difference, late, straight], ids=lambda f: f.__name__)
 def test_nothing_that_a_product_misses_may_be_left_out(work):
-    kept = [symbol for symbol, expr in work()[0] if expr.has(ProductError)]
+    kept = [symbol for symbol, expr in work()[0] if expr.has(TwoProdError)]
     assert len(kept) > 1
     for symbol in kept:
         assert max(errors(work, symbol)) > ROUNDED, symbol

@@ -10,13 +10,21 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.kernels import haptic
 
 FORMS = request.chosen([], delay=1, whole_delays=True)
-FRACTIONAL = "late_roots", "LateRoots", "turn(", "passive_angle(", "kick("
+FRACTIONAL = (
+    "fractional_roots",
+    "FractionalRoots",
+    "turn(",
+    "passive_angle(",
+    "kick(",
+    "early_angle",
+    "rising(",
+)
 
 
 def test_the_form_of_a_fraction_is_left_out_and_refused_by_name():
-    assert "discretize_late" not in [form.name for form in FORMS]
-    with pytest.raises(Refused, match="--whole-delays: discretize_late: is about a fraction"):
-        request.chosen(["discretize_late"], whole_delays=True)
+    assert "discretize_fractional" not in [form.name for form in FORMS]
+    with pytest.raises(Refused, match="--whole-delays: discretize_fractional: is about a fraction"):
+        request.chosen(["discretize_fractional"], whole_delays=True)
     with pytest.raises(Refused, match="--whole-delays: is not allowed with a scene that has no de"):
         request.chosen([], request.scene("no-delay"), whole_delays=True)
 
@@ -25,11 +33,12 @@ def test_the_form_of_a_fraction_is_left_out_and_refused_by_name():
 def test_the_self_test_passes_and_asks_a_fraction_too(language, tmp_path):
     """In every language its vectors have d = 1.5 among what is outside."""
     names = ["is_stable", "unstable_roots", "stability_boundary", "max_passive_stiffness"]
+    names += ["passivity_margin", "max_stable_stiffness"]
     forms = request.chosen(names, whole_delays=True)
     _, files = request.built(TARGETS[language], forms)
     source = "".join(t for n, t in files.items() if n not in ("vectors.txt", "README.md"))
     assert not [word for word in FRACTIONAL if word in source]
-    assert files["vectors.txt"].count("0x1.8000000000000p+0 nan") == 2
+    assert files["vectors.txt"].count("0x1.8000000000000p+0 nan") == 4
     request.write(files, tmp_path / "out")
     assert run_all(TARGETS[language], "haptic", tmp_path / "out").split()[2] == "0"
 

@@ -61,8 +61,8 @@ def misses(routines, points, precision):
     """How far off each is, in last places of itself; the terms of n0 by itself; signs."""
     gamma, delta = points.T
     device = functions(stable.form("discretize"))
-    found = (device.rise(np, gamma, delta), device.fall(np, gamma, delta),
-             routines.together(np, gamma, delta))  # fmt: skip
+    found = (device.plant_n1(np, gamma, delta), device.plant_n0(np, gamma, delta),
+             routines.numerator_at_one(np, gamma, delta))  # fmt: skip
     assert all(f.dtype == precision.kind for f in found)
     off, terms, signs = np.zeros((3, len(gamma))), np.zeros(len(gamma)), []
     with mpmath.workdps(120):
@@ -110,7 +110,7 @@ def test_the_example_of_the_report():
 
 
 def test_n1_is_the_larger_one_and_positive():
-    """Both are (n1 + n0 +- delta Apart)/2, and S(w) <= 1 <= S(delta^2/4)."""
+    """Both are (n1 + n0 +- delta NumeratorGap)/2, and S(w) <= 1 <= S(delta^2/4)."""
     points = np.concatenate([next_to_turns(DOUBLE, 10**5), where_n0_vanishes(1000)])
     n1, n0 = symhaptic.discretize(*points.T)[:2]
     assert (n1 > 0).all()

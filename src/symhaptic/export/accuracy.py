@@ -43,7 +43,7 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
         "discretize": Worst(
             1.94, "n0", (1.4304512041558484, 2.531980525132481), _WHOLE_TURNS.format(52)
         ),
-        "discretize_late": Worst(
+        "discretize_fractional": Worst(
             2.95, "m1", (5.776819181669012, 0.4262274231587848, 0.744103990624944)
         ),
         "characteristic_polynomial": Worst(
@@ -88,8 +88,8 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
         "discretize": Worst(
             1.79, "n0", (2.538376808166504, 3.280378818511963), _WHOLE_TURNS.format(24)
         ),
-        "discretize_late": Worst(
-            2.59, "m1", (1.4526104927062988, 1.319366693496704, 0.006937236525118351)
+        "discretize_fractional": Worst(
+            2.09, "m1", (1.4526104927062988, 1.319366693496704, 0.006937236525118351)
         ),
         "characteristic_polynomial": Worst(
             2.92,
@@ -139,7 +139,7 @@ boundary and the linear limit in double precision also of the points that
 DERIVATIVES: Mapping[Precision, Mapping[str, Worst]] = {
     DOUBLE: {
         "discretize": Worst(6.56, "n0_by_gamma", (1.3662385124568999, 4.681881812359408)),
-        "discretize_late": Worst(
+        "discretize_fractional": Worst(
             5.74, "m1_by_gamma", (0.0, 4.42549577368435e-05, 0.8752492116968561)
         ),
         "characteristic_polynomial": Worst(
@@ -185,7 +185,7 @@ DERIVATIVES: Mapping[Precision, Mapping[str, Worst]] = {
     },
     SINGLE: {
         "discretize": Worst(6.61, "n0_by_gamma", (1.2709025144577026, 3.0227859020233154)),
-        "discretize_late": Worst(
+        "discretize_fractional": Worst(
             6.14,
             "m1_by_gamma",
             (0.000664557155687362, 0.008879425935447216, 0.08418747782707214),

@@ -19,10 +19,10 @@ from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFT
 from symhaptic.export.array_scope import ArrayPrinter, Scope
 from symhaptic.export.blocks import Block, functional
 from symhaptic.export.branches import lazy, told
-from symhaptic.export.library import Library, known, named, precise
+from symhaptic.export.hoist_plant import hoisted
+from symhaptic.export.module import Library, known, named, precise
 from symhaptic.export.precision import SINGLE
 from symhaptic.export.routine import Routine, Step
-from symhaptic.export.stages import staged
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import in_brackets, wrapped
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
@@ -45,7 +45,7 @@ class ArrayApi(Target):
         "finally for from global if import in is lambda nonlocal not or pass raise return try "
         "while with yield match case xp np numpy selftest math sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
-        "functools select repeat over step is_jax_array by_value halves square_root product_error "
+        "functools select repeat over step is_jax_array by_value halves square_root two_prod_error "
         "plant work inside limits guarded most yes no"
     )
     modules = standard.PYTHON
@@ -55,7 +55,7 @@ class ArrayApi(Target):
         NaN="xp.nan",
         Max="xp.where({0} > {1}, {0}, {1})",
         Min="xp.where({0} < {1}, {0}, {1})",
-        ProductError="product_error({0}, {1})",
+        TwoProdError="two_prod_error({0}, {1})",
         sqrt="square_root(xp, {0})",
     )
 
@@ -63,7 +63,7 @@ class ArrayApi(Target):
         """NAME.py."""
         lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
         for helper in map(_without_numbers, library.helpers):
-            if helper.name == "ProductError":
+            if helper.name == "TwoProdError":
                 lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
                 continue
             brief = None
@@ -104,7 +104,7 @@ class ArrayApi(Target):
         lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
         if any(c.has(LARGEST, LONGEST, BELOW_PI) for c in form.within):
             lines.append(f"    most = limits(xp, {names[0]})")
-        plant, work = staged(routine)
+        plant, work = hoisted(routine)
         for name, part in (("plant", plant), ("work", work)):
             if part is None:
                 continue

@@ -298,7 +298,7 @@ HALVES = '''def halves(xp, y):
     return high, y - high
 '''
 
-PRODUCT_ERROR = '''def product_error(product, one, two):
+PRODUCT_ERROR = '''def two_prod_error(product, one, two):
     """What a product misses, by Dekker, from the halves of its factors."""
     (high, low), (most, least) = one, two
     error = high*most

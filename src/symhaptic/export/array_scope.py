@@ -18,7 +18,7 @@ from symhaptic.export.blocks import (
     inputs,
 )
 from symhaptic.export.printing import Printing
-from symhaptic.export.routine import ProductError, Repeat, Routine, Several
+from symhaptic.export.routine import Repeat, Routine, Several, TwoProdError
 from symhaptic.export.target import Target, calls
 
 
@@ -39,8 +39,8 @@ class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]
     def _print_Function(self, expr: Expr) -> str:
         return self.scope.call(expr)
 
-    def _print_ProductError(self, expr: Expr) -> str:
-        return self.scope.product_error(*expr.args)
+    def _print_TwoProdError(self, expr: Expr) -> str:
+        return self.scope.two_prod_error(*expr.args)
 
     def _print_Piecewise(self, expr: Expr) -> str:
         *choices, (last, always) = expr.args
@@ -199,7 +199,7 @@ class Scope:
         for i, statement in enumerate(self.block):
             used = set(inputs((statement,)))
             for expr in expressions(statement):
-                for error in expr.atoms(ProductError):
+                for error in expr.atoms(TwoProdError):
                     if product := self._product(*error.args):
                         used.add(product)
             last |= dict.fromkeys(sorted(used & own, key=str), i)
@@ -224,7 +224,7 @@ class Scope:
     def _before(self, expr: Expr, often: set[Expr]) -> list[str]:
         lines = []
         for part in sp.postorder_traversal(expr):
-            if isinstance(part, ProductError):
+            if isinstance(part, TwoProdError):
                 for factor, other in (part.args, part.args[::-1]):
                     if factor not in self.split:
                         whole = name = self.printer.doprint(factor)
@@ -260,12 +260,12 @@ class Scope:
         ]
         return self.target.call(expr.func.__name__), ", ".join(args)
 
-    def product_error(self, one: Expr, two: Expr) -> str:
+    def two_prod_error(self, one: Expr, two: Expr) -> str:
         """What a product misses; the product itself may have a name."""
         product = self._product(one, two)
         factors = (self.printer.doprint(factor) for factor in (one, two))
         shown = self.name(product) if product else "*".join(factors)
-        return f"product_error({shown}, {self.split[one]}, {self.split[two]})"
+        return f"two_prod_error({shown}, {self.split[one]}, {self.split[two]})"
 
     def _product(self, one: Expr, two: Expr) -> Symbol | None:
         return self.products.get(one**2 if one == two else frozenset((one, two)))

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from sympy.printing.c import C99CodePrinter
 
-from symhaptic.export import standard
+from symhaptic.export import c_si, cmake, standard
 from symhaptic.export.branches import guarded
-from symhaptic.export.library import Library
+from symhaptic.export.cmake import FLAGS, STRICT
+from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import wrapped
-
-FLAGS = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
 
 KEYWORDS = vocabulary(
     "auto break case char const continue default do double else enum extern float for goto if "
@@ -34,13 +33,6 @@ CPP_KEYWORDS = KEYWORDS | vocabulary(
 _SHORT = 88
 """Characters up to which a declaration and a call share a line."""
 
-STRICT = """#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \\
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
-#endif
-"""
-"""What rewrites sums, or takes it that there is no NaN, loses the digits and the domain."""
-
 
 class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
     """SymPy's, with the shared operations, and without macros that the standard does not have."""
@@ -53,6 +45,7 @@ class C(Target):
     """One source file and its header."""
 
     name, title, keywords, printer = "c", "C99", CPP_KEYWORDS, _Printer
+    shares = True
     modules = standard.C
     each = (
         "static const {3} {0}_of[] = {{{1}}};",
@@ -66,7 +59,7 @@ class C(Target):
         NaN="NAN",
         Max="fmax({0}, {1})",
         Min="fmin({0}, {1})",
-        ProductError="fma({0}, {1}, -({0}*{1}))",
+        TwoProdError="fma({0}, {1}, -({0}*{1}))",
     )
     single = called(
         "",
@@ -76,7 +69,7 @@ class C(Target):
         NaN="NAN",
         Max="fmaxf({0}, {1})",
         Min="fminf({0}, {1})",
-        ProductError="fmaf({0}, {1}, -({0}*{1}))",
+        TwoProdError="fmaf({0}, {1}, -({0}*{1}))",
     )
 
     @property
@@ -100,6 +93,7 @@ class C(Target):
         header = [f"#ifndef {guard}", f"#define {guard}", "", *truth, *_LINKED, *heads,
                   "#ifdef __cplusplus", "}", "#endif", "", "#endif", ""]  # fmt: skip
         lines = [f'#include "{library.name}.h"', "", "#include <math.h>", "", *STRICT.split("\n")]
+        lines += self.prelude(library)
         for helper in library.helpers:
             lines.append(f"// {helper.about}")
             lines += self._written(helper, f"static {self._head(self.call(helper.name), helper)}")
@@ -107,6 +101,10 @@ class C(Target):
             lines += self._written(routine, self._head(f"{library.name}_{routine.name}", routine))
         files = {f"{library.name}.h": header, f"{library.name}.c": lines}
         return {name: "\n".join(wrapped(text)) for name, text in files.items()}
+
+    def prelude(self, library: Library) -> list[str]:
+        """What stands before all functions."""
+        return []
 
     def _out(self, name: str) -> str:
         return f"{name}_out"
@@ -131,11 +129,25 @@ class C(Target):
         return f"{kind} {name}({', '.join(args) or 'void'})"
 
     def notes(self, library: Library) -> list[str]:
-        """What it refuses to be compiled with."""
-        return [
-            "With -ffast-math, -Ofast or /fp:fast it does not compile: these take it that there is",
-            "no NaN, and rewrite sums. C++ may include the header, too.",
-        ]
+        """What it refuses to be compiled with, how it is found, and what is in SI units."""
+        name = library.name
+        si = c_si.header(library, self.real, self.precision)
+        lines = cmake.notes(name, f"{name}.h")
+        if si:
+            lines += [
+                f"{name}_si.h has the same functions of a device in SI units (kg, s, N/m, Ns/m)."
+            ]
+        if "example.c" in si:
+            lines += ["example.c is a controller of 1 kHz with a wall below its limit."]
+        return [*lines, "C++ may include the headers, too."]
+
+    def package(self, library: Library) -> dict[str, str]:
+        """For CMake and pkg-config; the same in SI units, and a controller."""
+        name, si = library.name, c_si.header(library, self.real, self.precision)
+        headers = [f"{name}.h", *(file for file in si if file.endswith(".h"))]
+        programs = ["selftest.c", *(file for file in si if file.endswith(".c"))]
+        made = cmake.package(name, library.title, "c_std_99", f"{name}.c", headers, programs)
+        return made | si
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""
@@ -162,7 +174,8 @@ class C(Target):
                 + "".join(f"{part}\n" for part in wrapped([f"            {call};"]))
                 + "        }\n"
             )
-        return {"selftest.c": _SELFTEST % (library.name, self.real, self.real, "".join(cases))}
+        words = library.name, self.real, self.real, self.real, "".join(cases)
+        return {"selftest.c": _SELFTEST % words}
 
     def commands(self, name: str) -> list[list[str]]:
         """Compile with warnings as errors, then run."""
@@ -186,7 +199,7 @@ static void read_all(FILE *file, %s *into, int count) {
     char word[64];
     for (i = 0; i < count; ++i) {
         if (fscanf(file, "%%63s", word) != 1) exit(2);
-        into[i] = strtod(word, NULL); /* exact */
+        into[i] = (%s)strtod(word, NULL); /* exact */
     }
 }
 
@@ -200,11 +213,12 @@ int main(void) {
         int arguments = 0, results = 0, i;
 %s        if (results == 0) return 2;
         for (i = 0; i < results; ++i) {
-            const double expected = x[arguments + 2*i], allowed = x[arguments + 2*i + 1];
+            const double found = (double)got[i], expected = (double)x[arguments + 2*i];
             ++tried;
-            if (!(fabs(got[i] - expected) <= allowed) && !(isnan(got[i]) && isnan(expected))) {
+            if (!(fabs(found - expected) <= (double)x[arguments + 2*i + 1]) &&
+                !(isnan(found) && isnan(expected))) {
                 ++missed;
-                printf("%%s, result %%d: %%.17g instead of %%.17g\\n", name, i, got[i], expected);
+                printf("%%s, result %%d: %%.17g instead of %%.17g\\n", name, i, found, expected);
             }
         }
     }

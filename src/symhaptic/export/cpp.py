@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from sympy.printing.cxx import CXX17CodePrinter
 
-from symhaptic.export import standard
+from symhaptic.export import cmake, standard
 from symhaptic.export.branches import guarded
-from symhaptic.export.c import CPP_KEYWORDS, FLAGS, STRICT
-from symhaptic.export.library import Library
+from symhaptic.export.c import CPP_KEYWORDS
+from symhaptic.export.cmake import FLAGS, STRICT
+from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
@@ -27,6 +28,7 @@ class Cpp(Target):
     """One source file and its header; several results are a std::array."""
 
     name, title, keywords, printer = "cpp", "C++17", CPP_KEYWORDS, _Printer
+    shares = True
     modules = standard.CPP
     each = ("for (const {3} {0} : {{{1}}}) {{",)
     operations = single = called(
@@ -36,7 +38,7 @@ class Cpp(Target):
         NaN="std::numeric_limits<{real}>::quiet_NaN()",
         Max="std::fmax({0}, {1})",
         Min="std::fmin({0}, {1})",
-        ProductError="std::fma({0}, {1}, -({0}*{1}))",
+        TwoProdError="std::fma({0}, {1}, -({0}*{1}))",
     )
 
     @property
@@ -53,7 +55,7 @@ class Cpp(Target):
         heads = []
         for form, routine in zip(library.forms, library.public, strict=True):
             heads += [f"/// {line}" for line in describe(form, self.precision)]
-            heads += [f"{self._head(routine)};", ""]
+            heads += [f"[[nodiscard]] {self._head(routine)};", ""]
         header = ["#pragma once", "", "#include <array>", "", f"namespace {library.name} {{", "",
                   *heads, "}", ""]  # fmt: skip
         lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "#include <limits>", "",
@@ -82,14 +84,17 @@ class Cpp(Target):
         count = len(routine.results)
         kind = "bool" if routine.truth else self.real
         kind = kind if count == 1 else f"std::array<{self.real}, {count}>"
-        return f"{kind} {self.call(routine.name)}({args})"
+        return f"{kind} {self.call(routine.name)}({args}) noexcept"
 
     def notes(self, library: Library) -> list[str]:
-        """What it refuses to be compiled with."""
-        return [
-            "With -ffast-math, -Ofast or /fp:fast it does not compile: these take it that there is",
-            "no NaN, and rewrite sums.",
-        ]
+        """What it refuses to be compiled with, and how it is found."""
+        return cmake.notes(library.name, f"{library.name}.hpp")[:-1]
+
+    def package(self, library: Library) -> dict[str, str]:
+        """For CMake and pkg-config."""
+        name, programs = library.name, ["selftest.cpp"]
+        source, header = f"{name}.cpp", f"{name}.hpp"
+        return cmake.package(name, library.title, "cxx_std_17", source, [header], programs)
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""
@@ -153,11 +158,13 @@ int main() {
         if (expected.size() < 2*got.size()) return 2;
         for (std::size_t i = 0; i < got.size(); ++i) {
             ++tried;
-            const bool none = std::isnan(got[i]) && std::isnan(expected[2*i]);
-            if (!(std::fabs(got[i] - expected[2*i]) <= expected[2*i + 1]) && !none) {
+            const auto found = static_cast<double>(got[i]);
+            const auto right = static_cast<double>(expected[2*i]);
+            const auto off = static_cast<double>(expected[2*i + 1]);
+            if (!(std::fabs(found - right) <= off) && !(std::isnan(found) && std::isnan(right))) {
                 ++missed;
                 std::printf("%%s, result %%d: %%.17g instead of %%.17g\\n", name.c_str(),
-                            static_cast<int>(i), got[i], expected[2*i]);
+                            static_cast<int>(i), found, right);
             }
         }
     }

@@ -20,19 +20,19 @@ from sympy import Expr, cos, exp, sin, sqrt
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.device_series import NEAR
+from symhaptic.export.double_word import Fading, Wave, fading, fallen, root_low, waving
 from symhaptic.export.elementary import SIXTH, number_and
-from symhaptic.export.pairs import Fading, Wave, fading, fallen, root_low, waving
 from symhaptic.export.precision import Precision
 from symhaptic.export.routine import (
-    ProductError,
     Routine,
     Steps,
+    TwoProdError,
     choose,
-    difference,
     expm1,
-    fast_sum,
+    fast_two_sum,
     product,
     quotient,
+    two_diff,
 )
 from symhaptic.export.whole_turns import turned
 from symhaptic.forms.entire import Decay
@@ -88,9 +88,9 @@ def device_motion() -> Routine:
     do = Steps()
     half = do("half", delta / 2)
     square = do("square", half * half)
-    most, lost = difference(do, square, gamma)
-    rest = do("rest", lost + ProductError(half, half))
-    w, w_low = fast_sum(do, most, rest)
+    most, lost = two_diff(do, square, gamma)
+    rest = do("rest", lost + TwoProdError(half, half))
+    w, w_low = fast_two_sum(do, most, rest)
     root = do("root", sqrt(sp.Abs(w)))
     reach = do("reach", choose(w < 0, gamma / STIFF, (half + root) / NEAR))
     found = w, w_low, root, reach
@@ -103,12 +103,12 @@ def real_poles() -> Routine:
     """Their sum is delta, and their product is gamma; 1 in place of a p of 0."""
     do = Steps()
     half, w, w_low, root = _KEPT
-    p, p_lost = fast_sum(do, half, root)
+    p, p_lost = fast_two_sum(do, half, root)
     p_low = do("p_low", p_lost + root_low(w, w_low, root))
     whole = do.nonzero(p)
     q = do("q", gamma / whole)
     off = do("off", gamma - whole * q)
-    off = do("off", off - ProductError(whole, q))
+    off = do("off", off - TwoProdError(whole, q))
     off = do("off", off - q * p_low)
     found = whole, p_low, q, do("q_low", off / whole)
     return do.routine("RealPoles", "the poles p = half + root and q = gamma/p and what they miss",
@@ -147,33 +147,33 @@ def _all(f: Fading) -> tuple[Expr, ...]:
     return f.fall, f.fall_low, f.mean, f.mean_low
 
 
-def rise_creep() -> Routine:
+def plant_n1_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
     pulled, lost = product(do, s.fall, far.mean, far.mean_low)
     pulled_low = do("pulled_low", lost + s.fall_low * far.mean)
-    top, top_low = difference(do, s.mean, pulled)
+    top, top_low = two_diff(do, s.mean, pulled)
     rest = do("rest", top_low + (s.mean_low - pulled_low))
     creep, missed = quotient(do, top, _P[0], rest, _P[1])
     given = _REACH, *_FADE, _HALF, _W, *_P, *_all(s), far.mean, far.mean_low
-    near = _called("RiseNear", _REACH < SOFT, *_FADE, _HALF, _W)
-    return do.routine("RiseCreep", "n1 of a creeping device", given,
+    near = _called("PlantN1Near", _REACH < SOFT, *_FADE, _HALF, _W)
+    return do.routine("PlantN1Creep", "n1 of a creeping device", given,
                       choose(_REACH < SOFT, near, creep + missed))  # fmt: skip
 
 
-def fall_creep() -> Routine:
+def plant_n0_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
     pulled, lost = product(do, far.fall, s.mean, s.mean_low)
     pulled_low = do("pulled_low", lost + far.fall_low * s.mean)
-    top, top_low = difference(do, far.mean, pulled)
+    top, top_low = two_diff(do, far.mean, pulled)
     rest = do("rest", top_low + (far.mean_low - pulled_low))
     rest, missed = quotient(do, top, _P[0], rest, _P[1])
     creep, lost = product(do, s.fall, rest, missed)
     low = do("low", lost + s.fall_low * rest)
-    near = _called("FallNear", _REACH < SOFT, *_FADE, gamma, delta)
+    near = _called("PlantN0Near", _REACH < SOFT, *_FADE, gamma, delta)
     given = _REACH, *_FADE, gamma, delta, *_P, *_all(s), *_all(far)
-    return do.routine("FallCreep", "n0 of a creeping device", given,
+    return do.routine("PlantN0Creep", "n0 of a creeping device", given,
                       choose(_REACH < SOFT, near, creep + low))  # fmt: skip
 
 
@@ -192,57 +192,59 @@ def _faster(do: Steps, s: Fading, far: Fading) -> tuple[Expr, Expr]:
     return fast, low
 
 
-def together_creep() -> Routine:
+def numerator_at_one_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
     fast, fast_low = _faster(do, s, far)
-    gone, lost = fast_sum(do, sp.S.One, -fast)
+    gone, lost = fast_two_sum(do, sp.S.One, -fast)
     moved, moved_low = product(do, s.mean, gone, lost - fast_low)
     moved_low = do("moved_low", moved_low + s.mean_low * gone)
     creep, rest = quotient(do, moved, _P[0], moved_low, _P[1])
     given = _REACH, _HALF, _W, *_P, *_all(s), far.fall, far.fall_low
-    near = _called("TogetherNear", _REACH < 1, _HALF, _W)
-    return do.routine("TogetherCreep", "n1 + n0 of a creeping device", given,
+    near = _called("NumeratorAtOneNear", _REACH < 1, _HALF, _W)
+    return do.routine("NumeratorAtOneCreep", "n1 + n0 of a creeping device", given,
                       choose(_REACH < 1, near, creep + rest))  # fmt: skip
 
 
-def nyquist_creep() -> Routine:
+def denominator_at_minus_one_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    one, one_low = fast_sum(do, sp.S.One, s.fall)
+    one, one_low = fast_two_sum(do, sp.S.One, s.fall)
     fast, fast_low = _faster(do, s, far)
-    two, two_low = fast_sum(do, sp.S.One, fast)
+    two, two_low = fast_two_sum(do, sp.S.One, fast)
     found, missed = product(do, one, two, two_low + fast_low)
     low = do("low", missed + (one_low + s.fall_low) * two)
     given = s.fall, s.fall_low, far.fall, far.fall_low
-    return do.routine("NyquistCreep", "1 + a + e of a creeping device", given, found + low)
+    return do.routine(
+        "DenominatorAtMinusOneCreep", "1 + a + e of a creeping device", given, found + low
+    )
 
 
-def trace_creep() -> Routine:
+def plant_trace_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    both, rest = fast_sum(do, sp.S.One, far.fall)
+    both, rest = fast_two_sum(do, sp.S.One, far.fall)
     creep, more = product(do, s.fall, both, rest + far.fall_low)
     low = do("low", more + s.fall_low * both)
     given = s.fall, s.fall_low, far.fall, far.fall_low
-    return do.routine("TraceCreep", "a of a creeping device", given, creep + low)
+    return do.routine("PlantTraceCreep", "a of a creeping device", given, creep + low)
 
 
-def apart_creep() -> Routine:
+def numerator_gap_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
     fast = do("fast", s.fall * far.fall)
     twice = do("twice", 2 * s.fall)
     pulled, pulled_low = product(do, twice, far.mean, far.mean_low)
-    top, top_low = difference(do, s.mean, pulled)
+    top, top_low = two_diff(do, s.mean, pulled)
     more, more_low = product(do, fast, s.mean, s.mean_low)
     top = do("top", top + more)
     rest = do("rest", s.mean_low + more_low - pulled_low)
     low = do("low", top_low + rest)
     found = (top + low) / do.nonzero(_P[0] * delta)
     known = s.fall, s.mean, s.mean_low, far.fall, far.mean, far.mean_low
-    near = _called("ApartNear", _REACH < 1, _HALF, _W)
-    return do.routine("ApartCreep", "(n1 - n0)/delta of a creeping device",
+    near = _called("NumeratorGapNear", _REACH < 1, _HALF, _W)
+    return do.routine("NumeratorGapCreep", "(n1 - n0)/delta of a creeping device",
                       (_REACH, _HALF, _W, delta, _P[0], *known),
                       choose(_REACH < 1, near, found))  # fmt: skip
 
@@ -283,32 +285,32 @@ def _chosen(small: Boolean, near: Expr, far: Expr) -> Expr:
     return choose(small, near, choose(_NEAR > 0, _KNOWN, far))
 
 
-def rise_swing() -> Routine:
+def plant_n1_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
     odd, odd_low = product(do, _HALF, v.odd, v.odd_low)
-    both, lost = difference(do, v.even, -odd)
+    both, lost = two_diff(do, v.even, -odd)
     left, left_low = product(do, _ENVELOPE, both, lost + (v.even_low + odd_low))
-    top, lost = fast_sum(do, sp.S.One, -left)
+    top, lost = fast_two_sum(do, sp.S.One, -left)
     swing, more = quotient(do, top, do.nonzero(gamma), lost - left_low)
     found = _chosen(
-        _REACH < SOFT, _called("RiseNear", _REACH < SOFT, *_FADE, _HALF, _W), swing + more
+        _REACH < SOFT, _called("PlantN1Near", _REACH < SOFT, *_FADE, _HALF, _W), swing + more
     )
-    return do.routine("RiseSwing", "n1 of a swinging device", _CLOSED, found)
+    return do.routine("PlantN1Swing", "n1 of a swinging device", _CLOSED, found)
 
 
-def fall_swing() -> Routine:
+def plant_n0_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
     odd, odd_low = product(do, _HALF, v.odd, v.odd_low)
-    top, top_low = difference(do, odd, v.even)
-    top, lost = difference(do, top, -_ENVELOPE)
+    top, top_low = two_diff(do, odd, v.even)
+    top, lost = two_diff(do, top, -_ENVELOPE)
     rest = do("rest", lost + (top_low + odd_low - v.even_low))
     top, top_low = product(do, _ENVELOPE, top, rest)
     swing, missed = quotient(do, top, do.nonzero(gamma), top_low)
-    near = _called("FallNear", _REACH < SOFT, *_FADE, gamma, 2 * _HALF)
+    near = _called("PlantN0Near", _REACH < SOFT, *_FADE, gamma, 2 * _HALF)
     given = tuple(s for s in _CLOSED if s != _W)
-    return do.routine("FallSwing", "n0 of a swinging device", given,
+    return do.routine("PlantN0Swing", "n0 of a swinging device", given,
                       _chosen(_REACH < SOFT, near, swing + missed))  # fmt: skip
 
 
@@ -317,11 +319,11 @@ def half_squares() -> Routine:
     do = Steps()
     given = half, envelope, wave, back = sp.symbols("half envelope wave back")
     grown = do("grown", -expm1(-half) / 2)
-    first, lost = difference(do, wave, back)
+    first, lost = two_diff(do, wave, back)
     square, low = product(do, first, first)
     low = do("low", low + 2 * first * lost)
     turned_, turned_low = product(do, envelope, square, low)
-    total, rest = difference(do, turned_, -grown * grown)
+    total, rest = two_diff(do, turned_, -grown * grown)
     return do.routine("HalfSquares", "(1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it "
                       "misses", given, {"total": total, "low": rest + turned_low})  # fmt: skip
 
@@ -335,48 +337,48 @@ def _squares(do: Steps, wave: type[sp.Function]) -> tuple[Expr, Expr]:
     return total, low
 
 
-def together_swing() -> Routine:
+def numerator_at_one_swing() -> Routine:
     """Of a swinging device."""
     do = Steps()
     total, low = _squares(do, sin)
     found, missed = quotient(do, total, do.nonzero(gamma), low)
-    near = _called("TogetherNear", _REACH < 1, _HALF, _W)
+    near = _called("NumeratorAtOneNear", _REACH < 1, _HALF, _W)
     given = _REACH, _HALF, _W, _W_LOW, _ENVELOPE, _ROOT, gamma, _NEAR, _KNOWN
-    return do.routine("TogetherSwing", "n1 + n0 of a swinging device", given,
+    return do.routine("NumeratorAtOneSwing", "n1 + n0 of a swinging device", given,
                       _chosen(_REACH < 1, near, 4 * (found + missed)))  # fmt: skip
 
 
-def nyquist_swing() -> Routine:
+def denominator_at_minus_one_swing() -> Routine:
     """A sum where a > 0, a sum of squares where it is not."""
     do, v = Steps(), _WAVE
     total, low = _squares(do, cos)
-    ends, lost = fast_sum(do, sp.S.One, do("e", exp(-2 * _HALF)))
+    ends, lost = fast_two_sum(do, sp.S.One, do("e", exp(-2 * _HALF)))
     turn, turn_low = product(do, 2 * _ENVELOPE, v.even, v.even_low)
-    both, rest = fast_sum(do, ends, turn)
+    both, rest = fast_two_sum(do, ends, turn)
     rest = do("rest", rest + lost + turn_low)
-    return do.routine("NyquistSwing", "1 + a + e of a swinging device",
+    return do.routine("DenominatorAtMinusOneSwing", "1 + a + e of a swinging device",
                       (_HALF, _W, _W_LOW, _ENVELOPE, v.even, v.even_low, _ROOT),
                       choose(turn > 0, both + rest, 4 * (total + low)))  # fmt: skip
 
 
-def trace_swing() -> Routine:
+def plant_trace_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
     turn, lost = product(do, _ENVELOPE, v.even, v.even_low)
-    return do.routine("TraceSwing", "a of a swinging device", (_ENVELOPE, v.even, v.even_low),
+    return do.routine("PlantTraceSwing", "a of a swinging device", (_ENVELOPE, v.even, v.even_low),
                       2 * (turn + lost))  # fmt: skip
 
 
-def apart_swing() -> Routine:
+def numerator_gap_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
     mean = do("mean", Decay(delta))
     turn, turn_low = product(do, _ENVELOPE, v.odd, v.odd_low)
-    top, rest = difference(do, mean, turn)
+    top, rest = two_diff(do, mean, turn)
     swing, missed = quotient(do, top, do.nonzero(gamma), rest - turn_low)
     given = _REACH, _HALF, _W, _ENVELOPE, v.odd, v.odd_low, gamma, delta
-    near = _called("ApartNear", _REACH < 1, _HALF, _W)
-    return do.routine("ApartSwing", "(n1 - n0)/delta of a swinging device", given,
+    near = _called("NumeratorGapNear", _REACH < 1, _HALF, _W)
+    return do.routine("NumeratorGapSwing", "(n1 - n0)/delta of a swinging device", given,
                       choose(_REACH < 1, near, swing + missed))  # fmt: skip
 
 
@@ -393,36 +395,40 @@ def slow_fade() -> Routine:
                       {"fade": choose(small, fall, 0), "low": choose(small, low, 0)})  # fmt: skip
 
 
-def rise_near() -> Routine:
+def plant_n1_near() -> Routine:
     """From its power series."""
     do = Steps()
     given = *_FADE, _HALF, _W
-    found = number_and(do, _FADE[0], sp.S.Half, "RiseSeries", _HALF, _W, low=_FADE[1])
-    return do.routine("RiseNear", "n1 of a device with slow poles", given, found)
+    found = number_and(do, _FADE[0], sp.S.Half, "PlantN1Series", _HALF, _W, low=_FADE[1])
+    return do.routine("PlantN1Near", "n1 of a device with slow poles", given, found)
 
 
-def fall_near() -> Routine:
+def plant_n0_near() -> Routine:
     """From its power series."""
     do = Steps()
     fall, low = product(do, _FADE[0], _FADE[0], 2 * _FADE[1])
-    found = number_and(do, fall, sp.S.Half, "FallSeries", gamma, delta, low=low)
-    return do.routine("FallNear", "n0 of a device with slow poles", (*_FADE, gamma, delta), found)
+    found = number_and(do, fall, sp.S.Half, "PlantN0Series", gamma, delta, low=low)
+    return do.routine(
+        "PlantN0Near", "n0 of a device with slow poles", (*_FADE, gamma, delta), found
+    )
 
 
-def together_near() -> Routine:
+def numerator_at_one_near() -> Routine:
     """From its power series."""
     do = Steps()
     given = _HALF, _W
-    found = number_and(do, exp(-_HALF), sp.S.Half, "TogetherSeries", *given)
-    return do.routine("TogetherNear", "n1 + n0 of a device with slow poles", given, 2 * found)
+    found = number_and(do, exp(-_HALF), sp.S.Half, "NumeratorAtOneSeries", *given)
+    return do.routine("NumeratorAtOneNear", "n1 + n0 of a device with slow poles", given, 2 * found)
 
 
-def apart_near() -> Routine:
+def numerator_gap_near() -> Routine:
     """From its power series."""
     do = Steps()
     given = _HALF, _W
-    found = number_and(do, exp(-_HALF), SIXTH, "ApartSeries", *given)
-    return do.routine("ApartNear", "(n1 - n0)/delta of a device with slow poles", given, found)
+    found = number_and(do, exp(-_HALF), SIXTH, "NumeratorGapSeries", *given)
+    return do.routine(
+        "NumeratorGapNear", "(n1 - n0)/delta of a device with slow poles", given, found
+    )
 
 
 def _asked(
@@ -436,23 +442,23 @@ def _turned(do: Steps, m: Motion) -> tuple[Expr, Expr, Expr, Expr]:
     return turned(do, m.half, m.w, m.w_low, m.root, do("stiff", gamma))
 
 
-def rise() -> Routine:
+def plant_n1() -> Routine:
     """n_1."""
     do = Steps()
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
     near, risen, _, _ = _turned(do, m)
     fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
-    swing = sp.Function("RiseSwing")(*_closed(m, v, (near, risen), fade))
+    swing = sp.Function("PlantN1Swing")(*_closed(m, v, (near, risen), fade))
     own = m.reach, *fade, m.half, m.w, m.p, m.p_low, *_all(c.slow)
     own = *own, c.apart.mean, c.apart.mean_low
-    creep = sp.Function("RiseCreep")(*own)
-    found = _asked("RiseNear", m.reach < SOFT, (*fade, m.half, m.w), m, swing, creep)
-    return do.routine("Rise", "n1, how far a unit force moves the device in a period",
+    creep = sp.Function("PlantN1Creep")(*own)
+    found = _asked("PlantN1Near", m.reach < SOFT, (*fade, m.half, m.w), m, swing, creep)
+    return do.routine("PlantN1", "n1, how far a unit force moves the device in a period",
                       (gamma, delta), found)  # fmt: skip
 
 
-def fall() -> Routine:
+def plant_n0() -> Routine:
     """n_0."""
     do = Steps()
     m = motion(do)
@@ -460,73 +466,77 @@ def fall() -> Routine:
     near, _, sunk, _ = _turned(do, m)
     fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
     given = zip(_CLOSED, _closed(m, v, (near, sunk), fade), strict=True)
-    swing = sp.Function("FallSwing")(*(value for s, value in given if s != _W))
+    swing = sp.Function("PlantN0Swing")(*(value for s, value in given if s != _W))
     own = m.reach, *fade, gamma, delta, m.p, m.p_low, *_all(c.slow), *_all(c.apart)
-    creep = sp.Function("FallCreep")(*own)
-    found = _asked("FallNear", m.reach < SOFT, (*fade, gamma, delta), m, swing, creep)
-    return do.routine("Fall", "n0, the same device with its time reversed, times exp(-delta)",
+    creep = sp.Function("PlantN0Creep")(*own)
+    found = _asked("PlantN0Near", m.reach < SOFT, (*fade, gamma, delta), m, swing, creep)
+    return do.routine("PlantN0", "n0, the same device with its time reversed, times exp(-delta)",
                       (gamma, delta), found)  # fmt: skip
 
 
-def together() -> Routine:
+def numerator_at_one() -> Routine:
     """n_1 + n_0: a product for a creeping device, a sum of squares for a swinging one."""
     do = Steps()
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
     near, _, _, both = _turned(do, m)
     given = m.reach, m.half, m.w, m.w_low, v.envelope, m.root, gamma, near, both
-    swing = sp.Function("TogetherSwing")(*given)
+    swing = sp.Function("NumeratorAtOneSwing")(*given)
     own = m.reach, m.half, m.w, m.p, m.p_low, *_all(c.slow), c.apart.fall, c.apart.fall_low
-    creep = sp.Function("TogetherCreep")(*own)
-    found = _asked("TogetherNear", m.reach < 1, (m.half, m.w), m, swing, creep)
-    return do.routine("Together", "n1 + n0",
+    creep = sp.Function("NumeratorAtOneCreep")(*own)
+    found = _asked("NumeratorAtOneNear", m.reach < 1, (m.half, m.w), m, swing, creep)
+    return do.routine("NumeratorAtOne", "n1 + n0",
                       (gamma, delta), found)  # fmt: skip
 
 
-def nyquist() -> Routine:
+def denominator_at_minus_one() -> Routine:
     """1 + a + e: a sum where a > 0, a sum of squares where it is not."""
     do = Steps()
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
     given = m.half, m.w, m.w_low, v.envelope, v.wave.even, v.wave.even_low, m.root
-    swing = sp.Function("NyquistSwing")(*given)
+    swing = sp.Function("DenominatorAtMinusOneSwing")(*given)
     own = c.slow.fall, c.slow.fall_low, c.apart.fall, c.apart.fall_low
-    return do.routine("Nyquist", "1 + a + e", (gamma, delta),
-                      choose(m.w < 0, swing, sp.Function("NyquistCreep")(*own)))  # fmt: skip
+    creep = sp.Function("DenominatorAtMinusOneCreep")(*own)
+    return do.routine("DenominatorAtMinusOne", "1 + a + e", (gamma, delta),
+                      choose(m.w < 0, swing, creep))  # fmt: skip
 
 
-def swing() -> Routine:
+def plant_trace() -> Routine:
     """a, the sum of the poles of the sampled device."""
     do = Steps()
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
-    swing = sp.Function("TraceSwing")(v.envelope, v.wave.even, v.wave.even_low)
+    swing = sp.Function("PlantTraceSwing")(v.envelope, v.wave.even, v.wave.even_low)
     own = c.slow.fall, c.slow.fall_low, c.apart.fall, c.apart.fall_low
-    return do.routine("Swing", "a, the sum of the sampled device's poles", (gamma, delta),
-                      choose(m.w < 0, swing, sp.Function("TraceCreep")(*own)))  # fmt: skip
+    return do.routine("PlantTrace", "a, the sum of the sampled device's poles", (gamma, delta),
+                      choose(m.w < 0, swing, sp.Function("PlantTraceCreep")(*own)))  # fmt: skip
 
 
-def apart() -> Routine:
+def numerator_gap() -> Routine:
     """(n_1 - n_0)/delta; for delta = 0 and a stiff spring only a finite number.
 
-    Forms have delta Apart alone, which is 0 there.
+    Forms have delta NumeratorGap alone, which is 0 there.
     """
     do = Steps()
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
     slow, far = c.slow, c.apart
     own = slow.fall, slow.mean, slow.mean_low, far.fall, far.mean, far.mean_low
-    creep = sp.Function("ApartCreep")(m.reach, m.half, m.w, delta, m.p, *own)
+    creep = sp.Function("NumeratorGapCreep")(m.reach, m.half, m.w, delta, m.p, *own)
     wave = v.envelope, v.wave.odd, v.wave.odd_low, gamma, delta
-    swing = sp.Function("ApartSwing")(m.reach, m.half, m.w, *wave)
-    return do.routine("Apart", "(n1 - n0)/delta", (gamma, delta),
-                      _asked("ApartNear", m.reach < 1, (m.half, m.w), m, swing, creep))  # fmt: skip
+    swing = sp.Function("NumeratorGapSwing")(m.reach, m.half, m.w, *wave)
+    return do.routine("NumeratorGap", "(n1 - n0)/delta", (gamma, delta),
+                      _asked("NumeratorGapNear", m.reach < 1, (m.half, m.w), m,
+                             swing, creep))  # fmt: skip
 
 
 ROUTINES = (
-    device_motion, real_poles, rise_creep, fall_creep, fast_fall, together_creep, nyquist_creep,
-    trace_creep, apart_creep, rise_swing, fall_swing, half_squares, together_swing, nyquist_swing,
-    trace_swing, apart_swing, slow_fade, rise_near, fall_near, together_near, apart_near,
-    rise, fall, together, nyquist, swing, apart,
+    device_motion, real_poles, plant_n1_creep, plant_n0_creep, fast_fall, numerator_at_one_creep,
+    denominator_at_minus_one_creep, plant_trace_creep, numerator_gap_creep, plant_n1_swing,
+    plant_n0_swing, half_squares, numerator_at_one_swing, denominator_at_minus_one_swing,
+    plant_trace_swing, numerator_gap_swing, slow_fade, plant_n1_near, plant_n0_near,
+    numerator_at_one_near, numerator_gap_near, plant_n1, plant_n0, numerator_at_one,
+    denominator_at_minus_one, plant_trace, numerator_gap,
 )  # fmt: skip
 PRECISE: tuple[Callable[[Precision], Routine], ...] = ()

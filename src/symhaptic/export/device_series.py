@@ -14,8 +14,8 @@ from symhaptic.export.routine import (
     Routine,
     Steps,
     choose,
-    difference,
     product,
+    two_diff,
 )
 from symhaptic.notation import delta, gamma
 
@@ -71,7 +71,7 @@ def _powers(
     return states
 
 
-def rise_series(precision: Precision = DOUBLE) -> Routine:
+def plant_n1_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at h, sqrt w and -sqrt w, less 1/2."""
     do = Steps()
     few, all_ = _sizes(precision, _simplex)
@@ -83,11 +83,11 @@ def rise_series(precision: Precision = DOUBLE) -> Routine:
         return even + h * total, even, one
 
     total, *_ = _powers(do, _slow(h, w), ("total", "one", "two"), numbers, few, step)
-    return do.routine("RiseSeries", "divided difference of exp at h, sqrt(w), -sqrt(w), less 1/2",
+    return do.routine("PlantN1Series", "divided difference of exp at h and +-sqrt(w), less 1/2",
                       (h, w), total)  # fmt: skip
 
 
-def fall_series(precision: Precision = DOUBLE) -> Routine:
+def plant_n0_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at 0, p and q, with p + q = delta and p q = gamma, less 1/2."""
     do = Steps()
     few, all_ = (size - _CAREFUL for size in _sizes(precision, _simplex))
@@ -104,30 +104,31 @@ def fall_series(precision: Precision = DOUBLE) -> Routine:
         number = 1 / factorial(k + 2) if k else sp.S.Zero
         given = gamma, delta, one, one_low, two, two_low, number
         two, two_low = one, one_low
-        one, one_low = do.several(("one", "one_low"), "FallTerm", *given)
-    return do.routine("FallSeries", "divided difference of exp at 0, p and q, less 1/2",
+        one, one_low = do.several(("one", "one_low"), "PlantN0Term", *given)
+    return do.routine("PlantN0Series", "divided difference of exp at 0, p and q, less 1/2",
                       (gamma, delta), one + one_low)  # fmt: skip
 
 
-def fall_term() -> Routine:
-    """The step of Horner's scheme for FallSeries, to twice the precision."""
+def plant_n0_term() -> Routine:
+    """The step of Horner's scheme for PlantN0Series, to twice the precision."""
     do = Steps()
     given = sp.symbols("one one_low two two_low number")
     one, one_low, two, two_low, number = given
     grown, grown_low = product(do, delta, one, one_low)
     less, less_low = product(do, gamma, two, two_low)
-    total, lost = difference(do, grown, less)
-    total, more = difference(do, total, -number)
+    total, lost = two_diff(do, grown, less)
+    total, more = two_diff(do, total, -number)
     rest, both = do("rest", grown_low - less_low), do("both", lost + more)
-    return do.routine("FallTerm", "number + delta one - gamma two and what it misses, of pairs",
+    return do.routine("PlantN0Term", "number + delta one - gamma two and what it misses, of pairs",
                       (gamma, delta, *given), {"total": total, "low": both + rest})  # fmt: skip
 
 
-def together_series(precision: Precision = DOUBLE) -> Routine:
+def numerator_at_one_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of cosh(sqrt) at h^2 and w, less 1/2."""
     do = Steps()
     found = _mixed(do, 2, precision)
-    return do.routine("TogetherSeries", "divided difference of cosh(sqrt) at h^2 and w, less 1/2",
+    return do.routine("NumeratorAtOneSeries",
+                      "divided difference of cosh(sqrt) at h^2 and w, less 1/2",
                       (h, w), found)  # fmt: skip
 
 
@@ -145,14 +146,14 @@ def _mixed(do: Steps, first: int, precision: Precision) -> Expr:
     return _powers(do, _slow(h, w), ("total", "inner"), numbers, few, step)[0]
 
 
-def apart_series(precision: Precision = DOUBLE) -> Routine:
+def numerator_gap_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6."""
     do = Steps()
     _, missed = precision.parts(sp.Rational(1, 6))
     found = _mixed(do, 3, precision)
-    return do.routine("ApartSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w, less the "
-                      "float next to 1/6", (h, w), found + missed)  # fmt: skip
+    return do.routine("NumeratorGapSeries", "divided difference of sinh(sqrt)/sqrt at h^2 and w, "
+                      "less the float next to 1/6", (h, w), found + missed)  # fmt: skip
 
 
-PRECISE = (rise_series, fall_series, together_series, apart_series)
-ROUTINES = (fall_term,)
+PRECISE = (plant_n1_series, plant_n0_series, numerator_at_one_series, numerator_gap_series)
+ROUTINES = (plant_n0_term,)

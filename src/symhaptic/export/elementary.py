@@ -8,13 +8,13 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
-    ProductError,
     Routine,
     Steps,
+    TwoProdError,
     choose,
-    difference,
     expm1,
     product,
+    two_diff,
 )
 from symhaptic.forms.entire import CosNext, Decay, Gap, Sinc, SinNext
 
@@ -27,7 +27,7 @@ SIXTH = DOUBLE.parts(sp.Rational(1, 6), 1)[0]
 """The float next to 1/6, in any precision; its series has what it misses."""
 
 
-def product_error(precision: Precision = DOUBLE) -> Routine:
+def two_prod_error(precision: Precision = DOUBLE) -> Routine:
     """Dekker's product, for targets without a fused one."""
     do = Steps()
     product = do("product", y * z)
@@ -42,7 +42,7 @@ def product_error(precision: Precision = DOUBLE) -> Routine:
     left = do("left", left - product)
     left = do("left", left + high * least)
     left = do("left", left + low * most)
-    return do.routine("ProductError", "y z minus the float nearest to it", (y, z),
+    return do.routine("TwoProdError", "y z minus the float nearest to it", (y, z),
                       left + low * least)  # fmt: skip
 
 
@@ -58,33 +58,33 @@ def number_and(
 ) -> Expr:
     """(fall + low) (number + series), the sum in brackets not rounded."""
     rest = do("rest", sp.Function(series)(*arguments))
-    total, lost = difference(do, rest, -number)
+    total, lost = two_diff(do, rest, -number)
     found, missed = product(do, do("envelope", fall), total, lost)
     return found + (do("low", missed + low * total) if low != 0 else missed)
 
 
 def creep() -> Routine:
-    """The series of Rise without a spring, w = h^2."""
+    """The series of PlantN1 without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(do, exp(-half), sp.S.Half, "RiseSeries", half, half * half)
+    near = number_and(do, exp(-half), sp.S.Half, "PlantN1Series", half, half * half)
     far = (1 - Decay(x)) / do.nonzero(x)
     return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), choose(x < 2, near, far))
 
 
 def fade() -> Routine:
-    """The series of Fall without a spring, q = 0."""
+    """The series of PlantN0 without a spring, q = 0."""
     do = Steps()
-    near = number_and(do, exp(-x), sp.S.Half, "FallSeries", sp.S.Zero, choose(x >= 2, 0, x))
+    near = number_and(do, exp(-x), sp.S.Half, "PlantN0Series", sp.S.Zero, choose(x >= 2, 0, x))
     far = (Decay(x) - exp(-x)) / do.nonzero(x)
     return do.routine("Fade", "(1 - (1 + x) exp(-x))/x^2", (x,), choose(x < 2, near, far))
 
 
 def lag() -> Routine:
-    """The series of Apart without a spring, w = h^2."""
+    """The series of NumeratorGap without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(do, exp(-half), SIXTH, "ApartSeries", half, half * half)
+    near = number_and(do, exp(-half), SIXTH, "NumeratorGapSeries", half, half * half)
     whole = do("whole", Max(x, 2))
     two = do("two", x - 2)
     far = (two + (x + 2) * exp(-x)) / whole / (whole * whole)
@@ -146,7 +146,7 @@ def _root(do: Steps) -> tuple[Expr, Expr, Expr]:
     root = do("root", sqrt(size))
     some = do.nonzero(root)
     left = do("left", size - root * root)
-    left = do("left", left - ProductError(root, root))
+    left = do("left", left - TwoProdError(root, root))
     return root, do("low", left / some / 2), some
 
 
@@ -218,7 +218,7 @@ def _next_parts(do: Steps) -> tuple[Expr, Expr, Expr]:
     before = do("before", count - 1)
     angle = do("angle", count * x)
     missed = do("missed", k - before)
-    return angle, ProductError(count, x), missed
+    return angle, TwoProdError(count, x), missed
 
 
 def _turned(do: Steps, precision: Precision) -> tuple[Expr, Expr, Expr]:
@@ -230,12 +230,12 @@ def _turned(do: Steps, precision: Precision) -> tuple[Expr, Expr, Expr]:
     large, middle, small = precision.parts(sp.pi / 2, 3)
     count = do("quarters", floor(angle * 2 / sp.pi + sp.S.Half))
     left = do("left", angle - count * large)  # exact
-    left, one = difference(do, left, ProductError(count, large))
-    left, two = difference(do, left, count * middle)
-    left, three = difference(do, left, -off)
-    left, four = difference(do, left, -missed * x)
-    low = do("low", one + two + three + four - (ProductError(count, middle) + count * small))
-    low = do("low", low + ProductError(missed, x))
+    left, one = two_diff(do, left, TwoProdError(count, large))
+    left, two = two_diff(do, left, count * middle)
+    left, three = two_diff(do, left, -off)
+    left, four = two_diff(do, left, -missed * x)
+    low = do("low", one + two + three + four - (TwoProdError(count, middle) + count * small))
+    low = do("low", low + TwoProdError(missed, x))
     sine, cosine = do("wave", sin(left)), do("still", cos(left))
     turn = do("turn", count - 4 * floor(count / 4))
     return turn, do("sine", sine + low * cosine), do("cosine", cosine - low * sine)

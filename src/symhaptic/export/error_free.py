@@ -12,7 +12,7 @@ from collections.abc import Callable
 import sympy as sp
 
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import ProductError, Routine, Steps
+from symhaptic.export.routine import Routine, Steps, TwoProdError
 
 x, x_low, y, y_low = sp.symbols("x x_low y y_low")
 
@@ -42,7 +42,7 @@ def two_prod() -> Routine:
     do = Steps()
     total = do("total", x * y)
     return do.routine("TwoProd", "x y and what it misses", (x, y),
-                      {"total": total, "lost": ProductError(x, y)})  # fmt: skip
+                      {"total": total, "lost": TwoProdError(x, y)})  # fmt: skip
 
 
 def wide_prod() -> Routine:
@@ -50,7 +50,7 @@ def wide_prod() -> Routine:
     do = Steps()
     total = do("total", x * y)
     return do.routine("WideProd", "x (y + y_low) and what it misses", (x, y, y_low),
-                      {"total": total, "lost": ProductError(x, y) + x * y_low})  # fmt: skip
+                      {"total": total, "lost": TwoProdError(x, y) + x * y_low})  # fmt: skip
 
 
 def wide_quot() -> Routine:
@@ -58,7 +58,7 @@ def wide_quot() -> Routine:
     do = Steps()
     total = do("total", x / y)
     left = do("left", x - total * y)
-    left = do("left", left - ProductError(total, y))
+    left = do("left", left - TwoProdError(total, y))
     rest = do("rest", x_low - total * y_low)
     left = do("left", left + rest)
     return do.routine("WideQuot", "(x + x_low)/(y + y_low) and what it misses",

@@ -6,10 +6,11 @@ from types import MappingProxyType
 
 from sympy.printing.fortran import FCodePrinter
 
+from symhaptic import __version__
 from symhaptic.export import standard
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
 from symhaptic.export.branches import guarded
-from symhaptic.export.library import Library
+from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Repeat, Routine, Several
@@ -38,7 +39,7 @@ _WORDS = Words(
 
 
 class Fortran(Target):
-    """One module; a function has one result, a subroutine several."""
+    """One module; a function has one result, a subroutine several; both take arrays, too."""
 
     name, title, printer, ignores_case = "fortran", "Fortran 2008", _Printer, True
     choice = "merge({1}, {2}, {0})"
@@ -61,7 +62,7 @@ class Fortran(Target):
         "",
         Infinity="ieee_value(1.0_wp, ieee_positive_inf)",
         NaN="ieee_value(1.0_wp, ieee_quiet_nan)",
-        ProductError="product_error({0}, {1})",
+        TwoProdError="two_prod_error({0}, {1})",
         floor="(aint({0}) - merge(1.0_wp, 0.0_wp, aint({0}) > {0}))",
     )
     single = operations
@@ -76,7 +77,7 @@ class Fortran(Target):
         return f"{super().number(value)}_wp"
 
     def source(self, library: Library) -> dict[str, str]:
-        """NAME.f90."""
+        """src/NAME.f90."""
         names = ", ".join(r.name for r in library.public)
         double = self.precision is DOUBLE
         c_name, c_kind = ("expm1", "c_double") if double else ("expm1f", "c_float")
@@ -100,29 +101,35 @@ class Fortran(Target):
             "",
         ]
         for helper in library.helpers:
-            lines += [*_folded(f"  ! {helper.about}"), *self._written(helper), ""]
+            lines += [*_folded(f"  ! {helper.about}"), *self._written(helper, "pure"), ""]
         for form, routine in zip(library.forms, library.public, strict=True):
             about = describe(form, self.precision)
             lines += [part for line in about for part in _folded(f"  ! {line}")]
-            lines += [*self._written(routine), ""]
-        return {f"{library.name}.f90": "\n".join([*lines, f"end module {library.name}", ""])}
+            lines += [*self._written(routine, "elemental"), ""]
+        text = "\n".join([*lines, f"end module {library.name}", ""])
+        return {f"src/{library.name}.f90": text}
+
+    def package(self, library: Library) -> dict[str, str]:
+        """For the Fortran package manager."""
+        words = {"name": library.name, "title": library.title, "release": __version__}
+        return {"fpm.toml": _PACKAGE % words}
 
     def _results(self, routine: Routine) -> list[str]:
         if len(routine.results) == 1:
             return ["y_out"]
         return [f"{name}_out" for name, _ in routine.results]
 
-    def _written(self, routine: Routine) -> list[str]:
+    def _written(self, routine: Routine, word: str) -> list[str]:
         args = [self.rename(s.name) for s in routine.arguments]
         results, name = self._results(routine), self.call(routine.name)
         block = guarded(routine)
         locals_ = sorted({self.rename(n) for n in _assigned(block)})
         if len(results) == 1:
-            head = f"  pure function {name}({', '.join(args)}) result({results[0]})"
+            head = f"  {word} function {name}({', '.join(args)}) result({results[0]})"
             kind = "logical" if routine.truth else "real(wp)"
             kinds, tail = [f"    {kind} :: {results[0]}"], "function"
         else:
-            head = f"  pure subroutine {name}({', '.join(args + results)})"
+            head = f"  {word} subroutine {name}({', '.join(args + results)})"
             kinds, tail = [f"    real(wp), intent(out) :: {', '.join(results)}"], "subroutine"
         declared = [f"    real(wp), intent(in) :: {', '.join(args)}"] if args else []
         declared += kinds + ([f"    real(wp) :: {', '.join(locals_)}"] if locals_ else [])
@@ -147,8 +154,13 @@ class Fortran(Target):
         return [f"call {function}({', '.join([args, *names])})"]
 
     def notes(self, library: Library) -> list[str]:
-        """What it must not be compiled with."""
+        """As a package, of arrays, and what it must not be compiled with."""
+        name = library.name
         return [
+            "Arguments are numbers or arrays of one shape: all functions and subroutines are",
+            f'elemental. With fpm, `{name} = {{ path = "..." }}` under `[dependencies]` is enough,',
+            "and `fpm test` runs the self-test.",
+            "",
             "Never compile it with -ffast-math, -Ofast, -Mfprelaxed or -fp-model=fast (ifx's own;",
             "-fp-model=precise is right): these take it that there is no NaN, and rewrite sums.",
         ]
@@ -158,7 +170,7 @@ class Fortran(Target):
         return f"use {library.name}, only: {library.public[0].name}"
 
     def selftest(self, library: Library) -> dict[str, str]:
-        """selftest.f90."""
+        """test/selftest.f90."""
         cases = []
         for r in library.public:
             count, many = len(r.arguments), len(r.results)
@@ -179,7 +191,7 @@ class Fortran(Target):
             cases += [part for line in [*lines, f"      {call}"] for part in _folded(line)]
         text = _SELFTEST.replace("NAME", library.name).replace("CASES", "\n".join(cases))
         text = text.replace("KIND", self.real)
-        return {"selftest.f90": text}
+        return {"test/selftest.f90": text}
 
     def commands(self, name: str) -> list[list[str]]:
         """Compile with warnings as errors, then run."""
@@ -195,7 +207,7 @@ class Fortran(Target):
         # exact comparisons with zero are meant
         flags += ["-Wno-compare-reals"]
         return [
-            ["gfortran", *flags, "-o", "selftest", f"{name}.f90", "selftest.f90"],
+            ["gfortran", *flags, "-o", "selftest", f"src/{name}.f90", "test/selftest.f90"],
             ["./selftest"],
         ]
 
@@ -219,6 +231,30 @@ def _folded(line: str) -> list[str]:
     """A line in pieces that a compiler takes, each continued by an ampersand."""
     return wrapped([line], " &")
 
+
+_PACKAGE = """\
+name = "%(name)s"
+version = "%(release)s"
+description = "%(title)s"
+
+[build]
+auto-executables = false
+auto-examples = false
+auto-tests = false
+
+[fortran]
+implicit-typing = false
+implicit-external = false
+source-form = "free"
+
+[library]
+source-dir = "src"
+
+[[test]]
+name = "selftest"
+source-dir = "test"
+main = "selftest.f90"
+"""
 
 _SELFTEST = """program selftest
   use, intrinsic :: iso_fortran_env, only: wp => KIND, int64

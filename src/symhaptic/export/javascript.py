@@ -6,9 +6,10 @@ from types import MappingProxyType
 
 from sympy.printing.jscode import JavascriptCodePrinter
 
+from symhaptic import __version__
 from symhaptic.export import standard
 from symhaptic.export.branches import guarded
-from symhaptic.export.library import Library
+from symhaptic.export.module import Library
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
@@ -21,7 +22,7 @@ class _Printer(Printing, JavascriptCodePrinter):  # type: ignore[misc]
 
 
 class Javascript(Target):
-    """One module; several results are an array."""
+    """One module, and the same as a script; several results are an array."""
 
     name, title, printer = "javascript", "JavaScript", _Printer
     changing = "let"
@@ -34,12 +35,13 @@ class Javascript(Target):
         "interface let new null package private protected public return static super switch this "
         "throw true try typeof var void while with yield NaN Infinity undefined Math"
     )
+    shares = True
     modules = standard.JAVASCRIPT
     operations = called(
         "Math.",
         Infinity="Infinity",
         NaN="NaN",
-        ProductError="product_error({0}, {1})",
+        TwoProdError="two_prod_error({0}, {1})",
     )
 
     def source(self, library: Library) -> dict[str, str]:
@@ -52,21 +54,43 @@ class Javascript(Target):
             lines += self._written(routine, _EXPORT)
         name, lines = library.name, wrapped(lines)
         plain = [line.replace(_EXPORT, "function", line.startswith(_EXPORT)) for line in lines]
-        names = wrapped([f"return {{ {', '.join(self.call(r.name) for r in library.public)} }};"])
+        names = wrapped(
+            [f"const found = {{ {', '.join(self.call(r.name) for r in library.public)} }};"]
+        )
         script = [
-            f'// For <script src="{name}.script.js">: all functions are in {name}.',
-            f"globalThis.{name} = (() => {{",
+            f'// For <script src="{name}.script.js">, after which {name} has all functions,',
+            "// and for require(), which gives them.",
+            "(() => {",
             '"use strict";',
             "",
             *plain,
             *names,
+            'if (typeof module === "object") module.exports = found;',
+            f"else globalThis.{name} = found;",
             "})();",
             "",
         ]
         return {
             f"{name}.mjs": "\n".join(lines),
             f"{name}.script.js": "\n".join(script),
-            "package.json": _PACKAGE.replace("NAME", name),
+        }
+
+    def package(self, library: Library) -> dict[str, str]:
+        """For npm, with types for TypeScript of the module and of what require() gives."""
+        lines = []
+        for form, routine in zip(library.forms, library.public, strict=True):
+            args = ", ".join(f"{self.rename(s.name)}: number" for s in routine.arguments)
+            kind = "boolean" if routine.truth else "number"
+            if len(routine.results) > 1:
+                kind = f"[{', '.join(f'{name}: number' for name, _ in routine.results)}]"
+            lines += ["/**", *(f" * {line}" for line in describe(form, self.precision)), " */"]
+            lines += [f"{_EXPORT} {self.call(routine.name)}({args}): {kind};", ""]
+        name, types = library.name, "\n".join(wrapped(lines))
+        words = {"name": name, "title": library.title, "release": __version__}
+        return {
+            "package.json": _PACKAGE % words,
+            f"{name}.d.mts": types,
+            f"{name}.script.d.ts": types,
         }
 
     def _written(self, routine: Routine, word: str) -> list[str]:
@@ -93,10 +117,12 @@ class Javascript(Target):
         """How a page loads it."""
         name = library.name
         return [
-            f"Node loads {name}.mjs as it is, and the folder by its package.json. Browsers load a",
-            f"module from a server alone; {name}.script.js is the same as a script, also for pages",
-            f"that are files: its functions are {name}.{library.public[0].name} and so on.",
-            "What is no number (text, null, an argument forgotten) is outside of every domain.",
+            "The folder is a package: after `npm install ./FOLDER`, `import` and `require` know",
+            f"{name}, and TypeScript its types; `npm test` there runs the self-test. Node loads",
+            f"{name}.mjs as it is, too. Browsers load a module from a server alone;",
+            f"{name}.script.js is the same as a script, for pages that are files: its functions",
+            f"are {name}.{library.public[0].name} and so on.",
+            "What is no number (text, null, an argument forgotten) is outside every domain.",
         ]
 
     def usage(self, library: Library) -> str:
@@ -115,17 +141,24 @@ class Javascript(Target):
 _EXPORT = "export function"
 
 _PACKAGE = """{
-  "name": "NAME",
-  "version": "0.0.0",
+  "name": "%(name)s",
+  "version": "%(release)s",
+  "description": "%(title)s",
   "private": true,
-  "type": "module",
-  "exports": "./NAME.mjs"
+  "sideEffects": false,
+  "main": "./%(name)s.script.js",
+  "types": "./%(name)s.script.d.ts",
+  "exports": {
+    "import": { "types": "./%(name)s.d.mts", "default": "./%(name)s.mjs" },
+    "require": { "types": "./%(name)s.script.d.ts", "default": "./%(name)s.script.js" }
+  },
+  "scripts": { "test": "node selftest.mjs" }
 }
 """
 
 _SELFTEST = """import { readFileSync } from "node:fs";
 import * as library from "./NAME.mjs";
-import "./NAME.script.js";
+import same from "./NAME.script.js";
 
 // -0x1.8000000000000p+1, always with 13 digits
 const special = { nan: NaN, inf: Infinity, "-inf": -Infinity };
@@ -144,7 +177,7 @@ for (const line of readFileSync("vectors.txt", "utf8").trim().split("\\n")) {
     const numbers = words.map(parse);
     const call = library[name];
     const got = [call(...numbers.slice(0, call.length))].flat();
-    const script = [globalThis.NAME[name](...numbers.slice(0, call.length))].flat();
+    const script = [same[name](...numbers.slice(0, call.length))].flat();
     got.forEach((value, i) => {
         const [expected, allowed] = numbers.slice(call.length + 2 * i);
         tried += 1;

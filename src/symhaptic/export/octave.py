@@ -9,12 +9,13 @@ from sympy.printing.octave import OctaveCodePrinter
 
 from symhaptic.export import standard
 from symhaptic.export.branches import guarded
-from symhaptic.export.library import Library
+from symhaptic.export.module import Library
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import wrapped
+from symhaptic.forms.stable import Form
 
 
 class _Printer(Printing, OctaveCodePrinter):  # type: ignore[misc]
@@ -50,7 +51,7 @@ class Octave(Target):
         "",
         Infinity="Inf",
         NaN="NaN",
-        ProductError="product_error({0}, {1})",
+        TwoProdError="two_prod_error({0}, {1})",
     )
 
     def source(self, library: Library) -> dict[str, str]:
@@ -58,7 +59,7 @@ class Octave(Target):
         files = {}
         written = {helper.name: self._helper(helper) for helper in library.helpers}
         for form, routine in zip(library.forms, library.public, strict=True):
-            about = [f"  % {line}" for line in describe(form, self.precision)]
+            about = [f"  % {line}".rstrip() for line in self._help(library, routine, form)]
             lines = [self._head(routine, "varargout" if routine.arguments else ""), *about]
             if routine.arguments:
                 lines += [*_of_arrays(routine), "end", "", *_ELEMENTWISE.split("\n")]
@@ -69,6 +70,23 @@ class Octave(Target):
             text = [*wrapped(lines, " ..."), _PICK]
             files[f"+{library.name}/{routine.name}.m"] = "\n".join(text)
         return files
+
+    def _help(self, library: Library, routine: Routine, form: Form) -> list[str]:
+        """As `help` shows it: the name and what it is, a call, the arguments and the domain."""
+        first, *others = describe(form, self.precision)
+        count = len(form.arguments)
+        arrays = ["Arguments are numbers, or arrays of one size beside numbers.", ""]
+        return [
+            f"{routine.name.upper()}  {first}", "", f"  {self._call(library, routine)}", "",
+            *(f"  {line}" for line in others[:count]), *[""] * bool(count), *arrays * bool(count),
+            *others[count:],
+        ]  # fmt: skip
+
+    def _call(self, library: Library, routine: Routine) -> str:
+        args = ", ".join(symbol.name for symbol in routine.arguments)
+        names = ", ".join(name for name, _ in routine.results)
+        outs = f"[{names}]" if len(routine.results) > 1 else names
+        return f"{outs} = {library.name}.{routine.name}({args})"
 
     def _helper(self, routine: Routine) -> list[str]:
         return [f"% {routine.about}", self._head(routine), *self._body(routine), "end", ""]
@@ -97,10 +115,7 @@ class Octave(Target):
 
     def usage(self, library: Library) -> str:
         """A call of the first function."""
-        first = library.public[0]
-        args = ", ".join(s.name for s in first.arguments)
-        names = ", ".join(name for name, _ in first.results)
-        return f"[{names}] = {library.name}.{first.name}({args});"
+        return f"{self._call(library, library.public[0])};"
 
     def selftest(self, library: Library) -> dict[str, str]:
         """selftest.m."""

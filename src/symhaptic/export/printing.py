@@ -42,7 +42,7 @@ class Printing(CodePrinter):  # type: ignore[misc]
             raise Refused(f"{self.target.name}: has no operation {name!r}")
         return template.format(*(self._print(a) for a in args), real=self.target.real)
 
-    _print_Abs = _print_ProductError = _print_atan2 = _print_cos = _print_exp = _operation  # noqa: N815
+    _print_Abs = _print_TwoProdError = _print_atan2 = _print_cos = _print_exp = _operation  # noqa: N815
     _print_expm1 = _print_floor = _print_sin = _print_tan = _operation
 
     def _print_NaN(self, expr: Expr) -> str:

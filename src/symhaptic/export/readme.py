@@ -13,15 +13,15 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
-from symhaptic.export.library import Library
+from symhaptic.export.module import Library
 from symhaptic.export.precision import Precision
 from symhaptic.export.target import Target, beyond, sizes
 from symhaptic.export.vectors import allowed
-from symhaptic.forms.counted import LateRoots, WholeRoots
 from symhaptic.forms.device_forms import ANY
 from symhaptic.forms.entire import written_out
+from symhaptic.forms.implicit import FractionalPart, ImplicitFunction, Rated, SomePart, WholePart
 from symhaptic.forms.response import closed
-from symhaptic.forms.searched import LatePart, Rated, Searched, SomePart, WholePart
+from symhaptic.forms.root_count import FractionalRoots, WholeRoots
 from symhaptic.forms.stable import Form
 from symhaptic.forms.values import ALL
 from symhaptic.model import loop
@@ -96,7 +96,7 @@ def _meanings(library: Library) -> dict[str, str]:
     """What the formulas are made of, and what that is made of."""
     atoms = {f for form in library.forms for e in form.expressions for f in e.atoms(sp.Function)}
     found = {type(f).__name__: f.meaning for f in atoms if hasattr(f, "meaning")}
-    for name in ("Kick", "Echo", "Fall", "Rise", "Spread", "Chord", "C", "S"):
+    for name in ("Kick", "Echo", "PlantN0", "PlantN1", "Spread", "Chord", "C", "S"):
         if any(re.search(rf"\b{name}\b", text) for text in found.values()):
             found[name] = ALL[name].meaning
     return found
@@ -143,7 +143,7 @@ def _formulas(form: Form) -> list[str]:
     if not all(isinstance(expr, sp.Piecewise) for expr in form.expressions):
         return _written(form.results)
     whole = [(name, expr.args[0].expr) for name, expr in form.results]
-    parted = {WholePart(d): l, SomePart(d): epsilon, LatePart(d): epsilon}
+    parted = {WholePart(d): l, SomePart(d): epsilon, FractionalPart(d): epsilon}
     late = [(name, expr.args[1].expr.xreplace(parted)) for name, expr in form.results]
     return ["For whole delays:", "", *_written(whole), "",
             "Behind a fraction of a period, d = l + epsilon:", "", *_written(late)]  # fmt: skip
@@ -163,13 +163,13 @@ def _as_in_the_book(results: Sequence[tuple[str, sp.Expr]]) -> list[str]:
 
     What is searched for has no formula of its own: the plain text names it.
     """
-    if any(expr.has(WholeRoots, LateRoots) for _, expr in results):
+    if any(expr.has(WholeRoots, FractionalRoots) for _, expr in results):
         return _polynomial({s for _, expr in results for s in expr.free_symbols})
     found = []
     for name, expr in results:
         whole = written_out(closed(expr.replace(Rated, lambda _, value: value)))
         text = f"$${sp.latex(sp.Symbol(name))} = {sp.latex(whole)}$$"
-        found += [text] * (len(text) < _WIDE and not whole.has(Searched))
+        found += [text] * (len(text) < _WIDE and not whole.has(ImplicitFunction))
     return found
 
 

@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from symhaptic.export.library import Library, library
+from symhaptic.export.module import Library, library
 from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.readme import readme
 from symhaptic.export.target import Refused, Target
@@ -35,10 +35,12 @@ _LETTERS = 31
 """Of a name: so many count in every language."""
 
 
-def target(name: str, precision: str = "double") -> Target:
-    """The target of this name, in a precision."""
+def target(name: str, precision: str | None = None) -> Target:
+    """The target of this name, in a precision; in its own if none is named."""
     if name not in TARGETS:
         raise Refused(f"--target {name}: is not a target; {suggested(name, TARGETS)}")
+    if precision is None:
+        return TARGETS[name]
     if precision not in PRECISIONS:
         raise Refused(f"--precision {precision}: is not known; {suggested(precision, PRECISIONS)}")
     return TARGETS[name].at(PRECISIONS[precision])
@@ -150,7 +152,7 @@ def built(
             f"--name {name}: is no name; a lower-case letter, then up to {_LETTERS - 1} of these, "
             "digits and _ are allowed"
         )
-    taken = {"selftest", "main", "python", "numpy", *(form.name for form in forms)}
+    taken = {"selftest", "example", "main", "python", "numpy", *(form.name for form in forms)}
     if language.reserves(name) or name in taken | language.modules:
         raise Refused(f"--name {name}: is reserved in {language.title}; another word is allowed")
     made = library(name, TITLE, forms, language)
@@ -158,7 +160,7 @@ def built(
     if not vectors:
         return made, files
     text = test_vectors(made.forms, language.precision)
-    files |= language.selftest(made)
+    files |= language.package(made) | language.selftest(made)
     files |= {"vectors.txt": text, "README.md": readme(made, language, text.count("\n"))}
     files[LISTING] = "\n".join(sorted([*files, LISTING])) + "\n"
     return made, files

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Symbol, tan
 
-from symhaptic.export.routine import ProductError, Routine, Steps, difference, fast_sum, product
+from symhaptic.export.routine import Routine, Steps, TwoProdError, fast_two_sum, product, two_diff
 from symhaptic.notation import psi
 
 _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
@@ -19,9 +19,9 @@ _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
 def less(do: Steps, one: Expr, factor: Expr, square: Expr, low: Expr) -> tuple[Symbol, Symbol]:
     """one - factor (square + low), and what its float misses."""
     taken = do("taken", factor * square)
-    total, lost = difference(do, one, taken)
-    missed = do("missed", ProductError(factor, square) + factor * low)
-    return fast_sum(do, total, do("lost", lost - missed))
+    total, lost = two_diff(do, one, taken)
+    missed = do("missed", TwoProdError(factor, square) + factor * low)
+    return fast_two_sum(do, total, do("lost", lost - missed))
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class _Force:
 def _force(do: Steps) -> _Force:
     at_one, at_minus_one, loss, together, apart, across = _DEVICE
     t = do("t", tan(psi))
-    square, low = do("square", t * t), do("low", ProductError(t, t))
+    square, low = do("square", t * t), do("low", TwoProdError(t, t))
     above, above_low = less(do, at_one, at_minus_one, square, low)
     below, below_low = less(do, together, apart, square, low)
     above_j, below_j = do("above_j", 2 * t * loss), do("below_j", t * across)
@@ -70,26 +70,26 @@ def ahead() -> Routine:
                       (psi, *_DEVICE), do("found", found + low) / f.size)  # fmt: skip
 
 
-def late_apart() -> Routine:
+def fractional_numerator_gap() -> Routine:
     """A sum of four, one of them a product of four, rounded once."""
     do = Steps()
     given = sp.symbols("epsilon x x_low y y_low first last turned")
     epsilon, x, x_low, y, y_low, first, last, turned = given
-    late, lost = fast_sum(do, sp.S.One, -epsilon)
+    late, lost = fast_two_sum(do, sp.S.One, -epsilon)
     share, share_low = product(do, epsilon, late, lost)
     both, both_low = product(do, x, y, y_low)
     both_low = do("both_low", both_low + x_low * y)
     found, low = product(do, share, both, both_low)
     low = do("low", low + both * share_low)
-    left, one = difference(do, first, 2 * found)
-    left, two = difference(do, left, last)
-    left, three = difference(do, left, -turned)
+    left, one = two_diff(do, first, 2 * found)
+    left, two = two_diff(do, left, last)
+    left, three = two_diff(do, left, -turned)
     rest = do("rest", one + two)
     rest = do("rest", rest + three)
     rest = do("rest", rest - 2 * low)
     about = "m2 - m1 + m0, M at z = -1 behind a fraction of a period"
-    return do.routine("LateApart", about, given, left + rest)
+    return do.routine("FractionalNumeratorGap", about, given, left + rest)
 
 
-ROUTINES = (in_phase, ahead, late_apart)
+ROUTINES = (in_phase, ahead, fractional_numerator_gap)
 PRECISE = ()

@@ -17,7 +17,7 @@ from sympy.codegen.cfunctions import expm1
 from sympy.logic.boolalg import Boolean
 
 
-class ProductError(Function):  # type: ignore[misc]
+class TwoProdError(Function):  # type: ignore[misc]
     """a b minus the float nearest to it; 0 in exact arithmetic, and if one is 0 or 1."""
 
     nargs = 2
@@ -243,12 +243,12 @@ def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
     return Piecewise((sp.sympify(yes), condition), (sp.sympify(no), True))
 
 
-def fast_sum(do: Steps, large: Expr, small: Expr) -> tuple[Symbol, Symbol]:
+def fast_two_sum(do: Steps, large: Expr, small: Expr) -> tuple[Symbol, Symbol]:
     """Sum and its rounding error, where the first is not the smaller one."""
     return _pair(do, "FastTwoSum", large, small)
 
 
-def difference(do: Steps, left: Expr, right: Expr) -> tuple[Symbol, Symbol]:
+def two_diff(do: Steps, left: Expr, right: Expr) -> tuple[Symbol, Symbol]:
     """Difference and its rounding error, whichever is larger."""
     return _pair(do, "TwoDiff", left, right)
 
@@ -273,17 +273,17 @@ def _pair(do: Steps, routine: str, *arguments: Expr) -> tuple[Symbol, Symbol]:
 
 
 __all__ = [
-    "ProductError",
     "Repeat",
     "Routine",
     "Several",
     "Steps",
+    "TwoProdError",
     "choose",
     "computed",
-    "difference",
     "expm1",
-    "fast_sum",
+    "fast_two_sum",
     "fresh",
     "product",
     "quotient",
+    "two_diff",
 ]

@@ -6,15 +6,18 @@ from types import MappingProxyType
 
 from sympy.printing.rust import RustCodePrinter
 
+from symhaptic import __version__
 from symhaptic.export import standard
 from symhaptic.export.branches import guarded
-from symhaptic.export.library import Library
+from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
 from symhaptic.export.target import Target, describe, vocabulary
+from symhaptic.export.vectors import ORDINARY
 from symhaptic.export.wrapping import wrapped
+from symhaptic.forms.stable import Form
 
 
 class _Printer(Printing, RustCodePrinter):  # type: ignore[misc]
@@ -43,7 +46,7 @@ class Rust(Target):
             "NaN": "{real}::NAN",
             "Max": "({0}).max({1})",
             "Min": "({0}).min({1})",
-            "ProductError": "({0}).mul_add({1}, -({0}*{1}))",
+            "TwoProdError": "({0}).mul_add({1}, -({0}*{1}))",
             "atan2": "({0}).atan2({1})",
             "cos": "({0}).cos()",
             "exp": "({0}).exp()",
@@ -66,17 +69,34 @@ class Rust(Target):
         return f"{super().number(value)}_{self.real}"
 
     def source(self, library: Library) -> dict[str, str]:
-        """NAME.rs, a module."""
+        """src/NAME.rs, a module that stands alone."""
         lines = [*_ALLOWED.split("\n"), *_without_std(self.real)]
         for helper in library.helpers:
             lines += [f"// {helper.about}", *self._written(helper, "fn")]
         for form, routine in zip(library.forms, library.public, strict=True):
             lines += [
-                *(f"/// {line}" for line in describe(form, self.precision)),
+                *(f"/// {line}".rstrip() for line in self._documented(form)),
                 *self._written(routine, "pub fn"),
             ]
-        package = _PACKAGE.replace("NAME", library.name)
-        return {f"{library.name}.rs": "\n".join(wrapped(lines)), "Cargo.toml": package}
+        return {f"src/{library.name}.rs": "\n".join(wrapped(lines))}
+
+    def _documented(self, form: Form) -> list[str]:
+        """In Markdown."""
+        first, *others = describe(form, self.precision)
+        arguments = others[: len(form.arguments)]
+        listed = [f"* `{line.replace(': ', '`: ', 1).replace('[', '(').replace(']', ')')}"
+                  for line in arguments]  # fmt: skip
+        return [first[0].upper() + first[1:],
+                *[""] * bool(listed), *listed,
+                *(part for line in others[len(arguments):] for part in ("", line))]  # fmt: skip
+
+    def package(self, library: Library) -> dict[str, str]:
+        """A crate with its documentation and its test, which can do without std."""
+        first = library.public[0]
+        args = ", ".join(str(ORDINARY[symbol]) for symbol in first.arguments)
+        words = {"name": library.name, "title": library.title, "release": __version__,
+                 "call": f"{library.name}::{self.call(first.name)}({args})"}  # fmt: skip
+        return {"Cargo.toml": _PACKAGE % words, "src/lib.rs": _CRATE % words}
 
     def _written(self, routine: Routine, word: str) -> list[str]:
         args = ", ".join(f"{self.rename(s.name)}: {self.real}" for s in routine.arguments)
@@ -93,17 +113,20 @@ class Rust(Target):
         return [f"let ({', '.join(names)}) = {function}({args});"]
 
     def notes(self, library: Library) -> list[str]:
-        """Without std, and as a crate."""
+        """As a crate, without std, and as a module."""
+        name = library.name
         return [
-            "Cargo.toml makes a crate of it (`cargo build`, `cargo clippy -- -D warnings`). A",
-            "crate without std takes the module, too, if it has a feature `libm` that switches",
-            'on the optional dependency `libm = { version = "0.2", optional = true }`, whose',
-            "functions may differ in their last digits from those measured below.",
+            "It is a crate: `cargo test` runs its self-test and the example of its documentation,",
+            "`cargo doc --open` shows that, and `cargo add --path` takes it into yours. Without",
+            f'std its user says `{name} = {{ path = "...", default-features = false, features = '
+            '["libm"] }`;',
+            "the functions of libm may differ in their last digits from those measured below.",
+            f"src/{name}.rs alone is a module for a crate of yours.",
         ]
 
     def usage(self, library: Library) -> str:
         """A use of the first function."""
-        return f"mod {library.name};\nuse {library.name}::{library.public[0].name};"
+        return f"use {library.name}::{library.public[0].name};"
 
     def selftest(self, library: Library) -> dict[str, str]:
         """selftest.rs."""
@@ -180,22 +203,52 @@ def _without_std(real: str) -> list[str]:
     ]
 
 
-_PACKAGE = """# The module NAME.rs stands alone; this builds it as a library, with its self-test.
+_PACKAGE = """\
 [package]
-name = "NAME"
-version = "0.0.0"
+name = "%(name)s"
+version = "%(release)s"
 edition = "2021"
+rust-version = "1.60"
+description = "%(title)s"
+categories = ["no-std", "science::robotics"]
 publish = false
 
-[lib]
-path = "NAME.rs"
+[features]
+default = ["std"]
+std = []
+libm = ["dep:libm"] # instead of std
 
-[[bin]]
+[dependencies]
+libm = { version = "0.2", optional = true }
+
+[[test]]
 name = "selftest"
 path = "selftest.rs"
+harness = false
 """
 
-_SELFTEST = """mod NAME;
+_CRATE = """\
+//! %(title)s.
+//!
+//! All quantities are dimensionless, in units of the moving mass `m` and the sampling period `T`:
+//! `alpha = K T^2/m`, `beta = B T/m`, `gamma = k T^2/m`, `delta = b T/m`, `d = t_d/T`,
+//! `theta = omega T`.
+//!
+//! ```
+//! let found = %(call)s;
+//! println!("{found:?}");
+//! ```
+#![cfg_attr(not(feature = "std"), no_std)]
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("one of the features std and libm is needed");
+
+mod %(name)s;
+pub use %(name)s::*;
+"""
+
+_SELFTEST = """#[path = "src/NAME.rs"]
+mod NAME;
 
 // -0x1.8000000000000p+1, always with 13 digits
 fn parse(word: &str) -> REAL {

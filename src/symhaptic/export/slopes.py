@@ -19,20 +19,20 @@ from sympy import And, Expr, Max, Symbol, binomial, cos, exp, factorial, sin
 
 from symhaptic.export.device import Motion, motion
 from symhaptic.export.device_series import h, w
+from symhaptic.export.double_word import fading, waving
 from symhaptic.export.elementary import x
-from symhaptic.export.pairs import fading, waving
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, fast_sum, product
+from symhaptic.export.routine import Routine, Steps, choose, fast_two_sum, product
 from symhaptic.forms.entire import Creep, Decay, Fade, Lag
-from symhaptic.forms.entire_device import Fall, Rise
-from symhaptic.forms.slopes import Echo, FallDrop, Kick, RiseDrop
+from symhaptic.forms.entire_device import PlantN0, PlantN1
+from symhaptic.forms.slopes import Echo, Kick, PlantN0Drop, PlantN1Drop
 from symhaptic.notation import delta, gamma
 
 STIFF = sp.Integer(9)
 """Up to this gamma of complex poles the series of repeated nodes are used."""
 
 RISE, FALL, APART = sp.Integer(4), sp.Rational(5, 2), sp.Integer(5)
-"""Up to this size of the larger real pole, for RiseDrop, FallDrop and ApartDrop."""
+"""Up to this size of the larger real pole, for PlantN1Drop, PlantN0Drop and NumeratorGapDrop."""
 
 BENT = sp.Integer(4)
 """Up to this |w| Bend is a series."""
@@ -87,8 +87,8 @@ def _kick(do: Steps) -> tuple[Expr, Expr]:
     creep_low = do("creep_low", lost + slow.fall_low * apart.mean)
     wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root)
     swing, swing_low = product(do, do("envelope", exp(-m.half)), wave.odd, wave.odd_low)
-    swing, swing_low = fast_sum(do, swing, swing_low)
-    creep, creep_low = fast_sum(do, creep, creep_low)
+    swing, swing_low = fast_two_sum(do, swing, swing_low)
+    creep, creep_low = fast_two_sum(do, creep, creep_low)
     return choose(m.w < 0, swing, creep), choose(m.w < 0, swing_low, creep_low)
 
 
@@ -136,7 +136,7 @@ def ebb() -> Routine:
     slow = do("slow", q * (far - 2) - 2 * far)
     fast = do("fast", 2 * far * (far + 1) + q * (far + 2) + far * far * far * Decay(q))
     creep = v.fall * (slow + v.ratio * fast) / (p * (far * far * far))
-    near = Echo(gamma, delta) - Fall(gamma, delta)
+    near = Echo(gamma, delta) - PlantN0(gamma, delta)
     apart = And(sp.Not(v.swings), v.gap > 2)
     return _two(do, "Ebb", "d n0/d delta", choose(apart, creep, near))
 
@@ -148,7 +148,7 @@ def _small(do: Steps, v: _Shared, near: Expr) -> tuple[Expr, Expr, Expr]:
     return small, choose(sp.Not(small), 0, v.m.half), choose(sp.Not(small), 0, v.m.w)
 
 
-def rise_drop() -> Routine:
+def plant_n1_drop() -> Routine:
     """exp[0, -p, -p, -q, -q]."""
     do = Steps()
     v = _shared(do)
@@ -157,12 +157,12 @@ def rise_drop() -> Routine:
     top = do("top", (Fade(v.m.q) - v.fall * Creep(v.gap)) / v.m.p)
     creep = (top - v.fall * Lag(v.gap)) / v.m.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
-    swing = (Rise(gamma, delta) - (own + delta * other) / 2) / Max(gamma, STIFF)
-    return _two(do, "RiseDrop", "-d n1/d gamma",
+    swing = (PlantN1(gamma, delta) - (own + delta * other) / 2) / Max(gamma, STIFF)
+    return _two(do, "PlantN1Drop", "-d n1/d gamma",
                 choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
 
 
-def fall_drop() -> Routine:
+def plant_n0_drop() -> Routine:
     """exp[-p - q, -p, -p, -q, -q]."""
     do = Steps()
     v = _shared(do)
@@ -171,21 +171,21 @@ def fall_drop() -> Routine:
     top = do("top", (Fade(v.gap) - v.ratio * Creep(v.m.q)) / v.m.p)
     creep = v.fall * (Lag(v.gap) - top) / v.m.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
-    swing = (Fall(gamma, delta) - (own - delta * other) / 2) / Max(gamma, STIFF)
-    return _two(do, "FallDrop", "-d n0/d gamma",
+    swing = (PlantN0(gamma, delta) - (own - delta * other) / 2) / Max(gamma, STIFF)
+    return _two(do, "PlantN0Drop", "-d n0/d gamma",
                 choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
 
 
-def apart_drop() -> Routine:
+def numerator_gap_drop() -> Routine:
     """exp[0, -p - q, -p, -p, -q, -q]."""
     do = Steps()
     v = _shared(do)
     small, half, mean = _small(do, v, APART)
     near = v.envelope * sp.Function("LeanSeries")(half, mean)
-    creep = (RiseDrop(gamma, delta) - FallDrop(gamma, delta)) / do.nonzero(delta)
+    creep = (PlantN1Drop(gamma, delta) - PlantN0Drop(gamma, delta)) / do.nonzero(delta)
     stiff = do("stiff", Max(gamma, STIFF))
     swing = ((Decay(delta) - v.envelope * v.sine) / stiff - Echo(gamma, delta)) / stiff
-    return _two(do, "ApartDrop", "-d ((n1 - n0)/delta)/d gamma",
+    return _two(do, "NumeratorGapDrop", "-d ((n1 - n0)/delta)/d gamma",
                 choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
 
 
@@ -291,6 +291,6 @@ def powers(
 
 
 ROUTINES = (
-    kick, kick_low, coast, echo, ebb, rise_drop, fall_drop, apart_drop, bend, wane,
+    kick, kick_low, coast, echo, ebb, plant_n1_drop, plant_n0_drop, numerator_gap_drop, bend, wane,
 )  # fmt: skip
 PRECISE = (drop_series, lean_series, bend_series, wane_series)

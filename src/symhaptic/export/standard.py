@@ -21,10 +21,17 @@ _C_FUNCTIONS = vocabulary(
     "strlen strtod strtok strtol system tanh tgamma time tmpfile trunc ungetc vprintf y0 y1 yn"
 )
 
-C = _C_FUNCTIONS | vocabulary(
-    "assert atan2 complex cos ctype errno exp expm1 fenv float floor inttypes iso646 limits "
-    "locale math setjmp sin sqrt stdalign stdarg stdatomic stdbit stdbool stdckdint stddef "
-    "stdint stdio stdlib stdnoreturn string tan tgmath threads uchar unistd wchar wctype"
+_CMAKE = vocabulary("all clean edit_cache help install package rebuild_cache test")
+"""Targets that CMake makes itself."""
+
+C = (
+    _C_FUNCTIONS
+    | _CMAKE
+    | vocabulary(
+        "assert atan2 complex cos ctype errno exp expm1 fenv float floor inttypes iso646 limits "
+        "locale math setjmp sin sqrt stdalign stdarg stdatomic stdbit stdbool stdckdint stddef "
+        "stdint stdio stdlib stdnoreturn string tan tgmath threads uchar unistd wchar wctype"
+    )
 )
 CPP = C | vocabulary(
     "algorithm any array atomic barrier bit bitset cassert cctype cerrno cfenv cfloat charconv "

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
@@ -13,32 +14,105 @@ def braces(
     target: Target, block: Block, ends: list[str], declare: str, depth: int = 1
 ) -> list[str]:
     """Statements in a language with braces; ``ends`` are the lines that return the results."""
-    printer, pad, lines = target.printing(), "    " * depth, []
+    printer, pad = target.printing(), "    " * depth
+    lines: list[str] = []
     for statement in block:
         if isinstance(statement, Assign):
             name = target.rename(statement.name.name)
-            lines.append(f"{pad}{declare} {name} = {printer.doprint(statement.expr)};")
+            given = f"{name} = {printer.doprint(statement.expr)};"
+            _declared(target, lines, f"{pad}{declare} ", given)
         elif isinstance(statement, Repeat):
             lines += [pad + line for line in _repeated(target, statement, declare)]
         elif isinstance(statement, Several):
             lines += [pad + line for line in _unpacked(target, statement)]
         elif isinstance(statement, Choice):
-            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
-            lines += braces(target, statement.yes, ends, declare, depth + 1)
-            lines += [f"{pad}}}", *braces(target, statement.no, ends, declare, depth)]
+            head = f"{pad}if ({printer.doprint(statement.condition)}) {{"
+            inner = braces(target, statement.yes, ends, declare, depth + 1)
+            short = f"{head} {inner[0].lstrip()} }}"
+            if target.shares and len(inner) == 1 and len(short) <= _SHORT:
+                lines.append(short)
+            else:
+                lines += [head, *inner, f"{pad}}}"]
+            lines += braces(target, statement.no, ends, declare, depth)
+        elif isinstance(statement, Join) and (value := _chosen(target, statement)):
+            (n,) = statement.names
+            _declared(target, lines, f"{pad}{declare} ", f"{target.rename(n.name)} = {value};")
         elif isinstance(statement, Join):
-            lines += [f"{pad}{target.late} {target.rename(n.name)};" for n in statement.names]
-            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
-            lines += braces(target, statement.yes, ends, declare, depth + 1)
+            for n in statement.names:
+                _declared(target, lines, f"{pad}{target.late} ", f"{target.rename(n.name)};")
+            word = "if"
+            while True:
+                lines.append(f"{pad}{word} ({printer.doprint(statement.condition)}) {{")
+                lines += braces(target, statement.yes, ends, declare, depth + 1)
+                first, *others = statement.no
+                if others or not isinstance(first, Join) or first.names:
+                    break
+                statement, word = first, "} else if"
             lines.append(f"{pad}}} else {{")
             lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
         elif isinstance(statement, Set):
             name = target.rename(statement.name.name)
-            lines.append(f"{pad}{name} = {printer.doprint(statement.expr)};")
+            _beside(target, lines, pad, f"{name} = {printer.doprint(statement.expr)};")
         else:
             shown = [printer.doprint(r) for r in statement.results]
-            lines += [pad + end.format(*shown) for end in ends]
+            for end in ends:
+                _beside(target, lines, pad, end.format(*shown))
     return lines
+
+
+def _chosen(target: Target, join: Join) -> str:
+    """The one value that a join sets, where nothing has to be done for it; else nothing."""
+    if len(join.names) > 1 or not all(map(_plain, (join.yes, join.no))):
+        return ""
+    return _value(target, (join,))
+
+
+def _plain(block: Block) -> bool:
+    """Whether a block does nothing but set one name, by other conditions perhaps."""
+    if len(block) != 1:
+        return False
+    (only,) = block
+    if isinstance(only, Join):
+        return not only.names and _plain(only.yes) and _plain(only.no)
+    return isinstance(only, Set)
+
+
+def _value(target: Target, block: Block) -> str:
+    (only,) = block
+    printer = target.printing()
+    if isinstance(only, Join):
+        sides = _value(target, only.yes), _value(target, only.no)
+        return target.choice.format(printer.doprint(only.condition), *sides)
+    assert isinstance(only, Set)
+    return printer.doprint(only.expr)
+
+
+_SHORT = 88
+"""Characters up to which declarations share a line."""
+
+
+def _declared(target: Target, lines: list[str], head: str, name: str) -> None:
+    """One more declaration, on the line of those before if that stays short."""
+    before = lines[-1] if lines else ""
+    joined = f"{before[:-1]}, {name}"
+    if target.shares and before.startswith(head) and len(joined) <= _SHORT:
+        lines[-1] = joined
+    else:
+        lines.append(head + name)
+
+
+def _beside(target: Target, lines: list[str], pad: str, statement: str) -> None:
+    """One more short statement, beside those that set values before it if that stays short."""
+    before = lines[-1] if lines else ""
+    joined = f"{before} {statement}"
+    if target.shares and len(joined) <= _SHORT and _SETS.fullmatch(before):
+        lines[-1] = joined
+    else:
+        lines.append(pad + statement)
+
+
+_SETS = re.compile(r"\s*\*?\w+ = [^{}]*;")
+"""A line of these."""
 
 
 def _unpacked(target: Target, several: Several) -> list[str]:
@@ -52,20 +126,23 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
     printer = target.printing()
     states = [target.rename(s.name) for s in loop.states]
     count = f"count_{states[0]}"
-    lines = [
-        f"{target.changing or target.real} {name} = {printer.doprint(first)};"
-        for name, first in zip(states, loop.start, strict=True)
-    ]
+    lines: list[str] = []
+    for name, first in zip(states, loop.start, strict=True):
+        given = f"{name} = {printer.doprint(first)};"
+        _declared(target, lines, f"{target.changing or target.real} ", given)
     if loop.number is None:
         lines.append(target.times.format(count, loop.most))
         inner = [f"if ({printer.doprint(loop.done)}) {{ break; }}"]
     else:
         numbers = ", ".join(map(printer.doprint, loop.numbers))
-        given = target.rename(loop.number.name), numbers, loop.most, target.real
-        lines += [line.format(*given) for line in target.each]
+        number = target.rename(loop.number.name), numbers, loop.most, target.real
+        lines += [line.format(*number) for line in target.each]
         inner = []
-    inner += [f"{declare} {target.rename(n.name)} = {printer.doprint(e)};" for n, e in loop.steps]
-    inner += [f"{target.rename(s.name)} = {target.rename(n.name)};" for s, n in loop.turned]
+    for n, e in loop.steps:
+        given = f"{target.rename(n.name)} = {printer.doprint(e)};"
+        _declared(target, inner, f"{declare} ", given)
+    for s, n in loop.turned:
+        _beside(target, inner, "", f"{target.rename(s.name)} = {target.rename(n.name)};")
     return [*lines, *(f"    {line}" for line in inner), "}"]
 
 

@@ -21,17 +21,17 @@ from symhaptic.export.routine import Routine
 from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
-    from symhaptic.export.library import Library
+    from symhaptic.export.module import Library
     from symhaptic.export.printing import Printing
     from symhaptic.forms.stable import Form
 
 OPERATIONS = (
-    "Abs", "Infinity", "Max", "Min", "NaN", "ProductError", "atan2", "cos", "exp", "expm1", "floor",
+    "Abs", "Infinity", "Max", "Min", "NaN", "TwoProdError", "atan2", "cos", "exp", "expm1", "floor",
     "sin", "sqrt", "tan",
 )  # fmt: skip
 """Beside sums, products, quotients, comparisons and choices, what formulas are written with."""
 
-_PAIRS = ("Max", "Min", "ProductError", "atan2")
+_PAIRS = ("Max", "Min", "TwoProdError", "atan2")
 """Those of two arguments; the others have one."""
 
 _LONGEST = 60
@@ -62,17 +62,17 @@ class Refused(ValueError):
 def code_name(name: str) -> str:
     """The name of a routine in source code.
 
-    >>> code_name("FallSeries"), code_name("C")
-    ('fall_series', 'cosh_root')
+    >>> code_name("PlantN0Series"), code_name("C")
+    ('plant_n0_series', 'cosh_root')
     """
-    return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower())
+    return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower())
 
 
 def routine_name(name: str) -> str:
     """The name of a routine, from that in source code.
 
-    >>> routine_name("fall_series"), routine_name("cosh_root")
-    ('FallSeries', 'C')
+    >>> routine_name("plant_n0_series"), routine_name("cosh_root")
+    ('PlantN0Series', 'C')
     """
     special = {code: own for own, code in _CODE_NAMES.items()}
     return special.get(name) or "".join(part.capitalize() for part in name.split("_"))
@@ -119,6 +119,8 @@ class Target:
         """What declares a variable that gets its value later."""
         return "let"
 
+    shares = False
+    """Whether one statement declares several names, in a language with braces."""
     changing = ""
     """What declares a variable that changes, in a language with braces, if not its type."""
     times = "for (int {0} = 0; {0} < {1}; ++{0}) {{"
@@ -139,8 +141,9 @@ class Target:
     def call(self, name: str) -> str:
         """The name of a routine in source code, which is no keyword and not too long for it."""
         plain = code_name(name)
-        if len(plain) > _LONGEST:
-            plain = "_".join(word[:3] for word in plain.split("_"))
+        for letters in (3, 2, 1):
+            if len(plain) > _LONGEST:
+                plain = "_".join(word[:letters] for word in code_name(name).split("_"))
         return f"{plain}_" if self.reserves(plain) else plain
 
     def rename(self, name: str) -> str:
@@ -166,6 +169,10 @@ class Target:
     def source(self, library: Library) -> dict[str, str]:
         """The files that somebody else's program uses, by name."""
         raise NotImplementedError
+
+    def package(self, library: Library) -> dict[str, str]:
+        """What those who use the language find a library with, and examples."""
+        return {}
 
     def selftest(self, library: Library) -> dict[str, str]:
         """A program that reads vectors.txt and exits with 1 where a value is missed."""

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 from functools import cache
 
-from symhaptic.export import array_api, c, cpp, fortran, javascript, octave, rust
-from symhaptic.export.library import known
+from symhaptic.export import (
+    array_api,
+    c,
+    cpp,
+    fortran,
+    javascript,
+    microcontroller,
+    octave,
+    rust,
+)
+from symhaptic.export.module import known
 from symhaptic.export.target import Target, code_name
 
 TARGETS: dict[str, Target] = {
     module.TARGET.name: module.TARGET
-    for module in (array_api, c, cpp, fortran, rust, javascript, octave)
+    for module in (array_api, c, cpp, fortran, rust, javascript, octave, microcontroller)
 }
 
 

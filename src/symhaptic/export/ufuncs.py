@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symhaptic.export.library import Library
+from symhaptic.export.module import Library
 from symhaptic.export.routine import Routine
 from symhaptic.export.target import describe
 

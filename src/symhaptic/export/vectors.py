@@ -14,13 +14,20 @@ import sympy as sp
 from mpmath import mpf
 from sympy import Expr, Symbol
 
+from symhaptic.export.error_scale import size as slope_size
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.sizes import size as slope_size
-from symhaptic.forms.counted import NEAR, LateRoots, Stable, WholeRoots, late_outside, outside
 from symhaptic.forms.entire import C, Entire, S
-from symhaptic.forms.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.forms.response import Careful, closed
-from symhaptic.forms.searched import Rated, Searched
+from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
+from symhaptic.forms.implicit import ImplicitFunction, Rated
+from symhaptic.forms.response import Compensated, closed
+from symhaptic.forms.root_count import (
+    NEAR,
+    FractionalRoots,
+    Stable,
+    WholeRoots,
+    fractional_outside,
+    outside,
+)
 from symhaptic.forms.slope_values import BY_MATRIX
 from symhaptic.forms.stable import Form
 from symhaptic.forms.values import numeric, settled
@@ -134,7 +141,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         return exact, abs(exact)
     if expr is sp.pi:
         return +mpmath.pi, +mpmath.pi
-    if isinstance(expr, Careful):
+    if isinstance(expr, Compensated):
         return sized(closed(expr), at)
     if isinstance(expr, Entire):
         cls: Any = type(expr)
@@ -145,13 +152,13 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         (yes, condition), (no, _) = expr.args
         return sized(yes if sized(condition.lhs - condition.rhs, at)[0] == 0 else no, at)
     parts = [sized(arg, at) for arg in expr.args]
-    if isinstance(expr, Searched):
+    if isinstance(expr, ImplicitFunction):
         kind: Any = type(expr)
         exact = _searched(kind, tuple(v for v, _ in parts))
         return exact, parts[1][1] if kind is Rated else max(abs(exact), _leans(expr, exact, at))
-    if isinstance(expr, WholeRoots | LateRoots):
+    if isinstance(expr, WholeRoots | FractionalRoots):
         near = {"near": at[NEAR][0]} if NEAR in at else {}
-        exact = outside if isinstance(expr, WholeRoots) else late_outside
+        exact = outside if isinstance(expr, WholeRoots) else fractional_outside
         count = exact(*(v for v, _ in parts), **near)
         return count, count
     if isinstance(expr, Stable):  # no root on the circle, where the count is known
@@ -173,7 +180,7 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     return exact, abs(exact) + _spoiled(expr, exact, at)
 
 
-def _leans(expr: Searched, exact: mpf, at: Sizes) -> mpf:
+def _leans(expr: ImplicitFunction, exact: mpf, at: Sizes) -> mpf:
     """What the largest term of a sum that passes through zero counts in what hangs on it."""
     at[expr] = exact, abs(exact)
     if (found := expr.leaning()) is None or any(sized(c, at)[0] <= 0 for c in found.counts):
@@ -221,17 +228,17 @@ def _swing(expr: Expr, args: list[mpf]) -> mpf:
     if isinstance(expr, (C, S)):
         w = args[0]
         return mpf(0) if w >= -1 else 1 if isinstance(expr, C) else 1 / mpmath.sqrt(-w)
-    if not isinstance(expr, (Rise, Fall, Swing, Apart)):
+    if not isinstance(expr, (PlantN1, PlantN0, PlantTrace, NumeratorGap)):
         return mpf(float(slope_size(type(expr), [float(arg) for arg in args])))
     g, dl = args
     if g < 4 or dl**2 >= 4 * g:
         return mpf(0)
     decayed = mpmath.exp(-dl / 2)
-    if isinstance(expr, Swing):
+    if isinstance(expr, PlantTrace):
         return 2 * decayed
-    if isinstance(expr, Apart):
+    if isinstance(expr, NumeratorGap):
         return 1 / g / max(dl, mpf(1))
-    if isinstance(expr, Rise):
+    if isinstance(expr, PlantN1):
         return 1 / g
     root = mpmath.sqrt(g - dl**2 / 4)
     return decayed * max(1, abs(dl / 2 * mpmath.sin(root) / root)) / g
@@ -247,7 +254,8 @@ def vectors(form: Form, precision: Precision = DOUBLE) -> tuple[tuple[float, ...
     return (*_rows(form, precision), *_outside(form, precision))
 
 
-_ORDINARY = {gamma: 1.0, delta: 2.0, alpha: 0.25, beta: 0.125, d: 1.0, epsilon: 0.5, theta: 0.5}
+ORDINARY = {gamma: 1.0, delta: 2.0, alpha: 0.25, beta: 0.125, d: 1.0, epsilon: 0.5, theta: 0.5}
+"""Arguments inside every domain."""
 
 
 def _outside(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
@@ -259,7 +267,7 @@ def _outside(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
         most = precision.longest if symbol == d else precision.largest
         for value in (*bad, 4 * most, -4 * most):
             if math.isnan(value) or not precision.at(within).xreplace({symbol: sp.Float(value)}):
-                point = [_ORDINARY[s] for s in form.arguments]
+                point = [ORDINARY[s] for s in form.arguments]
                 point[i] = value
                 yield (*point, *results)
 

@@ -19,16 +19,16 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import And, Expr, floor, pi
 
-from symhaptic.export.pairs import BRIEF, SLOW, Fading, briefly, root_low
+from symhaptic.export.double_word import BRIEF, SLOW, Fading, briefly, root_low
 from symhaptic.export.precision import Precision
 from symhaptic.export.routine import (
     Routine,
     Steps,
     choose,
-    difference,
-    fast_sum,
+    fast_two_sum,
     product,
     quotient,
+    two_diff,
 )
 
 half, square, square_low, root, stiff = GIVEN = sp.symbols("half square square_low root stiff")
@@ -69,8 +69,8 @@ def whole_turns(precision: Precision) -> Routine:
     eta, eta_low = do("eta", choose(near, eta, 0)), do("eta_low", choose(near, eta_low, 0))
     y, y_low = product(do, eta, eta, 2 * eta_low)
     bent = do("bent", y * y * sp.Function("CosSeries")(-y))
-    lift, lost = fast_sum(do, y / 2, -bent)
-    flat, flat_low = fast_sum(do, sp.S.One, -y * sp.Function("SinSeries")(-y))
+    lift, lost = fast_two_sum(do, y / 2, -bent)
+    flat, flat_low = fast_two_sum(do, sp.S.One, -y * sp.Function("SinSeries")(-y))
     lift_low = do("lift_low", lost + y_low * flat / 2)
     sine, sine_low = product(do, eta, flat, flat_low)
     some = do("some", choose(near, root, 1))
@@ -91,15 +91,15 @@ def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> tuple
     turns = do("turns", count * count)
     most, most_low = product(do, turns, large)
     more, more_low = product(do, turns, middle)
-    left, one = difference(do, -square, most)
-    left, two = difference(do, left, most_low)
-    left, three = difference(do, left, more)
-    left, four = difference(do, left, square_low)
+    left, one = two_diff(do, -square, most)
+    left, two = two_diff(do, left, most_low)
+    left, three = two_diff(do, left, more)
+    left, four = two_diff(do, left, square_low)
     low = do("low", one + two + three + four - (more_low + turns * small))
-    left, low = difference(do, left, -low)
+    left, low = two_diff(do, left, -low)
     once, once_low = precision.parts(2 * pi)
     way, way_low = product(do, count, once)
-    both, lost = difference(do, root, -way)
+    both, lost = two_diff(do, root, -way)
     both_low = do("both_low", lost + (way_low + count * once_low) + missed)
     return quotient(do, left, do.nonzero(both), low, both_low)
 
@@ -107,31 +107,31 @@ def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> tuple
 def _risen(do: Steps, t: Turned, given: Expr) -> tuple[Expr, Expr]:
     """n1, times gamma."""
     back, lost = product(do, t.fade.fall, t.wave, t.wave_low)
-    rest, low = difference(do, t.fade.mean, back)
+    rest, low = two_diff(do, t.fade.mean, back)
     low = do("low", low + (t.fade.mean_low - (lost + t.fade.fall_low * t.wave)))
     moved, moved_low = product(do, given, rest, low)
     lifted, lost = product(do, t.fade.fall, t.lift, t.lift_low)
-    total, low = difference(do, moved, -lifted)
+    total, low = two_diff(do, moved, -lifted)
     return total, low + (moved_low + (lost + t.fade.fall_low * t.lift))
 
 
 def _fallen(do: Steps, t: Turned, given: Expr) -> tuple[Expr, Expr]:
     """n0, times gamma."""
-    rest, low = difference(do, t.fade.mean, t.wave)
+    rest, low = two_diff(do, t.fade.mean, t.wave)
     moved, moved_low = product(do, given, rest, low + (t.fade.mean_low - t.wave_low))
-    total, low = difference(do, t.lift, moved)
-    total, low = difference(do, total, -do("low", low + (t.lift_low - moved_low)))
+    total, low = two_diff(do, t.lift, moved)
+    total, low = two_diff(do, total, -do("low", low + (t.lift_low - moved_low)))
     kept, lost = product(do, t.fade.fall, total, low)
     return kept, lost + t.fade.fall_low * total
 
 
 def _both(do: Steps, t: Turned) -> tuple[Expr, Expr]:
     """n1 + n0, times gamma: (1 - E)^2 and 2 E c."""
-    gone, lost = fast_sum(do, sp.S.One, -t.fade.fall)
-    gone, gone_low = fast_sum(do, gone, do("low", lost - t.fade.fall_low))
+    gone, lost = fast_two_sum(do, sp.S.One, -t.fade.fall)
+    gone, gone_low = fast_two_sum(do, gone, do("low", lost - t.fade.fall_low))
     square, square_low = product(do, gone, gone, 2 * gone_low)
     lifted, lost = product(do, t.fade.fall, t.lift, t.lift_low)
-    total, low = difference(do, square, -2 * lifted)
+    total, low = two_diff(do, square, -2 * lifted)
     return total, low + (square_low + 2 * (lost + t.fade.fall_low * t.lift))
 
 

@@ -16,24 +16,24 @@ from functools import cached_property
 import sympy as sp
 from sympy import Expr, Symbol, sin
 
-from symhaptic.forms import worst
+from symhaptic.forms import required_damping
 from symhaptic.forms.angle_slopes import Ripple
-from symhaptic.forms.counted import LateRoots, Stable, WholeRoots
 from symhaptic.forms.entire import Chord, CosNext, Entire, Gap, Sinc, SinNext, at_numbers
-from symhaptic.forms.products import WHOLE
-from symhaptic.forms.searched import (
-    LargestNeed,
-    LatePart,
-    NeediestAngle,
+from symhaptic.forms.implicit import (
+    CriticalAngle,
+    FractionalPart,
+    ImplicitFunction,
+    LargestRequiredDamping,
     Pushed,
     Rated,
-    Searched,
     SomePart,
     WholePart,
 )
+from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle
+from symhaptic.forms.products import WHOLE
+from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots
 from symhaptic.forms.slopes import STABLE
 from symhaptic.forms.stable import Form, NoForm
-from symhaptic.forms.stiffest_angle import StiffestAngle
 from symhaptic.notation import alpha, beta, d, epsilon, l, psi
 
 
@@ -61,7 +61,7 @@ class _By:
             return power * base ** (power - 1) * self(base)
         if isinstance(expr, sp.Piecewise):
             return self._either(expr)
-        if isinstance(expr, Searched):
+        if isinstance(expr, ImplicitFunction):
             return self._searched(expr)
         if isinstance(expr, sp.Abs):
             return expr.args[0] / expr * self(expr.args[0])
@@ -86,24 +86,27 @@ class _By:
         """Derivatives by the fraction of a period."""
         return _By(epsilon)
 
-    def _searched(self, expr: Searched) -> Expr:
+    def _searched(self, expr: ImplicitFunction) -> Expr:
         if isinstance(expr, WholePart):
             return sp.S.Zero
-        if isinstance(expr, LatePart | SomePart):
+        if isinstance(expr, FractionalPart | SomePart):
             return self(expr.args[0])
         if isinstance(expr, Pushed | Rated):
             return Rated(expr.args[0], self(expr.args[1]))
-        if isinstance(expr, LargestNeed):
+        if isinstance(expr, LargestRequiredDamping):
             return Rated(expr.args[0], self._needed(expr))
         raise NoForm(f"{type(expr).__name__} is searched for")
 
-    def _needed(self, expr: LargestNeed) -> Expr:
+    def _needed(self, expr: LargestRequiredDamping) -> Expr:
         """That of the need at the worst angle."""
         stiffness, damping, delay = expr.args
-        whole, part = WholePart(delay), LatePart(delay)
-        angle = NeediestAngle(stiffness, damping, whole, part)
+        whole, part = WholePart(delay), FractionalPart(delay)
+        angle = CriticalAngle(stiffness, damping, whole, part)
         at = {alpha: stiffness, beta: damping, l: whole, epsilon: part, psi: angle}
-        need, arguments = worst.need(), {alpha: stiffness, beta: damping, epsilon: delay}
+        need, arguments = (
+            required_damping.required(),
+            {alpha: stiffness, beta: damping, epsilon: delay},
+        )
         return sp.Add(
             *(_By(s)(need).xreplace(at) * self(arg) for s, arg in arguments.items() if self(arg))
         )
@@ -148,9 +151,9 @@ def _times(power: Expr, whole: Expr) -> Expr:
 def derivative(expr: Expr, by: Symbol) -> Expr:
     """The derivative of a stable form, again a stable form.
 
-    >>> from symhaptic.forms.entire_device import Together
+    >>> from symhaptic.forms.entire_device import NumeratorAtOne
     >>> from symhaptic.notation import delta, gamma
-    >>> derivative(gamma * Together(gamma, delta), gamma)
+    >>> derivative(gamma * NumeratorAtOne(gamma, delta), gamma)
     Kick(gamma, delta)
     """
     return _By(by)(expr)
@@ -158,7 +161,7 @@ def derivative(expr: Expr, by: Symbol) -> Expr:
 
 def counts(form: Form) -> bool:
     """Whether a form counts roots: whole numbers have no slope."""
-    return any(e.has(WholeRoots, LateRoots, Stable) for e in form.expressions)
+    return any(e.has(WholeRoots, FractionalRoots, Stable) for e in form.expressions)
 
 
 def _held(expr: Expr, by: _By) -> Expr:
@@ -166,7 +169,7 @@ def _held(expr: Expr, by: _By) -> Expr:
     still = Symbol("still")
 
     def stopped(e: Expr) -> tuple[Expr, dict[Expr, Expr]]:
-        (angle,) = e.atoms(StiffestAngle)
+        (angle,) = e.atoms(MaxStiffnessAngle)
         return e.xreplace({angle: still}), {still: angle}
 
     if not isinstance(expr, sp.Piecewise):

@@ -7,9 +7,16 @@ from dataclasses import dataclass, replace
 import sympy as sp
 from sympy import Expr, exp
 
-from symhaptic.forms import delayed
+from symhaptic.forms import fractional_delay
 from symhaptic.forms.entire import C, Creep, Decay, Fade, Lag, S
-from symhaptic.forms.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.forms.entire_device import (
+    DenominatorAtMinusOne,
+    NumeratorAtOne,
+    NumeratorGap,
+    PlantN0,
+    PlantN1,
+    PlantTrace,
+)
 from symhaptic.forms.form import HALF, Form, NoForm, domain, present, steps_of
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL, Parts
@@ -72,9 +79,9 @@ def device_of(parts: Parts) -> Device:
     ends: tuple[Expr, Expr, Expr]
     e = exp(-delta) if parts.damping else one
     if parts.stiffness and parts.damping:
-        together, apart = Together(gamma, delta), delta * Apart(gamma, delta)
-        numbers = Rise(gamma, delta), Fall(gamma, delta), Swing(gamma, delta)
-        ends = gamma * together, Nyquist(gamma, delta), delta * Decay(delta)
+        together, apart = NumeratorAtOne(gamma, delta), delta * NumeratorGap(gamma, delta)
+        numbers = PlantN1(gamma, delta), PlantN0(gamma, delta), PlantTrace(gamma, delta)
+        ends = gamma * together, DenominatorAtMinusOne(gamma, delta), delta * Decay(delta)
     elif parts.damping:
         together, apart = Decay(delta), delta * Lag(delta)
         numbers = Creep(delta), Fade(delta), 1 + e
@@ -98,10 +105,10 @@ def same_device(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
     return tuple(zip(device_of(parts).numbers, exact.numbers, strict=True))
 
 
-def late_of(parts: Parts) -> Device:
+def fractional_of(parts: Parts) -> Device:
     """The same device, with M = m2 z + m1 + m0/z instead of n1 z + n0 at z = -1."""
-    two = (delayed.brief(parts, time) for time in (1 - epsilon, epsilon))
-    return replace(device_of(parts), apart=delayed.at_minus_one(parts, *two))
+    two = (fractional_delay.brief(parts, time) for time in (1 - epsilon, epsilon))
+    return replace(device_of(parts), apart=fractional_delay.at_minus_one(parts, *two))
 
 
 def discretize(parts: Parts = FULL) -> Form:
@@ -118,21 +125,21 @@ def discretize(parts: Parts = FULL) -> Form:
     )
 
 
-def discretize_late(parts: Parts = FULL) -> Form:
+def discretize_fractional(parts: Parts = FULL) -> Form:
     """m2, m1, m0, a and e of the device behind a fraction of a period."""
     if not parts.delay:
-        raise NoForm("discretize_late: the scene has no delay")
+        raise NoForm("discretize_fractional: the scene has no delay")
     symbols = (*present(parts, gamma, delta), epsilon)
     device = device_of(parts)
-    first, last = delayed.ends(parts)
+    first, last = fractional_delay.ends(parts)
     middle = device.together - (first + last)
     return Form(
-        "discretize_late",
+        "discretize_fractional",
         "the sampled device behind a delay of epsilon periods, "
         "P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m",
         symbols,
         (("m2", first), ("m1", middle), ("m0", last), ("a", device.a), ("e", device.e)),
-        lambda: (*same_device(parts), *delayed.derived(parts)),
+        lambda: (*same_device(parts), *fractional_delay.derived(parts)),
         domain(symbols),
     )
 

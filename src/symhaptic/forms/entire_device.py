@@ -25,7 +25,7 @@ def _complete(k: int, gamma: Expr, delta: Expr) -> Expr:
     return sp.expand(now)
 
 
-class Rise(Entire):
+class PlantN1(Entire):
     """n_1: where a unit force, held for a period, has moved the device; never negative.
 
     It and n_0 nearly vanish where a device with little damping has swung k turns, at
@@ -47,27 +47,27 @@ class Rise(Entire):
         return _complete(k, gamma, -delta) / factorial(k + 2)
 
 
-class Fall(Entire):
-    """n_0 = exp(-delta) Rise(gamma, -delta): the same device, its time reversed."""
+class PlantN0(Entire):
+    """n_0 = exp(-delta) PlantN1(gamma, -delta): the same device, its time reversed."""
 
     nargs = 2
-    meaning = "exp(-delta) Rise(gamma, -delta)"
+    meaning = "exp(-delta) PlantN1(gamma, -delta)"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
-        """exp(-delta) Rise(gamma, -delta)."""
-        return exp(-delta) * Rise.definition(gamma, -delta)
+        """exp(-delta) PlantN1(gamma, -delta)."""
+        return exp(-delta) * PlantN1.definition(gamma, -delta)
 
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
         """The product of two power series, by total degree in both poles."""
         parts = (
-            (-delta) ** j / factorial(j) * Rise.term(k - j, gamma, -delta) for j in range(k + 1)
+            (-delta) ** j / factorial(j) * PlantN1.term(k - j, gamma, -delta) for j in range(k + 1)
         )
         return sp.expand(sp.Add(*parts))
 
 
-class Together(Entire):
+class NumeratorAtOne(Entire):
     """n_1 + n_0 = exp(-delta/2) sinhc((delta + c)/4) sinhc((delta - c)/4)."""
 
     nargs = 2
@@ -84,11 +84,11 @@ class Together(Entire):
 
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
-        """The sum of those of Rise and Fall."""
-        return sp.expand(Rise.term(k, gamma, delta) + Fall.term(k, gamma, delta))
+        """The sum of those of PlantN1 and PlantN0."""
+        return sp.expand(PlantN1.term(k, gamma, delta) + PlantN0.term(k, gamma, delta))
 
 
-class Apart(Entire):
+class NumeratorGap(Entire):
     """(n_1 - n_0)/delta: exp(-delta/2) times the divided difference of S at delta^2/4 and w."""
 
     nargs = 2
@@ -102,12 +102,12 @@ class Apart(Entire):
 
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
-        """By total degree in both poles, from the difference of Rise and Fall."""
-        apart = Rise.term(k + 1, gamma, delta) - Fall.term(k + 1, gamma, delta)
+        """By total degree in both poles, from the difference of PlantN1 and PlantN0."""
+        apart = PlantN1.term(k + 1, gamma, delta) - PlantN0.term(k + 1, gamma, delta)
         return sp.expand(sp.cancel(apart / delta))
 
 
-class Swing(Entire):
+class PlantTrace(Entire):
     """a = 2 exp(-delta/2) C(w), the sum of the poles of the sampled device."""
 
     nargs = 2
@@ -127,7 +127,7 @@ class Swing(Entire):
         return sp.expand(sums[k]) / factorial(k)
 
 
-class Nyquist(Entire):
+class DenominatorAtMinusOne(Entire):
     """1 + a + e = 4 exp(-delta/2) cosh((delta + c)/4) cosh((delta - c)/4)."""
 
     nargs = 2
@@ -143,4 +143,4 @@ class Nyquist(Entire):
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
         """1 + a + e, term by term."""
         first = 1 if k == 0 else 0
-        return sp.expand(first + Swing.term(k, gamma, delta) + (-delta) ** k / factorial(k))
+        return sp.expand(first + PlantTrace.term(k, gamma, delta) + (-delta) ** k / factorial(k))

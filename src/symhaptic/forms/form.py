@@ -11,8 +11,8 @@ from sympy import Expr, Rational, Symbol
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.forms.domain import domain, within
+from symhaptic.forms.implicit import FractionalPart, SomePart, WholePart
 from symhaptic.forms.response import closed
-from symhaptic.forms.searched import LatePart, SomePart, WholePart
 from symhaptic.model.parts import Parts
 from symhaptic.notation import beta, d, delta, epsilon, gamma, l
 
@@ -93,7 +93,7 @@ def present(parts: Parts, *symbols: Symbol) -> tuple[Symbol, ...]:
 def either(whole: Expr, late: Expr) -> Expr:
     """One form for whole delays, another one for those with a fraction."""
     found = late.xreplace({epsilon: SomePart(d), l: WholePart(d)})
-    return sp.Piecewise((whole, sp.Eq(LatePart(d), 0)), (found, True))
+    return sp.Piecewise((whole, sp.Eq(FractionalPart(d), 0)), (found, True))
 
 
 def undelayed(parts: Parts, expr: Expr) -> Expr:

@@ -8,12 +8,12 @@ from functools import partial
 import sympy as sp
 from sympy import Expr, cos, pi, sin
 
-from symhaptic.forms import worst
+from symhaptic.forms import required_damping
 from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, at_numbers
 from symhaptic.forms.form import HALF, Form, NoForm, Pairs, domain, either, present, undelayed
-from symhaptic.forms.searched import (
-    LargestNeed,
-    LatePart,
+from symhaptic.forms.implicit import (
+    FractionalPart,
+    LargestRequiredDamping,
     Lead,
     PassiveAngle,
     Pushed,
@@ -90,11 +90,11 @@ def passivity_margin(parts: Parts = FULL) -> Form:
         need = alpha / 2 + (sp.Abs(beta) if parts.virtual_damping else 0)
         largest, equal = Pushed(alpha, need), partial(_at_both_ends, parts)
     elif not parts.virtual_damping:
-        order, part = d + HALF, LatePart(d)
+        order, part = d + HALF, FractionalPart(d)
         largest = Pushed(alpha, alpha * (order + sp.sqrt(order * order + part * (1 - part))) / 2)
         equal = _springs
     else:
-        largest, equal = LargestNeed(alpha, beta, d), worst.derived
+        largest, equal = LargestRequiredDamping(alpha, beta, d), required_damping.derived
     return Form(
         "passivity_margin",
         "physical damping minus the damping that the wall needs at its worst angle; the wall is "
@@ -122,7 +122,8 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
     functions of their own they do not.  At a fraction of a period the wall is searched for whose
     need has no slope at this angle; proved are the need and that slope.
 
-    It ends where alpha vanishes, before Lead does; :mod:`symhaptic.forms.worst` says why.
+    It ends where alpha vanishes, before Lead does: :mod:`symhaptic.forms.required_damping`
+    says why.
     """
     _needs_damping(parts, "passivity_boundary")
     if not parts.virtual_damping:
@@ -137,7 +138,7 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
 
     def equal() -> Pairs:
         exact = tuple(_normalised(parts, side) for side in passivity.envelope())
-        return (*zip(curve, exact, strict=True), *worst.derived())
+        return (*zip(curve, exact, strict=True), *required_damping.derived())
 
     before = Lead(theta, d, sp.S.Zero), Lead(theta, l, epsilon)
     return Form(
@@ -159,8 +160,10 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
 
 def _touched(turn: Expr, angle: Expr) -> tuple[Expr, Expr]:
     """The wall of this direction that is just passive, if its worst angle is this one."""
-    wall = {s: expr.xreplace({phi: turn}) for s, expr in worst.of_size_one().items()}
-    need = worst.need(worst.careful()).xreplace({**wall, psi: angle / 2})
+    wall = {s: expr.xreplace({phi: turn}) for s, expr in required_damping.of_size_one().items()}
+    need = required_damping.required(required_damping.compensated()).xreplace(
+        {**wall, psi: angle / 2}
+    )
     return delta * wall[alpha] / need, delta * wall[beta] / need
 
 
@@ -183,7 +186,7 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
 
     def equal() -> Pairs:
         exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
-        late = worst.derived() if parts.delay else ()
+        late = required_damping.derived() if parts.delay else ()
         return (*zip(whole[:2], exact, strict=True), *late)
 
     names = "alpha", "beta", "theta"
@@ -207,7 +210,7 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
 def _stiffest_spring(parts: Parts) -> Form:
     """Without virtual damping slow motions are the worst ones."""
     symbols = present(parts, delta, d)
-    order, part = (d + HALF, LatePart(d)) if parts.delay else (HALF, sp.S.Zero)
+    order, part = (d + HALF, FractionalPart(d)) if parts.delay else (HALF, sp.S.Zero)
     stiffness = 2 * delta / (order + sp.sqrt(order * order + part * (1 - part)))
     return Form(
         "max_passive_stiffness",
@@ -221,8 +224,12 @@ def _stiffest_spring(parts: Parts) -> Form:
 
 def _springs() -> Pairs:
     """What a wall without damping needs."""
-    needs = ((ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in worst.derived()[:-1])
-    mean = worst.between(worst.straight(l), worst.straight(l + 1)).subs({beta: 0, psi: 0})
+    needs = (
+        (ours.subs(beta, 0), exact.subs(beta, 0)) for ours, exact in required_damping.derived()[:-1]
+    )
+    mean = required_damping.between(
+        required_damping.straight(l), required_damping.straight(l + 1)
+    ).subs({beta: 0, psi: 0})
     return (*needs, (mean / alpha, l + epsilon + HALF))
 
 

@@ -1,6 +1,6 @@
 """Products whose derivative loses digits when it is taken factor by factor, with that derivative.
 
-Such as gamma Together = 1 - a + e, which is differentiated as a whole.
+Such as gamma NumeratorAtOne = 1 - a + e, which is differentiated as a whole.
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ from collections.abc import Iterator
 
 from sympy import Expr, Symbol, exp
 
-from symhaptic.forms import delayed
+from symhaptic.forms import fractional_delay
 from symhaptic.forms.entire import C, Decay, Fade, Lag, S
-from symhaptic.forms.entire_device import Apart, Fall, Together
-from symhaptic.forms.slopes import ApartDrop, Coast, Echo, Kick
+from symhaptic.forms.entire_device import NumeratorAtOne, NumeratorGap, PlantN0
+from symhaptic.forms.slopes import Coast, Echo, Kick, NumeratorGapDrop
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import delta, epsilon, gamma
 
@@ -26,7 +26,7 @@ def _stretched() -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
 
 
 def _moved(parts: Parts, time: Expr, way: int) -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
-    x = delayed.brief(parts, time)
+    x = fractional_delay.brief(parts, time)
     scaled = gamma * time**2, delta * time
     if not parts.damping:  # without the half before S(..)^2
         yield 2 * x.rise, {epsilon: 2 * way * x.kick}
@@ -35,8 +35,8 @@ def _moved(parts: Parts, time: Expr, way: int) -> Iterator[tuple[Expr, dict[Symb
     yield exp(-delta * (1 - time)) * x.fall, {epsilon: way * exp(-delta * (1 - time)) * x.kick}
     turned = {epsilon: way * delta * x.fall}
     if parts.stiffness:
-        turned |= {gamma: -delta * time**5 * ApartDrop(*scaled),
-                   delta: time**3 * (Fall(*scaled) - 2 * Echo(*scaled))}  # fmt: skip
+        turned |= {gamma: -delta * time**5 * NumeratorGapDrop(*scaled),
+                   delta: time**3 * (PlantN0(*scaled) - 2 * Echo(*scaled))}  # fmt: skip
         speed = Coast(*scaled)
     else:
         turned |= {delta: time**3 * (Fade(scaled[1]) - 2 * Lag(scaled[1]))}
@@ -51,14 +51,14 @@ def _moved(parts: Parts, time: Expr, way: int) -> Iterator[tuple[Expr, dict[Symb
 
 WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
     (
-        gamma * Together(gamma, delta),
-        {gamma: Kick(gamma, delta), delta: -gamma * Fall(gamma, delta)},
+        gamma * NumeratorAtOne(gamma, delta),
+        {gamma: Kick(gamma, delta), delta: -gamma * PlantN0(gamma, delta)},
     ),
     (
-        delta * Apart(gamma, delta),
+        delta * NumeratorGap(gamma, delta),
         {
-            gamma: -delta * ApartDrop(gamma, delta),
-            delta: Fall(gamma, delta) - 2 * Echo(gamma, delta),
+            gamma: -delta * NumeratorGapDrop(gamma, delta),
+            delta: PlantN0(gamma, delta) - 2 * Echo(gamma, delta),
         },
     ),
     (delta * Decay(delta), {delta: exp(-delta)}),

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy import Expr, Function, cos, sin
 
 
-class Careful(Function):  # type: ignore[misc]
+class Compensated(Function):  # type: ignore[misc]
     """A function whose exported routine rounds less than its closed form."""
 
     meaning: str
@@ -26,7 +26,7 @@ class Careful(Function):  # type: ignore[misc]
         raise NotImplementedError
 
 
-class Response(Careful):
+class Response(Compensated):
     """A part of the force, of psi, A(1), A(-1), 1 - e, n1 + n0, n1 - n0 and 2 n1.
 
     Behind a fraction of m2 + m1 + m0, m2 - m1 + m0 and 2 (m2 - m0) in place of the last three.
@@ -68,7 +68,7 @@ class Ahead(Response):
         return sin(psi) * cos(psi) * parts(*args)[1]
 
 
-class LateApart(Careful):
+class FractionalNumeratorGap(Compensated):
     """M at z = -1 behind a fraction of a period, whose square the boundary has near pi.
 
     Of epsilon, what an impulse moves in the period's rest and in its beginning, each with what its
@@ -91,7 +91,7 @@ class LateApart(Careful):
         return cls.definition(*args) if args[1].is_number else None
 
 
-class KickLow(Careful):
+class KickLow(Compensated):
     """What the last rounding of Kick takes: nothing, where nothing is rounded."""
 
     nargs = 2
@@ -125,4 +125,4 @@ def parts(
 @cache
 def closed(expr: Expr) -> Expr:
     """The expression with closed forms in place of these functions."""
-    return expr.replace(lambda e: isinstance(e, Careful), lambda e: e.definition(*e.args))
+    return expr.replace(lambda e: isinstance(e, Compensated), lambda e: e.definition(*e.args))

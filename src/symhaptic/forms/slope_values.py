@@ -13,7 +13,15 @@ import mpmath
 from flint import arb
 from mpmath import mpf
 
-from symhaptic.forms.slopes import ApartDrop, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
+from symhaptic.forms.slopes import (
+    Coast,
+    Ebb,
+    Echo,
+    Kick,
+    NumeratorGapDrop,
+    PlantN0Drop,
+    PlantN1Drop,
+)
 
 _TRIES = 8
 """Precisions tried, each twice the one before, until the ball is small enough."""
@@ -69,7 +77,7 @@ BY_MATRIX: dict[Any, Callable[[mpf, mpf], mpf]] = {
     Coast: _numbers(lambda g, d: _chain(1, g, d)[1, 1]),
     Echo: _numbers(lambda g, d: _chain(2, g, d)[0, 3]),
     Ebb: _numbers(_ebb),
-    RiseDrop: _numbers(lambda g, d: _chain(2, g, d, arb(0))[0, 4]),
-    FallDrop: _numbers(lambda g, d: _chain(2, g, d, d)[0, 4]),
-    ApartDrop: _numbers(lambda g, d: _chain(2, g, d, arb(0), d)[0, 5]),
+    PlantN1Drop: _numbers(lambda g, d: _chain(2, g, d, arb(0))[0, 4]),
+    PlantN0Drop: _numbers(lambda g, d: _chain(2, g, d, d)[0, 4]),
+    NumeratorGapDrop: _numbers(lambda g, d: _chain(2, g, d, arb(0), d)[0, 5]),
 }

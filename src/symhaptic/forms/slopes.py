@@ -36,12 +36,12 @@ from symhaptic.forms.entire import (
     Spread,
 )
 from symhaptic.forms.entire_device import (
-    Apart,
-    Fall,
-    Nyquist,
-    Rise,
-    Swing,
-    Together,
+    DenominatorAtMinusOne,
+    NumeratorAtOne,
+    NumeratorGap,
+    PlantN0,
+    PlantN1,
+    PlantTrace,
     _complete,
     _motion,
 )
@@ -90,7 +90,7 @@ class Coast(Entire):
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
         """That of -da/d delta."""
-        return -_slope_term(Swing, 1, k, gamma, delta)
+        return -_slope_term(PlantTrace, 1, k, gamma, delta)
 
 
 class Echo(Entire):
@@ -108,77 +108,77 @@ class Echo(Entire):
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
         """That of -d n_1/d delta."""
-        return -_slope_term(Rise, 1, k, gamma, delta)
+        return -_slope_term(PlantN1, 1, k, gamma, delta)
 
 
 class Ebb(Entire):
     """Echo - n_0 = d n_0/d delta."""
 
     nargs = 2
-    meaning = "Echo - Fall, of gamma and delta: d n0/d delta"
+    meaning = "Echo - PlantN0, of gamma and delta: d n0/d delta"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
-        """Echo - Fall."""
-        return Echo.definition(gamma, delta) - Fall.definition(gamma, delta)
+        """Echo - PlantN0."""
+        return Echo.definition(gamma, delta) - PlantN0.definition(gamma, delta)
 
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
         """That of d n_0/d delta."""
-        return _slope_term(Fall, 1, k, gamma, delta)
+        return _slope_term(PlantN0, 1, k, gamma, delta)
 
 
-class RiseDrop(Entire):
+class PlantN1Drop(Entire):
     """exp[0, -p, -p, -q, -q] = -d n_1/d gamma."""
 
     nargs = 2
-    meaning = "(Rise - (Kick + delta Echo)/2)/gamma: -d n1/d gamma"
+    meaning = "(PlantN1 - (Kick + delta Echo)/2)/gamma: -d n1/d gamma"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
-        """(Rise - (Kick + delta Echo)/2)/gamma."""
+        """(PlantN1 - (Kick + delta Echo)/2)/gamma."""
         own, echo = Kick.definition(gamma, delta), Echo.definition(gamma, delta)
-        return (Rise.definition(gamma, delta) - (own + delta * echo) / 2) / gamma
+        return (PlantN1.definition(gamma, delta) - (own + delta * echo) / 2) / gamma
 
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
         """That of -d n_1/d gamma."""
-        return -_slope_term(Rise, 0, k, gamma, delta)
+        return -_slope_term(PlantN1, 0, k, gamma, delta)
 
 
-class FallDrop(Entire):
+class PlantN0Drop(Entire):
     """exp[-p - q, -p, -p, -q, -q] = -d n_0/d gamma."""
 
     nargs = 2
-    meaning = "(Fall - (Kick - delta Echo)/2)/gamma: -d n0/d gamma"
+    meaning = "(PlantN0 - (Kick - delta Echo)/2)/gamma: -d n0/d gamma"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
-        """(Fall - (Kick - delta Echo)/2)/gamma."""
+        """(PlantN0 - (Kick - delta Echo)/2)/gamma."""
         own, echo = Kick.definition(gamma, delta), Echo.definition(gamma, delta)
-        return (Fall.definition(gamma, delta) - (own - delta * echo) / 2) / gamma
+        return (PlantN0.definition(gamma, delta) - (own - delta * echo) / 2) / gamma
 
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
         """That of -d n_0/d gamma."""
-        return -_slope_term(Fall, 0, k, gamma, delta)
+        return -_slope_term(PlantN0, 0, k, gamma, delta)
 
 
-class ApartDrop(Entire):
-    """exp[0, -p - q, -p, -p, -q, -q] = (RiseDrop - FallDrop)/delta."""
+class NumeratorGapDrop(Entire):
+    """exp[0, -p - q, -p, -p, -q, -q] = (PlantN1Drop - PlantN0Drop)/delta."""
 
     nargs = 2
-    meaning = "((Rise - Fall)/delta - Echo)/gamma: -d ((n1 - n0)/delta)/d gamma"
+    meaning = "((PlantN1 - PlantN0)/delta - Echo)/gamma: -d ((n1 - n0)/delta)/d gamma"
 
     @classmethod
     def definition(cls, gamma: Expr, delta: Expr) -> Expr:
-        """(Apart - Echo)/gamma."""
-        return (Apart.definition(gamma, delta) - Echo.definition(gamma, delta)) / gamma
+        """(NumeratorGap - Echo)/gamma."""
+        return (NumeratorGap.definition(gamma, delta) - Echo.definition(gamma, delta)) / gamma
 
     @classmethod
     def term(cls, k: int, gamma: Expr, delta: Expr) -> Expr:
-        """That of -d Apart/d gamma."""
-        return -_slope_term(Apart, 0, k, gamma, delta)
+        """That of -d NumeratorGap/d gamma."""
+        return -_slope_term(NumeratorGap, 0, k, gamma, delta)
 
 
 # -- of one variable ----------------------------------------------------------------------
@@ -226,12 +226,15 @@ class Wane(Entire):
 
 
 SLOPES |= {
-    Rise: (lambda g, d: -RiseDrop(g, d), lambda g, d: -Echo(g, d)),
-    Fall: (lambda g, d: -FallDrop(g, d), lambda g, d: Ebb(g, d)),
-    Together: (lambda g, d: -RiseDrop(g, d) - FallDrop(g, d), lambda g, d: -Fall(g, d)),
-    Swing: (lambda g, d: -Kick(g, d), lambda g, d: -Coast(g, d)),
-    Nyquist: (lambda g, d: -Kick(g, d), lambda g, d: -Coast(g, d) - exp(-d)),
-    Kick: (lambda g, d: -Echo(g, d), lambda g, d: g * FallDrop(g, d) - Fall(g, d)),
+    PlantN1: (lambda g, d: -PlantN1Drop(g, d), lambda g, d: -Echo(g, d)),
+    PlantN0: (lambda g, d: -PlantN0Drop(g, d), lambda g, d: Ebb(g, d)),
+    NumeratorAtOne: (
+        lambda g, d: -PlantN1Drop(g, d) - PlantN0Drop(g, d),
+        lambda g, d: -PlantN0(g, d),
+    ),
+    PlantTrace: (lambda g, d: -Kick(g, d), lambda g, d: -Coast(g, d)),
+    DenominatorAtMinusOne: (lambda g, d: -Kick(g, d), lambda g, d: -Coast(g, d) - exp(-d)),
+    Kick: (lambda g, d: -Echo(g, d), lambda g, d: g * PlantN0Drop(g, d) - PlantN0(g, d)),
     S: (lambda w: Bend(w),),
     Decay: (lambda x: -Fade(x),),
     Creep: (lambda x: -Lag(x),),
@@ -252,6 +255,6 @@ STABLE = frozenset((*SLOPES, C, CosNext, SinNext))
 """Functions whose derivatives are made of entire functions."""
 
 NEW = (
-    Kick, Coast, Echo, Ebb, RiseDrop, FallDrop, ApartDrop, Bend, Wane, Ripple, SpreadSlope,
-    ChordSlope,
+    Kick, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop, Bend, Wane, Ripple,
+    SpreadSlope, ChordSlope,
 )  # fmt: skip

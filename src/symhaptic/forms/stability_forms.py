@@ -8,14 +8,14 @@ from dataclasses import replace
 import sympy as sp
 from sympy import Expr, cos, sin
 
-from symhaptic.forms import delayed, stiffest
-from symhaptic.forms.counted import LateRoots, Stable, WholeRoots
-from symhaptic.forms.device_forms import ANY, Device, device_of, late_of, made_of, same_device
+from symhaptic.forms import fractional_delay, max_stiffness_slope
+from symhaptic.forms.device_forms import ANY, Device, device_of, fractional_of, made_of, same_device
 from symhaptic.forms.entire import CosNext, SinNext
 from symhaptic.forms.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
+from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle
 from symhaptic.forms.response import Ahead, InPhase, closed
 from symhaptic.forms.response import parts as parts_of_response
-from symhaptic.forms.stiffest_angle import StiffestAngle
+from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots
 from symhaptic.model import boundary, jury, loop, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import (
@@ -45,19 +45,19 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     device = device_of(parts)
     wall, smooth = _boundary(device, device.together + device.apart, delay)
     if parts.delay:
-        first, last = delayed.ends(parts)
-        late, smooth_late = _boundary(late_of(parts), 2 * (first - last), l)
+        first, last = fractional_delay.ends(parts)
+        late, smooth_fractional = _boundary(fractional_of(parts), 2 * (first - last), l)
         wall = tuple(either(*both) for both in zip(wall, late, strict=True))
-        smooth = tuple(either(*both) for both in zip(smooth, smooth_late, strict=True))
+        smooth = tuple(either(*both) for both in zip(smooth, smooth_fractional, strict=True))
 
     def equal() -> Pairs:
         exact = tuple(undelayed(parts, side) for side in boundary.wall(ANY))
         same = *_same(made_of(ANY), 2 * n_1, delay, exact), *same_device(parts)
         if not parts.delay:
             return same
-        any_late = replace(made_of(ANY), together=m_2 + m_1 + m_0, apart=m_2 - m_1 + m_0)
-        late = _same(any_late, 2 * (m_2 - m_0), l, delayed.wall())
-        return (*same, *late, *delayed.derived(parts))
+        any_fractional = replace(made_of(ANY), together=m_2 + m_1 + m_0, apart=m_2 - m_1 + m_0)
+        late = _same(any_fractional, 2 * (m_2 - m_0), l, fractional_delay.wall())
+        return (*same, *late, *fractional_delay.derived(parts))
 
     return Form(
         "stability_boundary",
@@ -116,19 +116,19 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
     given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
     x, steps = device_of(parts), d if parts.delay else sp.S.Zero
     values = x.at_one, x.at_minus_one, x.loss, x.together
-    angle = StiffestAngle(*given, steps, steps, sp.S.Zero, x.n1, x.n0, *values, x.apart)
+    angle = MaxStiffnessAngle(*given, steps, steps, sp.S.Zero, x.n1, x.n0, *values, x.apart)
     delay = d if parts.delay else None
     results = (*curve((*values, x.apart, x.together + x.apart), angle, delay), angle)
     if parts.delay:
-        first, last = delayed.ends(parts)
-        apart = late_of(parts).apart
-        angle = StiffestAngle(*given, d, l, epsilon, first, last, *values, apart)
+        first, last = fractional_delay.ends(parts)
+        apart = fractional_of(parts).apart
+        angle = MaxStiffnessAngle(*given, d, l, epsilon, first, last, *values, apart)
         late = (*curve((*values, apart, 2 * (first - last)), angle, l), angle)
         results = tuple(either(*both) for both in zip(results, late, strict=True))
 
     def equal() -> Pairs:
-        late = delayed.derived(parts) if parts.delay else ()
-        search = stiffest.derived() if parts == FULL else ()  # the same for every device
+        late = fractional_delay.derived(parts) if parts.delay else ()
+        search = max_stiffness_slope.derived() if parts == FULL else ()  # the same for every device
         return (*same_device(parts), *late, *search)
 
     far = "sqrt(gamma) (d + 1)" if parts.delay else "sqrt(gamma)"
@@ -189,9 +189,9 @@ def _counted(parts: Parts) -> list[tuple[Expr, Expr]]:
     numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
     counts: list[Expr] = [WholeRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)]
     if parts.delay:
-        x = late_of(parts)
-        numbers = *delayed.ends(parts), *numbers[2:-1], x.apart
-        counts.append(LateRoots(*wall, l, *numbers))
+        x = fractional_of(parts)
+        numbers = *fractional_delay.ends(parts), *numbers[2:-1], x.apart
+        counts.append(FractionalRoots(*wall, l, *numbers))
     return [(count, Stable(count, *wall, *given)) for count in counts]
 
 
@@ -201,7 +201,7 @@ def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic
     result = either(*found) if parts.delay else found[0]
 
     def equal() -> Pairs:
-        return (*same_device(parts), *(delayed.derived(parts) if parts.delay else ()))
+        return (*same_device(parts), *(fractional_delay.derived(parts) if parts.delay else ()))
 
     hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
     return Form(

@@ -11,7 +11,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cache
 
-from symhaptic.forms.device_forms import characteristic_polynomial, discretize, discretize_late
+from symhaptic.forms.device_forms import (
+    characteristic_polynomial,
+    discretize,
+    discretize_fractional,
+)
 from symhaptic.forms.form import Form, NoForm
 from symhaptic.forms.passivity_forms import (
     linear_limit,
@@ -33,7 +37,7 @@ FORMS: dict[str, Callable[..., Form]] = {
     f.__name__: f
     for f in (
         discretize,
-        discretize_late,
+        discretize_fractional,
         characteristic_polynomial,
         is_stable,
         unstable_roots,

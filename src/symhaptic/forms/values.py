@@ -11,7 +11,6 @@ import sympy as sp
 from mpmath import mpf
 from sympy import Expr, Symbol
 
-from symhaptic.forms.counted import late_outside, outside
 from symhaptic.forms.entire import (
     C,
     Chord,
@@ -26,9 +25,17 @@ from symhaptic.forms.entire import (
     SinNext,
     Spread,
 )
-from symhaptic.forms.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
+from symhaptic.forms.entire_device import (
+    DenominatorAtMinusOne,
+    NumeratorAtOne,
+    NumeratorGap,
+    PlantN0,
+    PlantN1,
+    PlantTrace,
+)
+from symhaptic.forms.implicit import ImplicitFunction
 from symhaptic.forms.response import closed
-from symhaptic.forms.searched import Searched
+from symhaptic.forms.root_count import fractional_outside, outside
 from symhaptic.forms.slope_values import BY_MATRIX
 from symhaptic.forms.slopes import NEW
 
@@ -39,7 +46,7 @@ ALL: dict[str, Any] = {
     cls.__name__: cls
     for cls in (
         C, S, Decay, Creep, Fade, Lag, Sinc, Gap, CosNext, SinNext, Spread, Chord,
-        Rise, Fall, Together, Apart, Swing, Nyquist, *NEW,
+        PlantN1, PlantN0, NumeratorAtOne, NumeratorGap, PlantTrace, DenominatorAtMinusOne, *NEW,
     )
 }  # fmt: skip
 """All entire functions by name."""
@@ -53,7 +60,7 @@ def value(expr: Expr, at: dict[Symbol, mpf], digits: int = 40) -> mpf:
     Raises :class:`ArithmeticError` where the value is not found, or not real.
 
     >>> gamma, delta = sp.symbols("gamma delta")
-    >>> mpmath.nstr(value(Rise(gamma, delta), {gamma: mpf(0), delta: mpf(1e-300)}), 20)
+    >>> mpmath.nstr(value(PlantN1(gamma, delta), {gamma: mpf(0), delta: mpf(1e-300)}), 20)
     '0.5'
     """
     return settled(_compiled(expr, tuple(at)), tuple(at.values()), digits, expr)
@@ -89,7 +96,7 @@ def _compiled(expr: Expr, names: tuple[Symbol, ...]) -> Callable[..., mpf]:
     expr = closed(expr)
     used = {type(f) for f in expr.atoms(sp.Function)}
     own = {name: numeric(cls) for name, cls in ALL.items() if cls in used}
-    own |= {cls.__name__: _found(cls.exact) for cls in used if issubclass(cls, Searched)}
+    own |= {cls.__name__: _found(cls.exact) for cls in used if issubclass(cls, ImplicitFunction)}
     own |= {name: _found(count) for name, count in _COUNTS.items()}
     # what is shared is computed first, also where a choice does not need it
     shared = not expr.has(sp.Piecewise)
@@ -108,7 +115,7 @@ def _found(exact: Callable[..., mpf]) -> Callable[..., mpf]:
 
 _COUNTS: dict[str, Callable[..., mpf]] = {
     "WholeRoots": outside,
-    "LateRoots": late_outside,
+    "FractionalRoots": fractional_outside,
     "Stable": lambda roots, *_: mpf(roots == 0),
 }
 
@@ -133,16 +140,18 @@ def numeric(cls: Any) -> Callable[..., mpf]:
 
 
 _WITHOUT_SPRING: dict[Any, Any] = {
-    Rise: Creep,
-    Fall: Fade,
-    Together: Decay,
-    Apart: Lag,
+    PlantN1: Creep,
+    PlantN0: Fade,
+    NumeratorAtOne: Decay,
+    NumeratorGap: Lag,
 }
 
 
 def _hidden(cls: Any, at: list[mpf]) -> mpf | None:
     """The value where the closed form is 0/0, else None."""
-    if cls in (CosNext, SinNext, Spread, Chord, C, Swing, Nyquist) or (len(at) == 2 and cls in NEW):
+    if cls in (CosNext, SinNext, Spread, Chord, C, PlantTrace, DenominatorAtMinusOne) or (
+        len(at) == 2 and cls in NEW
+    ):
         return None
     if len(at) == 1:
         first = cls.term(0, sp.S.Zero)
@@ -150,9 +159,9 @@ def _hidden(cls: Any, at: list[mpf]) -> mpf | None:
     gamma, delta = at
     if gamma == 0:
         return numeric(_WITHOUT_SPRING[cls])(delta)
-    if delta == 0 and cls is Apart:
+    if delta == 0 and cls is NumeratorGap:
         return numeric(Gap)(mpmath.sqrt(gamma))
-    if delta**2 != 4 * gamma or cls is Together:
+    if delta**2 != 4 * gamma or cls is NumeratorAtOne:
         return None
     # smooth, and the point beside is nearer than the precision asked for
     step = mpf(10) ** -(2 * mpmath.mp.dps)

@@ -8,7 +8,12 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.forms.form import Form, NoForm
-from symhaptic.forms.searched import LatePart
+from symhaptic.forms.implicit import (
+    FractionalPart,
+    LargestRequiredDamping,
+    LargestWholeRequiredDamping,
+)
+from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle, of_whole
 from symhaptic.notation import d, epsilon
 
 _FRACTIONS = "d whole, or fractional on the principal sheet"
@@ -35,6 +40,9 @@ def of_whole_delays(form: Form) -> Form:
 
 def _whole(expr: Expr) -> Expr:
     """What holds where the fraction is 0."""
-    if isinstance(expr, sp.Piecewise) and expr.args[0][1] == sp.Eq(LatePart(d), 0):
+    if isinstance(expr, sp.Piecewise) and expr.args[0][1] == sp.Eq(FractionalPart(d), 0):
         expr = expr.args[0][0]
-    return expr.xreplace({LatePart(d): sp.S.Zero})
+    expr = expr.xreplace({FractionalPart(d): sp.S.Zero}).replace(
+        LargestRequiredDamping, LargestWholeRequiredDamping
+    )
+    return expr.xreplace({angle: of_whole(angle) for angle in expr.atoms(MaxStiffnessAngle)})

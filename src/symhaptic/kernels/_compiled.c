@@ -49,7 +49,7 @@ static void haptic_single_discretize_loop(
     feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
 }
 
-static void haptic_discretize_late_loop(
+static void haptic_discretize_fractional_loop(
     char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
     char *at[8];
     npy_intp i, k;
@@ -57,7 +57,7 @@ static void haptic_discretize_late_loop(
     for (k = 0; k < 8; ++k) at[k] = args[k];
     for (i = 0; i < sizes[0]; ++i) {
         double found[5];
-        haptic_discretize_late(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), &found[0], &found[1], &found[2], &found[3], &found[4]);
+        haptic_discretize_fractional(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), &found[0], &found[1], &found[2], &found[3], &found[4]);
         *(double *)at[3] = found[0];
         *(double *)at[4] = found[1];
         *(double *)at[5] = found[2];
@@ -68,7 +68,7 @@ static void haptic_discretize_late_loop(
     feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
 }
 
-static void haptic_single_discretize_late_loop(
+static void haptic_single_discretize_fractional_loop(
     char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
     char *at[8];
     npy_intp i, k;
@@ -76,7 +76,7 @@ static void haptic_single_discretize_late_loop(
     for (k = 0; k < 8; ++k) at[k] = args[k];
     for (i = 0; i < sizes[0]; ++i) {
         float found[5];
-        haptic_single_discretize_late(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), &found[0], &found[1], &found[2], &found[3], &found[4]);
+        haptic_single_discretize_fractional(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), &found[0], &found[1], &found[2], &found[3], &found[4]);
         *(float *)at[3] = found[0];
         *(float *)at[4] = found[1];
         *(float *)at[5] = found[2];
@@ -371,7 +371,7 @@ static Entry entries[] = {
     "delta: physical damping, b T/m [1]\n"
     "Domain: gamma >= 0, delta >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70.\n"),
-    ENTRY(discretize_late, 3, 5, 0,
+    ENTRY(discretize_fractional, 3, 5, 0,
     "m2, m1, m0, a, e of (gamma, delta, epsilon)\n"
     "\n"
     "the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m.\n"

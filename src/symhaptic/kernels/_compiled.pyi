@@ -2,7 +2,7 @@
 from numpy import ufunc
 
 discretize: ufunc
-discretize_late: ufunc
+discretize_fractional: ufunc
 is_stable: ufunc
 unstable_roots: ufunc
 stability_boundary: ufunc

@@ -10,37 +10,26 @@
 
 // x + y and what it misses, for |x| >= |y|
 static void fast_two_sum(double x, double y, double *total_out, double *lost_out) {
-    const double total = x + y;
-    const double back = total - x;
-    *total_out = total;
-    *lost_out = -back + y;
-    return;
+    const double total = x + y, back = total - x;
+    *total_out = total; *lost_out = -back + y; return;
 }
 
 // x - y and what it misses
 static void two_diff(double x, double y, double *total_out, double *lost_out) {
-    const double total = x - y;
-    const double back = total - x;
-    const double rest = -back + total;
-    const double one = -rest + x;
+    const double total = x - y, back = total - x, rest = -back + total, one = -rest + x;
     const double two = -back - y;
-    *total_out = total;
-    *lost_out = one + two;
-    return;
+    *total_out = total; *lost_out = one + two; return;
 }
 
 // w = delta^2/4 - gamma, what it misses, its root and the size of the poles
 static void device_motion(double gamma, double delta, double *w_out, double *w_low_out,
     double *root_out, double *reach_out) {
-    const double half = 0.5*delta;
-    const double square = (half*half);
+    const double half = 0.5*delta, square = (half*half);
     double total, lost; two_diff(square, gamma, &total, &lost);
     const double rest = lost + fma(half, half, -(half*half));
     double total2, lost2; fast_two_sum(total, rest, &total2, &lost2);
     const double root = sqrt(fabs(total2));
-    *w_out = total2;
-    *w_low_out = lost2;
-    *root_out = root;
+    *w_out = total2; *w_low_out = lost2; *root_out = root;
     *reach_out = (total2 < 0.0 ? 0.25*gamma : 0.4444444444444444*half + 0.4444444444444444*root);
     return;
 }
@@ -60,9 +49,7 @@ static double decay_series(double x) {
 
 // x (y + y_low) and what it misses
 static void wide_prod(double x, double y, double y_low, double *total_out, double *lost_out) {
-    *total_out = x*y;
-    *lost_out = x*y_low + fma(x, y, -(x*y));
-    return;
+    *total_out = x*y; *lost_out = x*y_low + fma(x, y, -(x*y)); return;
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
@@ -76,73 +63,54 @@ static void brief_fading(double rate, double low, double *fall_out, double *fall
     double total3, lost3; wide_prod(rate, total2, mean_low, &total3, &lost3);
     double total4, lost4; fast_two_sum(1.0, -total3, &total4, &lost4);
     const double off = lost3 + low*total2;
-    *fall_out = total4;
-    *fall_low_out = lost4 - off;
-    *mean_out = total2;
-    *mean_low_out = mean_low;
-    return;
+    *fall_out = total4; *fall_low_out = lost4 - off; *mean_out = total2;
+    *mean_low_out = mean_low; return;
 }
 
 // (x + x_low)/(y + y_low) and what it misses
 static void wide_quot(double x, double y, double x_low, double y_low, double *total_out,
     double *lost_out) {
-    const double total = x/y;
-    const double left = -total*y + x;
-    const double left2 = left - fma(total, y, -(total*y));
-    const double rest = -total*y_low + x_low;
+    const double total = x/y, left = -total*y + x;
+    const double left2 = left - fma(total, y, -(total*y)), rest = -total*y_low + x_low;
     const double left3 = left2 + rest;
-    *total_out = total;
-    *lost_out = left3/y;
-    return;
+    *total_out = total; *lost_out = left3/y; return;
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss
 static void fading_pair(double rate, double low, double *fall_out, double *fall_low_out,
     double *mean_out, double *mean_low_out) {
     if (rate < 0.75) {
-        double fall_, fall_low, mean, mean_low;
-        brief_fading(rate, low, &fall_, &fall_low, &mean, &mean_low);
-        *fall_out = fall_;
-        *fall_low_out = fall_low;
-        *mean_out = mean;
-        *mean_low_out = mean_low;
-        return;
+        double fall, fall_low, mean, mean_low;
+        brief_fading(rate, low, &fall, &fall_low, &mean, &mean_low);
+        *fall_out = fall; *fall_low_out = fall_low; *mean_out = mean;
+        *mean_low_out = mean_low; return;
     }
     const double sunk = exp(-rate);
     double total, lost; fast_two_sum(1.0, -sunk, &total, &lost);
     const double sunk_low = -low*sunk;
     double total2, lost2; wide_quot(total, rate, lost - sunk_low, low, &total2, &lost2);
-    *fall_out = sunk;
-    *fall_low_out = sunk_low;
-    *mean_out = total2;
-    *mean_low_out = lost2;
-    return;
+    *fall_out = sunk; *fall_low_out = sunk_low; *mean_out = total2;
+    *mean_low_out = lost2; return;
 }
 
 // number + delta one - gamma two and what it misses, of pairs
-static void fall_term(double gamma, double delta, double one, double one_low, double two,
+static void plant_n0_term(double gamma, double delta, double one, double one_low, double two,
     double two_low, double number, double *total_out, double *low_out) {
     double total, lost; wide_prod(delta, one, one_low, &total, &lost);
     double total2, lost2; wide_prod(gamma, two, two_low, &total2, &lost2);
     double total3, lost3; two_diff(total, total2, &total3, &lost3);
     double total4, lost4; two_diff(total3, -number, &total4, &lost4);
-    const double rest = lost - lost2;
-    const double both = lost3 + lost4;
-    *total_out = total4;
-    *low_out = both + rest;
-    return;
+    const double rest = lost - lost2, both = lost3 + lost4;
+    *total_out = total4; *low_out = both + rest; return;
 }
 
 // divided difference of exp at 0, p and q, less 1/2
-static double fall_series(double gamma, double delta) {
-    double one2;
-    double two2;
+static double plant_n0_series(double gamma, double delta) {
+    double one2, two2;
     if ((delta < 0.125) && (fabs(gamma) < 0.00390625)) {
-        one2 = 0.0;
-        two2 = 0.0;
+        one2 = 0.0; two2 = 0.0;
     } else {
-        double one = 0.0;
-        double two = 0.0;
+        double one = 0.0, two = 0.0;
         static const double number_of[] = {3.279889237069838e-30, 9.183689863795546e-29,
             2.4795962632247976e-27, 6.446950284384474e-26, 1.6117375710961184e-24,
             3.868170170630684e-23, 8.896791392450574e-22, 1.9572941063391263e-20,
@@ -152,11 +120,9 @@ static double fall_series(double gamma, double delta) {
         for (int at_number = 0; at_number < 15; ++at_number) {
             const double number = number_of[at_number];
             const double next_one = delta*one - gamma*two + number;
-            two = one;
-            one = next_one;
+            two = one; one = next_one;
         }
-        one2 = one;
-        two2 = two;
+        one2 = one; two2 = two;
     }
     const double one3 = delta*one2 - gamma*two2 + 1.6059043836821613e-10;
     const double one4 = delta*one3 - gamma*one2 + 2.08767569878681e-09;
@@ -167,21 +133,22 @@ static double fall_series(double gamma, double delta) {
     const double one9 = delta*one8 - gamma*one7 + 0.0001984126984126984;
     const double one10 = delta*one9 - gamma*one8 + 0.001388888888888889;
     double one11, one_low;
-    fall_term(gamma, delta, one10, 0.0, one9, 0.0, 0.008333333333333333, &one11, &one_low);
+    plant_n0_term(gamma, delta, one10, 0.0, one9, 0.0, 0.008333333333333333, &one11, &one_low);
     double one12, one_low2;
-    fall_term(gamma, delta, one11, one_low, one10, 0.0, 0.041666666666666664, &one12, &one_low2);
+    plant_n0_term(gamma, delta, one11, one_low, one10, 0.0, 0.041666666666666664, &one12,
+        &one_low2);
     double one13, one_low3;
-    fall_term(gamma, delta, one12, one_low2, one11, one_low, 0.16666666666666666, &one13,
+    plant_n0_term(gamma, delta, one12, one_low2, one11, one_low, 0.16666666666666666, &one13,
         &one_low3);
     double one14, one_low4;
-    fall_term(gamma, delta, one13, one_low3, one12, one_low2, 0.0, &one14, &one_low4);
+    plant_n0_term(gamma, delta, one13, one_low3, one12, one_low2, 0.0, &one14, &one_low4);
     return one14 + one_low4;
 }
 
 // n0 of a device with slow poles
-static double fall_near(double fade_, double fade_low, double gamma, double delta) {
+static double plant_n0_near(double fade_, double fade_low, double gamma, double delta) {
     double total, lost; wide_prod(fade_, fade_, 2.0*fade_low, &total, &lost);
-    const double rest = fall_series(gamma, delta);
+    const double rest = plant_n0_series(gamma, delta);
     double total2, lost2; two_diff(rest, -0.5, &total2, &lost2);
     double total3, lost3; wide_prod(total, total2, lost2, &total3, &lost3);
     const double low = lost*total2 + lost3;
@@ -189,12 +156,10 @@ static double fall_near(double fade_, double fade_low, double gamma, double delt
 }
 
 // n0 of a creeping device
-static double fall_creep(double reach, double fade_, double fade_low, double gamma, double delta,
-    double p, double p_low, double slow, double slow_low, double mean, double mean_low,
-    double ratio, double ratio_low, double even, double even_low) {
-    if (reach < 0.5625) {
-        return fall_near(fade_, fade_low, gamma, delta);
-    }
+static double plant_n0_creep(double reach, double fade_, double fade_low, double gamma,
+    double delta, double p, double p_low, double slow, double slow_low, double mean,
+    double mean_low, double ratio, double ratio_low, double even, double even_low) {
+    if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, delta); }
     double total, lost; wide_prod(ratio, mean, mean_low, &total, &lost);
     double total2, lost2; two_diff(even, total, &total2, &lost2);
     const double pulled_low = lost + mean*ratio_low;
@@ -206,15 +171,11 @@ static double fall_creep(double reach, double fade_, double fade_low, double gam
 }
 
 // n0 of a swinging device
-static double fall_swing(double reach, double fade_, double fade_low, double half, double envelope,
-    double even, double even_low, double wave, double wave_low, double gamma, double near,
-    double known) {
-    if (reach < 0.5625) {
-        return fall_near(fade_, fade_low, gamma, 2.0*half);
-    }
-    if (near > 0.0) {
-        return known;
-    }
+static double plant_n0_swing(double reach, double fade_, double fade_low, double half,
+    double envelope, double even, double even_low, double wave, double wave_low, double gamma,
+    double near, double known) {
+    if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, 2.0*half); }
+    if (near > 0.0) { return known; }
     double total, lost; wide_prod(half, wave, wave_low, &total, &lost);
     double total2, lost2; two_diff(total, even, &total2, &lost2);
     double total3, lost3; two_diff(total2, -envelope, &total3, &lost3);
@@ -225,46 +186,13 @@ static double fall_swing(double reach, double fade_, double fade_low, double hal
     return lost5 + total5;
 }
 
-// what the root of |square + square_low| misses
-static double root_miss(double square, double square_low, double root) {
-    const double sign_low = (square < 0.0 ? -square_low : square_low);
-    const double left = -(root*root) + fabs(square);
-    const double left2 = left - fma(root, root, -(root*root));
-    const double left3 = left2 + sign_low;
-    const double whole = (root == 0.0 ? 1.0 : root);
-    return 0.5*left3/whole;
-}
-
-// the poles p = half + root and q = gamma/p and what they miss
-static void real_poles(double gamma, double half, double w, double w_low, double root,
-    double *p_out, double *p_low_out, double *q_out, double *q_low_out) {
-    double total, lost; fast_two_sum(half, root, &total, &lost);
-    const double p_low = lost + root_miss(w, w_low, root);
-    const double whole = (total == 0.0 ? 1.0 : total);
-    const double q = gamma/whole;
-    const double off = gamma - q*whole;
-    const double off2 = off - fma(whole, q, -(whole*q));
-    const double off3 = off2 - p_low*q;
-    *p_out = whole;
-    *p_low_out = p_low;
-    *q_out = q;
-    *q_low_out = off3/whole;
-    return;
-}
-
-// divided difference of exp at h, sqrt(w), -sqrt(w), less 1/2
-static double rise_series(double h, double w) {
-    double total2;
-    double one2;
-    double two2;
+// divided difference of exp at h and +-sqrt(w), less 1/2
+static double plant_n1_series(double h, double w) {
+    double total2, one2, two2;
     if ((fabs(w) < 0.00390625) && (h < 0.0625)) {
-        total2 = 0.0;
-        one2 = 0.0;
-        two2 = 0.0;
+        total2 = 0.0; one2 = 0.0; two2 = 0.0;
     } else {
-        double total = 0.0;
-        double one = 0.0;
-        double two = 0.0;
+        double total = 0.0, one = 0.0, two = 0.0;
         static const double number_of[] = {3.279889237069838e-30, 9.183689863795546e-29,
             2.4795962632247976e-27, 6.446950284384474e-26, 1.6117375710961184e-24,
             3.868170170630684e-23, 8.896791392450574e-22, 1.9572941063391263e-20,
@@ -273,45 +201,29 @@ static double rise_series(double h, double w) {
             1.1470745597729725e-11};
         for (int at_number = 0; at_number < 15; ++at_number) {
             const double number = number_of[at_number];
-            const double even = number + two*w;
-            const double next_total = even + h*total;
-            two = one;
-            one = even;
-            total = next_total;
+            const double even = number + two*w, next_total = even + h*total;
+            two = one; one = even; total = next_total;
         }
-        total2 = total;
-        one2 = one;
-        two2 = two;
+        total2 = total; one2 = one; two2 = two;
     }
-    const double even2 = two2*w + 1.6059043836821613e-10;
-    const double total3 = even2 + h*total2;
-    const double even3 = one2*w + 2.08767569878681e-09;
-    const double total4 = even3 + h*total3;
-    const double even4 = even2*w + 2.505210838544172e-08;
-    const double total5 = even4 + h*total4;
-    const double even5 = even3*w + 2.755731922398589e-07;
-    const double total6 = even5 + h*total5;
-    const double even6 = even4*w + 2.7557319223985893e-06;
-    const double total7 = even6 + h*total6;
-    const double even7 = even5*w + 2.48015873015873e-05;
-    const double total8 = even7 + h*total7;
-    const double even8 = even6*w + 0.0001984126984126984;
-    const double total9 = even8 + h*total8;
-    const double even9 = even7*w + 0.001388888888888889;
-    const double total10 = even9 + h*total9;
-    const double even10 = even8*w + 0.008333333333333333;
-    const double total11 = even10 + h*total10;
-    const double even11 = even9*w + 0.041666666666666664;
-    const double total12 = even11 + h*total11;
-    const double even12 = even10*w + 0.16666666666666666;
-    const double total13 = even12 + h*total12;
+    const double even2 = two2*w + 1.6059043836821613e-10, total3 = even2 + h*total2;
+    const double even3 = one2*w + 2.08767569878681e-09, total4 = even3 + h*total3;
+    const double even4 = even2*w + 2.505210838544172e-08, total5 = even4 + h*total4;
+    const double even5 = even3*w + 2.755731922398589e-07, total6 = even5 + h*total5;
+    const double even6 = even4*w + 2.7557319223985893e-06, total7 = even6 + h*total6;
+    const double even7 = even5*w + 2.48015873015873e-05, total8 = even7 + h*total7;
+    const double even8 = even6*w + 0.0001984126984126984, total9 = even8 + h*total8;
+    const double even9 = even7*w + 0.001388888888888889, total10 = even9 + h*total9;
+    const double even10 = even8*w + 0.008333333333333333, total11 = even10 + h*total10;
+    const double even11 = even9*w + 0.041666666666666664, total12 = even11 + h*total11;
+    const double even12 = even10*w + 0.16666666666666666, total13 = even12 + h*total12;
     const double even13 = even11*w;
     return even13 + h*total13;
 }
 
 // n1 of a device with slow poles
-static double rise_near(double fade_, double fade_low, double half, double w) {
-    const double rest = rise_series(half, w);
+static double plant_n1_near(double fade_, double fade_low, double half, double w) {
+    const double rest = plant_n1_series(half, w);
     double total, lost; two_diff(rest, -0.5, &total, &lost);
     double total2, lost2; wide_prod(fade_, total, lost, &total2, &lost2);
     const double low = fade_low*total + lost2;
@@ -319,12 +231,10 @@ static double rise_near(double fade_, double fade_low, double half, double w) {
 }
 
 // n1 of a creeping device
-static double rise_creep(double reach, double fade_, double fade_low, double half, double w,
+static double plant_n1_creep(double reach, double fade_, double fade_low, double half, double w,
     double p, double p_low, double slow, double slow_low, double mean, double mean_low,
     double even, double even_low) {
-    if (reach < 0.5625) {
-        return rise_near(fade_, fade_low, half, w);
-    }
+    if (reach < 0.5625) { return plant_n1_near(fade_, fade_low, half, w); }
     double total, lost; wide_prod(slow, even, even_low, &total, &lost);
     double total2, lost2; two_diff(mean, total, &total2, &lost2);
     const double pulled_low = even*slow_low + lost;
@@ -334,15 +244,11 @@ static double rise_creep(double reach, double fade_, double fade_low, double hal
 }
 
 // n1 of a swinging device
-static double rise_swing(double reach, double fade_, double fade_low, double half, double w,
+static double plant_n1_swing(double reach, double fade_, double fade_low, double half, double w,
     double envelope, double even, double even_low, double wave, double wave_low, double gamma,
     double near, double known) {
-    if (reach < 0.5625) {
-        return rise_near(fade_, fade_low, half, w);
-    }
-    if (near > 0.0) {
-        return known;
-    }
+    if (reach < 0.5625) { return plant_n1_near(fade_, fade_low, half, w); }
+    if (near > 0.0) { return known; }
     double total, lost; wide_prod(half, wave, wave_low, &total, &lost);
     double total2, lost2; two_diff(even, -total, &total2, &lost2);
     double total3, lost3;
@@ -353,23 +259,8 @@ static double rise_swing(double reach, double fade_, double fade_low, double hal
     return lost5 + total5;
 }
 
-// exp(-half) of a device with slow poles, and what it misses
-static void slow_fade(double reach, double half, double *fade_out, double *low_out) {
-    if (reach < 0.5625) {
-        double fall_, fall_low, mean, mean_low;
-        brief_fading(0.5*half, 0.0, &fall_, &fall_low, &mean, &mean_low);
-        double total, lost; wide_prod(fall_, fall_, 2.0*fall_low, &total, &lost);
-        *fade_out = total;
-        *low_out = lost;
-        return;
-    }
-    *fade_out = 0.0;
-    *low_out = 0.0;
-    return;
-}
-
 // a of a creeping device
-static double trace_creep(double slow, double slow_low, double ratio, double ratio_low) {
+static double plant_trace_creep(double slow, double slow_low, double ratio, double ratio_low) {
     double total, lost; fast_two_sum(1.0, ratio, &total, &lost);
     double total2, lost2; wide_prod(slow, total, lost + ratio_low, &total2, &lost2);
     const double low = lost2 + slow_low*total;
@@ -377,9 +268,40 @@ static double trace_creep(double slow, double slow_low, double ratio, double rat
 }
 
 // a of a swinging device
-static double trace_swing(double envelope, double even, double even_low) {
+static double plant_trace_swing(double envelope, double even, double even_low) {
     double total, lost; wide_prod(envelope, even, even_low, &total, &lost);
     return 2.0*lost + 2.0*total;
+}
+
+// what the root of |square + square_low| misses
+static double root_miss(double square, double square_low, double root) {
+    const double sign_low = (square < 0.0 ? -square_low : square_low);
+    const double left = -(root*root) + fabs(square);
+    const double left2 = left - fma(root, root, -(root*root)), left3 = left2 + sign_low;
+    const double whole = (root == 0.0 ? 1.0 : root);
+    return 0.5*left3/whole;
+}
+
+// the poles p = half + root and q = gamma/p and what they miss
+static void real_poles(double gamma, double half, double w, double w_low, double root,
+    double *p_out, double *p_low_out, double *q_out, double *q_low_out) {
+    double total, lost; fast_two_sum(half, root, &total, &lost);
+    const double p_low = lost + root_miss(w, w_low, root);
+    const double whole = (total == 0.0 ? 1.0 : total), q = gamma/whole;
+    const double off = gamma - q*whole, off2 = off - fma(whole, q, -(whole*q));
+    const double off3 = off2 - p_low*q;
+    *p_out = whole; *p_low_out = p_low; *q_out = q; *q_low_out = off3/whole; return;
+}
+
+// exp(-half) of a device with slow poles, and what it misses
+static void slow_fade(double reach, double half, double *fade_out, double *low_out) {
+    if (reach < 0.5625) {
+        double fall, fall_low, mean, mean_low;
+        brief_fading(0.5*half, 0.0, &fall, &fall_low, &mean, &mean_low);
+        double total, lost; wide_prod(fall, fall, 2.0*fall_low, &total, &lost);
+        *fade_out = total; *low_out = lost; return;
+    }
+    *fade_out = 0.0; *low_out = 0.0; return;
 }
 
 // (cosh(sqrt(w)) - 1 - w/2)/w^2
@@ -409,32 +331,22 @@ static void waving_pair(double square, double square_low, double angle, double *
         double total, lost; fast_two_sum(1.0, 0.5*square, &total, &lost);
         const double curved = (square*square)*cos_series(square);
         double total2, lost2; fast_two_sum(total, curved, &total2, &lost2);
-        const double both = lost + lost2;
-        const double bent = square*sin_series(square);
+        const double both = lost + lost2, bent = square*sin_series(square);
         double total3, lost3; fast_two_sum(1.0, bent, &total3, &lost3);
-        *even_out = total2;
-        *even_low_out = both + 0.5*square_low;
-        *odd_out = total3;
-        *odd_low_out = lost3 + 0.16666666666666666*square_low;
-        return;
+        *even_out = total2; *even_low_out = both + 0.5*square_low; *odd_out = total3;
+        *odd_low_out = lost3 + 0.16666666666666666*square_low; return;
     }
-    const double angle_low = root_miss(square, square_low, angle);
-    const double sine = sin(angle);
+    const double angle_low = root_miss(square, square_low, angle), sine = sin(angle);
     const double cosine = cos(angle);
     double total4, lost4;
     wide_quot(sine, angle, angle_low*cosine, angle_low, &total4, &lost4);
-    *even_out = cosine;
-    *even_low_out = -angle_low*sine;
-    *odd_out = total4;
-    *odd_low_out = lost4;
-    return;
+    *even_out = cosine; *even_low_out = -angle_low*sine; *odd_out = total4;
+    *odd_low_out = lost4; return;
 }
 
 // x y and what it misses
 static void two_prod(double x, double y, double *total_out, double *lost_out) {
-    *total_out = x*y;
-    *lost_out = fma(x, y, -(x*y));
-    return;
+    *total_out = x*y; *lost_out = fma(x, y, -(x*y)); return;
 }
 
 // whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
@@ -459,9 +371,9 @@ static void whole_turns(double half, double square, double square_low, double ro
         double total10, lost10; wide_quot(total7, whole, lost7, both_low, &total10, &lost10);
         const double far = (total10*total10);
         if ((count > 0.0) && (far < 1.5)) {
-            double fall_, fall_low, mean, mean_low;
-            brief_fading(half, 0.0, &fall_, &fall_low, &mean, &mean_low);
-            double total26, lost26; fast_two_sum(1.0, -fall_, &total26, &lost26);
+            double fall, fall_low, mean, mean_low;
+            brief_fading(half, 0.0, &fall, &fall_low, &mean, &mean_low);
+            double total26, lost26; fast_two_sum(1.0, -fall, &total26, &lost26);
             double total11, lost11; wide_prod(total10, total10, 2.0*lost10, &total11, &lost11);
             double total13, lost13;
             fast_two_sum(1.0, -total11*sin_series(-total11), &total13, &lost13);
@@ -469,11 +381,11 @@ static void whole_turns(double half, double square, double square_low, double ro
             const double bent = (total11*total11)*cos_series(-total11);
             double total12, lost12; fast_two_sum(0.5*total11, -bent, &total12, &lost12);
             const double lift_low = 0.5*lost11*total13 + lost12;
-            double total19, lost19; wide_prod(fall_, total12, lift_low, &total19, &lost19);
-            double total29, lost29; wide_prod(fall_, total12, lift_low, &total29, &lost29);
+            double total19, lost19; wide_prod(fall, total12, lift_low, &total19, &lost19);
+            double total29, lost29; wide_prod(fall, total12, lift_low, &total29, &lost29);
             double total15, lost15;
             wide_quot(total14, root, lost10*(1.0 - total12) + lost14, missed, &total15, &lost15);
-            double total16, lost16; wide_prod(fall_, total15, lost15, &total16, &lost16);
+            double total16, lost16; wide_prod(fall, total15, lost15, &total16, &lost16);
             double total17, lost17; two_diff(mean, total16, &total17, &lost17);
             double total21, lost21; two_diff(mean, total15, &total21, &lost21);
             double total22, lost22;
@@ -485,7 +397,7 @@ static void whole_turns(double half, double square, double square_low, double ro
             double total20, lost20; two_diff(total18, -total19, &total20, &lost20);
             const double low3 = lift_low - lost22 + lost23;
             double total24, lost24; two_diff(total23, -low3, &total24, &lost24);
-            double total25, lost25; wide_prod(fall_, total24, lost24, &total25, &lost25);
+            double total25, lost25; wide_prod(fall, total24, lost24, &total25, &lost25);
             const double low4 = -fall_low + lost26;
             double total27, lost27; fast_two_sum(total26, low4, &total27, &lost27);
             double total28, lost28; wide_prod(total27, total27, 2.0*lost27, &total28, &lost28);
@@ -496,29 +408,18 @@ static void whole_turns(double half, double square, double square_low, double ro
             double total32, lost32; wide_quot(total25, whole2, low6, 0.0, &total32, &lost32);
             const double low7 = 2.0*fall_low*total12 + lost28 + 2.0*lost29 + lost30;
             double total33, lost33; wide_quot(total30, whole2, low7, 0.0, &total33, &lost33);
-            *near_out = 1.0;
-            *risen_out = lost31 + total31;
-            *sunk_out = lost32 + total32;
-            *moved_out = lost33 + total33;
-            return;
+            *near_out = 1.0; *risen_out = lost31 + total31;
+            *sunk_out = lost32 + total32; *moved_out = lost33 + total33; return;
         }
-        *near_out = 0.0;
-        *risen_out = 0.0;
-        *sunk_out = 0.0;
-        *moved_out = 0.0;
-        return;
+        *near_out = 0.0; *risen_out = 0.0; *sunk_out = 0.0; *moved_out = 0.0; return;
     }
-    *near_out = 0.0;
-    *risen_out = 0.0;
-    *sunk_out = 0.0;
-    *moved_out = 0.0;
-    return;
+    *near_out = 0.0; *risen_out = 0.0; *sunk_out = 0.0; *moved_out = 0.0; return;
 }
 
 // n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
 // device in a period; a, the sum of the sampled device's poles
-static void fall_rise_swing(double gamma, double delta, double *fall_out, double *rise_out,
-    double *swing_out) {
+static void plant_n0_plant_n1_plant_trace(double gamma, double delta, double *plant_n0_out,
+    double *plant_n1_out, double *plant_trace_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
@@ -528,144 +429,65 @@ static void fall_rise_swing(double gamma, double delta, double *fall_out, double
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const double envelope = exp(-half);
-        *fall_out = fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *rise_out = rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        *swing_out = trace_swing(envelope, even, even_low);
-        return;
+        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
+            odd, odd_low, gamma, near, risen);
+        *plant_trace_out = plant_trace_swing(envelope, even, even_low); return;
     }
     const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall_, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    double fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
     double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *fall_out = fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *rise_out = rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
+        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
+    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
-    *swing_out = trace_creep(fall_, fall_low, fall2, fall_low2);
-    return;
-}
-
-// n0, the same device with its time reversed, times exp(-delta)
-static double fall(double gamma, double delta) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    if (reach < 0.5625) {
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        return fall_near(fade_, fade_low, gamma, delta);
-    }
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const double envelope = exp(-half);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        return fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
-            gamma, near, sunk);
-    }
-    const double half = 0.5*delta;
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall_, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    return fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-}
-
-// n1, how far a unit force moves the device in a period
-static double rise(double gamma, double delta) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    if (reach < 0.5625) {
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        return rise_near(fade_, fade_low, half, w);
-    }
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const double envelope = exp(-half);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        return rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd, odd_low,
-            gamma, near, risen);
-    }
-    const double half = 0.5*delta;
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall_, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    return rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean, mean_low,
-        mean2, mean_low2);
+    *plant_trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
 }
 
 // exp(-p), of the faster pole, and what it misses
 static void fast_fall(double slow, double slow_low, double ratio, double ratio_low,
     double *fast_out, double *low_out) {
     double total, lost; wide_prod(slow, ratio, ratio_low, &total, &lost);
-    *fast_out = total;
-    *low_out = lost + ratio*slow_low;
-    return;
+    *fast_out = total; *low_out = lost + ratio*slow_low; return;
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
-static double together_series(double h, double w) {
+static double numerator_at_one_series(double h, double w) {
     const double y = (h*h);
-    double total2;
-    double inner2;
+    double total2, inner2;
     if ((fabs(w) < 0.00390625) && (h < 0.0625)) {
-        total2 = 0.0;
-        inner2 = 0.0;
+        total2 = 0.0; inner2 = 0.0;
     } else {
-        double total = 0.0;
-        double inner = 0.0;
+        double total = 0.0, inner = 0.0;
         static const double number_of[] = {3.279889237069838e-30, 2.4795962632247976e-27,
             1.6117375710961184e-24, 8.896791392450574e-22, 4.110317623312165e-19,
             1.5619206968586225e-16, 4.779477332387385e-14, 1.1470745597729725e-11};
         for (int at_number = 0; at_number < 8; ++at_number) {
             const double number = number_of[at_number];
-            const double own = inner*w + number;
-            const double next_total = own + total*y;
-            inner = own;
-            total = next_total;
+            const double own = inner*w + number, next_total = own + total*y;
+            inner = own; total = next_total;
         }
-        total2 = total;
-        inner2 = inner;
+        total2 = total; inner2 = inner;
     }
-    const double own2 = inner2*w + 2.08767569878681e-09;
-    const double total3 = own2 + total2*y;
-    const double own3 = own2*w + 2.755731922398589e-07;
-    const double total4 = own3 + total3*y;
-    const double own4 = own3*w + 2.48015873015873e-05;
-    const double total5 = own4 + total4*y;
-    const double own5 = own4*w + 0.001388888888888889;
-    const double total6 = own5 + total5*y;
-    const double own6 = own5*w + 0.041666666666666664;
-    const double total7 = own6 + total6*y;
+    const double own2 = inner2*w + 2.08767569878681e-09, total3 = own2 + total2*y;
+    const double own3 = own2*w + 2.755731922398589e-07, total4 = own3 + total3*y;
+    const double own4 = own3*w + 2.48015873015873e-05, total5 = own4 + total4*y;
+    const double own5 = own4*w + 0.001388888888888889, total6 = own5 + total5*y;
+    const double own6 = own5*w + 0.041666666666666664, total7 = own6 + total6*y;
     const double own7 = own6*w;
     return own7 + total7*y;
 }
 
 // n1 + n0 of a device with slow poles
-static double together_near(double half, double w) {
-    const double rest = together_series(half, w);
+static double numerator_at_one_near(double half, double w) {
+    const double rest = numerator_at_one_series(half, w);
     double total, lost; two_diff(rest, -0.5, &total, &lost);
     const double envelope = exp(-half);
     double total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
@@ -673,11 +495,9 @@ static double together_near(double half, double w) {
 }
 
 // n1 + n0 of a creeping device
-static double together_creep(double reach, double half, double w, double p, double p_low,
+static double numerator_at_one_creep(double reach, double half, double w, double p, double p_low,
     double slow, double slow_low, double mean, double mean_low, double ratio, double ratio_low) {
-    if (reach < 1.0) {
-        return together_near(half, w);
-    }
+    if (reach < 1.0) { return numerator_at_one_near(half, w); }
     double fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
     double total, lost; fast_two_sum(1.0, -fast, &total, &lost);
     double total2, lost2; wide_prod(mean, total, -fast_low + lost, &total2, &lost2);
@@ -691,34 +511,27 @@ static void half_squares(double half, double envelope, double wave, double back,
     double *low_out) {
     double total, lost; two_diff(wave, back, &total, &lost);
     double total2, lost2; two_prod(total, total, &total2, &lost2);
-    const double grown = -0.5*expm1(-half);
-    const double low = 2.0*lost*total + lost2;
+    const double grown = -0.5*expm1(-half), low = 2.0*lost*total + lost2;
     double total3, lost3; wide_prod(envelope, total2, low, &total3, &lost3);
     double total4, lost4; two_diff(total3, -(grown*grown), &total4, &lost4);
-    *total_out = total4;
-    *low_out = lost3 + lost4;
-    return;
+    *total_out = total4; *low_out = lost3 + lost4; return;
 }
 
 // n1 + n0 of a swinging device
-static double together_swing(double reach, double half, double w, double w_low, double envelope,
-    double root, double gamma, double near, double known) {
-    if (reach < 1.0) {
-        return together_near(half, w);
-    }
-    if (near > 0.0) {
-        return known;
-    }
-    const double angle = 0.5*root;
-    const double back = -0.5*root_miss(w, w_low, root)*cos(angle);
+static double numerator_at_one_swing(double reach, double half, double w, double w_low,
+    double envelope, double root, double gamma, double near, double known) {
+    if (reach < 1.0) { return numerator_at_one_near(half, w); }
+    if (near > 0.0) { return known; }
+    const double angle = 0.5*root, back = -0.5*root_miss(w, w_low, root)*cos(angle);
     double total, low; half_squares(half, envelope, sin(angle), back, &total, &low);
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
     double total2, lost; wide_quot(total, whole, low, 0.0, &total2, &lost);
     return 4.0*lost + 4.0*total2;
 }
 
-// a, the sum of the sampled device's poles; n1 + n0
-static void swing_together(double gamma, double delta, double *swing_out, double *together_out) {
+// n1 + n0; a, the sum of the sampled device's poles
+static void numerator_at_one_plant_trace(double gamma, double delta, double *numerator_at_one_out,
+    double *plant_trace_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
@@ -727,162 +540,96 @@ static void swing_together(double gamma, double delta, double *swing_out, double
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         const double envelope = exp(-half);
-        *swing_out = trace_swing(envelope, even, even_low);
-        *together_out = together_swing(reach, half, w, w_low, envelope, root, gamma, near, moved);
-        return;
+        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
+            gamma, near, moved);
+        *plant_trace_out = plant_trace_swing(envelope, even, even_low); return;
     }
     const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall_, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    double fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *swing_out = trace_creep(fall_, fall_low, fall2, fall_low2);
-    *together_out = together_creep(reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
-        fall2, fall_low2);
-    return;
+    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2);
+    *plant_trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
 }
 
-// divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
-static double apart_series(double h, double w) {
-    const double y = (h*h);
-    double total2;
-    double inner2;
-    if ((fabs(w) < 0.00390625) && (h < 0.0625)) {
-        total2 = 0.0;
-        inner2 = 0.0;
-    } else {
-        double total = 0.0;
-        double inner = 0.0;
-        static const double number_of[] = {9.183689863795546e-29, 6.446950284384474e-26,
-            3.868170170630684e-23, 1.9572941063391263e-20, 8.22063524662433e-18,
-            2.8114572543455206e-15, 7.647163731819816e-13};
-        for (int at_number = 0; at_number < 7; ++at_number) {
-            const double number = number_of[at_number];
-            const double own = inner*w + number;
-            const double next_total = own + total*y;
-            inner = own;
-            total = next_total;
-        }
-        total2 = total;
-        inner2 = inner;
-    }
-    const double own2 = inner2*w + 1.6059043836821613e-10;
-    const double total3 = own2 + total2*y;
-    const double own3 = own2*w + 2.505210838544172e-08;
-    const double total4 = own3 + total3*y;
-    const double own4 = own3*w + 2.7557319223985893e-06;
-    const double total5 = own4 + total4*y;
-    const double own5 = own4*w + 0.0001984126984126984;
-    const double total6 = own5 + total5*y;
-    const double own6 = own5*w + 0.008333333333333333;
-    const double total7 = own6 + total6*y;
-    const double own7 = own6*w;
-    const double total8 = own7 + total7*y;
-    return total8 + 9.25185853854297e-18;
-}
-
-// (n1 - n0)/delta of a device with slow poles
-static double apart_near(double half, double w) {
-    const double rest = apart_series(half, w);
-    double total, lost; two_diff(rest, -0.16666666666666666, &total, &lost);
-    const double envelope = exp(-half);
-    double total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
-    return lost2 + total2;
-}
-
-// (n1 - n0)/delta of a creeping device
-static double apart_creep(double reach, double half, double w, double delta, double p, double slow,
-    double mean, double mean_low, double ratio, double even, double even_low) {
-    if (reach < 1.0) {
-        return apart_near(half, w);
-    }
-    const double fast = ratio*slow;
-    double total3, lost3; wide_prod(fast, mean, mean_low, &total3, &lost3);
-    const double twice = 2.0*slow;
-    double total, lost; wide_prod(twice, even, even_low, &total, &lost);
-    double total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const double top = total2 + total3;
-    const double rest = -lost + lost3 + mean_low;
-    const double low = lost2 + rest;
-    const double whole = (delta*p == 0.0 ? 1.0 : delta*p);
-    return (low + top)/whole;
-}
-
-// (1 - exp(-x))/x
-static double decay(double x) {
-    if (x == 0.0) {
-        return 1.0;
-    }
-    return -expm1(-x)/x;
-}
-
-// (n1 - n0)/delta of a swinging device
-static double apart_swing(double reach, double half, double w, double envelope, double wave,
-    double wave_low, double gamma, double delta) {
-    if (reach < 1.0) {
-        return apart_near(half, w);
-    }
-    double total, lost; wide_prod(envelope, wave, wave_low, &total, &lost);
-    const double mean = decay(delta);
-    double total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    double total3, lost3; wide_quot(total2, whole, -lost + lost2, 0.0, &total3, &lost3);
-    return lost3 + total3;
-}
-
-// (n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); displacement by a
-// unit impulse after a period; what the last rounding of Kick takes; n1, how far a unit force moves
-// the device in a period
-static void apart_fall_kick_kick_low_rise(double gamma, double delta, double *apart_out,
-    double *fall_out, double *kick_out, double *kick_low_out, double *rise_out) {
+// n0, the same device with its time reversed, times exp(-delta)
+static double plant_n0(double gamma, double delta) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (reach < 0.5625) {
+        const double half = 0.5*delta;
+        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        return plant_n0_near(fade_, fade_low, gamma, delta);
+    }
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
         const double half = 0.5*delta;
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const double envelope = exp(-half);
-        double total2, lost2; wide_prod(envelope, odd, odd_low, &total2, &lost2);
-        double total3, lost3; fast_two_sum(total2, lost2, &total3, &lost3);
-        *apart_out = apart_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        *fall_out = fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk);
-        *kick_out = total3;
-        *kick_low_out = lost3;
-        *rise_out = rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        return;
+        double near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        return plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
+            gamma, near, sunk);
     }
     const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall_, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    double fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
     double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    double total, lost; wide_prod(fall_, mean2, mean_low2, &total, &lost);
-    const double creep_low = fall_low*mean2 + lost;
-    double total4, lost4; fast_two_sum(total, creep_low, &total4, &lost4);
-    *apart_out = apart_creep(reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
-        mean_low2);
-    *fall_out = fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
+    return plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
         mean_low, fall2, fall_low2, mean2, mean_low2);
-    *kick_out = total4;
-    *kick_low_out = lost4;
-    *rise_out = rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+}
+
+// n1, how far a unit force moves the device in a period
+static double plant_n1(double gamma, double delta) {
+    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (reach < 0.5625) {
+        const double half = 0.5*delta;
+        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        return plant_n1_near(fade_, fade_low, half, w);
+    }
+    if (w < 0.0) {
+        double even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const double half = 0.5*delta;
+        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        const double envelope = exp(-half);
+        double near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        return plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
+    }
+    const double half = 0.5*delta;
+    double p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    double fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
+    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    const double root_low = root_miss(w, w_low, root);
+    double fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    return plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
-    return;
+}
+
+// (1 - exp(-x))/x
+static double decay(double x) {
+    if (x == 0.0) { return 1.0; }
+    return -expm1(-x)/x;
 }
 
 // 1 + a + e of a creeping device
-static double nyquist_creep(double slow, double slow_low, double ratio, double ratio_low) {
+static double denominator_at_minus_one_creep(double slow, double slow_low, double ratio,
+    double ratio_low) {
     double total, lost; fast_two_sum(1.0, slow, &total, &lost);
     double fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
     double total2, lost2; fast_two_sum(1.0, fast, &total2, &lost2);
@@ -892,8 +639,8 @@ static double nyquist_creep(double slow, double slow_low, double ratio, double r
 }
 
 // 1 + a + e of a swinging device
-static double nyquist_swing(double half, double w, double w_low, double envelope, double even,
-    double even_low, double root) {
+static double denominator_at_minus_one_swing(double half, double w, double w_low, double envelope,
+    double even, double even_low, double root) {
     double total3, lost2; wide_prod(2.0*envelope, even, even_low, &total3, &lost2);
     if (total3 > 0.0) {
         const double e = exp(-2.0*half);
@@ -902,16 +649,78 @@ static double nyquist_swing(double half, double w, double w_low, double envelope
         const double rest = lost + lost2 + lost3;
         return rest + total4;
     }
-    const double angle = 0.5*root;
-    const double back = 0.5*root_miss(w, w_low, root)*sin(angle);
+    const double angle = 0.5*root, back = 0.5*root_miss(w, w_low, root)*sin(angle);
     double total, low; half_squares(half, envelope, cos(angle), back, &total, &low);
     return 4.0*low + 4.0*total;
 }
 
-// (n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a + e; n1,
-// how far a unit force moves the device in a period; n1 + n0
-static void apart_fall_nyquist_rise_together(double gamma, double delta, double *apart_out,
-    double *fall_out, double *nyquist_out, double *rise_out, double *together_out) {
+// divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
+static double numerator_gap_series(double h, double w) {
+    const double y = (h*h);
+    double total2, inner2;
+    if ((fabs(w) < 0.00390625) && (h < 0.0625)) {
+        total2 = 0.0; inner2 = 0.0;
+    } else {
+        double total = 0.0, inner = 0.0;
+        static const double number_of[] = {9.183689863795546e-29, 6.446950284384474e-26,
+            3.868170170630684e-23, 1.9572941063391263e-20, 8.22063524662433e-18,
+            2.8114572543455206e-15, 7.647163731819816e-13};
+        for (int at_number = 0; at_number < 7; ++at_number) {
+            const double number = number_of[at_number];
+            const double own = inner*w + number, next_total = own + total*y;
+            inner = own; total = next_total;
+        }
+        total2 = total; inner2 = inner;
+    }
+    const double own2 = inner2*w + 1.6059043836821613e-10, total3 = own2 + total2*y;
+    const double own3 = own2*w + 2.505210838544172e-08, total4 = own3 + total3*y;
+    const double own4 = own3*w + 2.7557319223985893e-06, total5 = own4 + total4*y;
+    const double own5 = own4*w + 0.0001984126984126984, total6 = own5 + total5*y;
+    const double own6 = own5*w + 0.008333333333333333, total7 = own6 + total6*y;
+    const double own7 = own6*w, total8 = own7 + total7*y;
+    return total8 + 9.25185853854297e-18;
+}
+
+// (n1 - n0)/delta of a device with slow poles
+static double numerator_gap_near(double half, double w) {
+    const double rest = numerator_gap_series(half, w);
+    double total, lost; two_diff(rest, -0.16666666666666666, &total, &lost);
+    const double envelope = exp(-half);
+    double total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
+    return lost2 + total2;
+}
+
+// (n1 - n0)/delta of a creeping device
+static double numerator_gap_creep(double reach, double half, double w, double delta, double p,
+    double slow, double mean, double mean_low, double ratio, double even, double even_low) {
+    if (reach < 1.0) { return numerator_gap_near(half, w); }
+    const double fast = ratio*slow;
+    double total3, lost3; wide_prod(fast, mean, mean_low, &total3, &lost3);
+    const double twice = 2.0*slow;
+    double total, lost; wide_prod(twice, even, even_low, &total, &lost);
+    double total2, lost2; two_diff(mean, total, &total2, &lost2);
+    const double top = total2 + total3, rest = -lost + lost3 + mean_low;
+    const double low = lost2 + rest, whole = (delta*p == 0.0 ? 1.0 : delta*p);
+    return (low + top)/whole;
+}
+
+// (n1 - n0)/delta of a swinging device
+static double numerator_gap_swing(double reach, double half, double w, double envelope,
+    double wave, double wave_low, double gamma, double delta) {
+    if (reach < 1.0) { return numerator_gap_near(half, w); }
+    double total, lost; wide_prod(envelope, wave, wave_low, &total, &lost);
+    const double mean = decay(delta);
+    double total2, lost2; two_diff(mean, total, &total2, &lost2);
+    const double whole = (gamma == 0.0 ? 1.0 : gamma);
+    double total3, lost3; wide_quot(total2, whole, -lost + lost2, 0.0, &total3, &lost3);
+    return lost3 + total3;
+}
+
+// 1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
+// exp(-delta); n1, how far a unit force moves the device in a period
+static void den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(double gamma, double delta,
+    double *denominator_at_minus_one_out, double *numerator_at_one_out, double *numerator_gap_out,
+    double *plant_n0_out, double *plant_n1_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
@@ -921,39 +730,43 @@ static void apart_fall_nyquist_rise_together(double gamma, double delta, double 
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const double envelope = exp(-half);
-        *apart_out = apart_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        *fall_out = fall_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *denominator_at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope,
+            even, even_low, root);
+        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
+            gamma, near, moved);
+        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
+            delta);
+        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *nyquist_out = nyquist_swing(half, w, w_low, envelope, even, even_low, root);
-        *rise_out = rise_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        *together_out = together_swing(reach, half, w, w_low, envelope, root, gamma, near, moved);
+        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
+            odd, odd_low, gamma, near, risen);
         return;
     }
     const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall_, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    double fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
     double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *apart_out = apart_creep(reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
-        mean_low2);
-    *fall_out = fall_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *nyquist_out = nyquist_creep(fall_, fall_low, fall2, fall_low2);
-    *rise_out = rise_creep(reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+    *denominator_at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2,
+        fall_low2);
+    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2);
+    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
+        mean2, mean_low2);
+    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
+        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
+    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
-    *together_out = together_creep(reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
-        fall2, fall_low2);
     return;
 }
 
 // m2 - m1 + m0, M at z = -1 behind a fraction of a period
-static double late_apart(double epsilon, double x, double x_low, double y, double y_low,
-    double first, double last, double turned) {
+static double fractional_numerator_gap(double epsilon, double x, double x_low, double y,
+    double y_low, double first, double last, double turned) {
     double total, lost; fast_two_sum(1.0, -epsilon, &total, &lost);
     double total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
     double total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
@@ -962,35 +775,29 @@ static double late_apart(double epsilon, double x, double x_low, double y, doubl
     double total5, lost5; two_diff(first, 2.0*total4, &total5, &lost5);
     double total6, lost6; two_diff(total5, last, &total6, &lost6);
     double total7, lost7; two_diff(total6, -turned, &total7, &lost7);
-    const double low = lost2*total3 + lost4;
-    const double rest = lost5 + lost6;
-    const double rest2 = lost7 + rest;
+    const double low = lost2*total3 + lost4, rest = lost5 + lost6, rest2 = lost7 + rest;
     const double rest3 = -2.0*low + rest2;
     return rest3 + total7;
 }
 
 // the fraction of a period in a delay
-static double late_part(double d) {
+static double fractional_part(double d) {
     return d - floor(d);
 }
 
 // the root of a cubic on a piece where it bends one way
 static double cubic_root(double k0, double k1, double k2, double k3, double low, double high,
-    double rise_) {
+    double rise) {
     const double convex = (2.0*k2 + 3.0*k3*(high + low) > 0.0 ? 1.0 : -1.0);
-    const double down = (convex*rise_ > 0.0 ? 1.0 : -1.0);
-    double y = (down > 0.0 ? high : low);
-    double moves = 1.0;
+    const double down = (convex*rise > 0.0 ? 1.0 : -1.0);
+    double y = (down > 0.0 ? high : low), moves = 1.0;
     for (int count_y = 0; count_y < 100; ++count_y) {
         if (moves == 0.0) { break; }
-        const double steep = k1 + y*(2.0*k2 + 3.0*k3*y);
-        const double some = (steep == 0.0 ? 1.0 : steep);
+        const double steep = k1 + y*(2.0*k2 + 3.0*k3*y), some = (steep == 0.0 ? 1.0 : steep);
         const double move = (steep == 0.0 ? 0.0 : (k0 + y*(k1 + y*(k2 + k3*y)))/some);
-        const double new_ = fmin(high, -move + y);
-        const double new2 = fmax(low, new_);
+        const double new_ = fmin(high, -move + y), new2 = fmax(low, new_);
         const double next_moves = (down*(-new2 + y) > 0.0 ? 1.0 : 0.0);
-        moves = next_moves;
-        y = new2;
+        moves = next_moves; y = new2;
     }
     return y;
 }
@@ -998,19 +805,16 @@ static double cubic_root(double k0, double k1, double k2, double k3, double low,
 // the angle of x + j y in half turns, and the rest
 static void turn_angle(double x, double y, double *halves_out, double *rest_out) {
     *halves_out = (x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0);
-    *rest_out = atan2((x < 0.0 ? -y : y), fabs(x));
-    return;
+    *rest_out = atan2((x < 0.0 ? -y : y), fabs(x)); return;
 }
 
 // the nearest whole number of turns in the phase at a crossing
 static double phase_turns(double y, double rest, double off, double alpha, double slope,
-    double far, double d, double n1, double loss, double together_, double apart_) {
-    const double at = fmax(0.0, y);
-    const double still = fmax(0.0, rest);
-    const double sine = 2.0*sqrt(at*still);
+    double far, double d, double n1, double loss, double together, double apart) {
+    const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
     double halves, turned; turn_angle(off*(2.0*loss - 4.0), loss*sine, &halves, &turned);
     double halves2, turned2;
-    turn_angle(-apart_*at + still*together_, n1*sine, &halves2, &turned2);
+    turn_angle(-apart*at + still*together, n1*sine, &halves2, &turned2);
     double halves3, turned3;
     turn_angle(alpha*still - at*far, sine*slope, &halves3, &turned3);
     const double half = atan2((at > 2.0 ? sqrt(still) : sqrt(at)),
@@ -1019,15 +823,14 @@ static double phase_turns(double y, double rest, double off, double alpha, doubl
     const double halves4 = -halves + halves2 + halves3 - (at > 2.0 ? late : 0.0);
     const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - turned + turned2 + turned3)/
         3.141592653589793;
-    const double even = floor(0.5*halves4);
-    const double left = -even + 0.5*halves4;
+    const double even = floor(0.5*halves4), left = -even + 0.5*halves4;
     return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
 }
 
 // what the crossing on a piece, if there is one, adds
 static double piece_turns(double k0, double k1, double k2, double k3, double low, double high,
     double at_low, double at_high, double zone, double alpha, double slope, double far, double n1,
-    double loss, double together_, double apart_, double center, double beyond, double d) {
+    double loss, double together, double apart, double center, double beyond, double d) {
     if ((((at_high < 0.0) && (at_low >= 0.0)) || ((at_high >= 0.0) && (at_low < 0.0))) &&
         (high > low)) {
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
@@ -1037,7 +840,7 @@ static double piece_turns(double k0, double k1, double k2, double k3, double low
         if ((rest > 0.0) && (y > 0.0)) {
             const double off = (zone == 0.0 ? -center + x : (zone == 1.0 ? x : beyond - x));
             const double found = phase_turns(y, rest, off, alpha, slope, far, d, n1, loss,
-                together_, apart_);
+                together, apart);
             const double rises = (zone == 2.0 ? -1.0 : 1.0)*(at_high > at_low ? 1.0 : -1.0);
             turned = -2.0*found*rises;
         } else {
@@ -1051,125 +854,142 @@ static double piece_turns(double k0, double k1, double k2, double k3, double low
 // what the crossings between two points add to the count
 static double zone_turns(double k0, double k1, double k2, double k3, double low, double high,
     double at_low, double at_high, double zone, double alpha, double slope, double far, double n1,
-    double loss, double together_, double apart_, double center, double beyond, double d) {
+    double loss, double together, double apart, double center, double beyond, double d) {
     const double disc = -3.0*k1*k3 + (k2*k2);
-    const double some = (fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0);
-    const double at = -k2/some;
+    const double some = (fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at = -k2/some;
     const double cut = ((at < high) && (at > low) && (fabs(k2) < 24.0*fabs(k3)) ? at : low);
-    double one;
-    double two;
+    double one, two;
     if (disc < 0.0) {
-        one = low;
-        two = low;
+        one = low; two = low;
     } else {
-        const double root = sqrt(fmax(0.0, disc));
-        const double q = -k2 - (k2 < 0.0 ? -root : root);
-        const double some2 = (fabs(q) < 24.0*fabs(k3) ? 3.0*k3 : 1.0);
-        const double at2 = q/some2;
-        const double some3 = (fabs(k1) < 8.0*fabs(q) ? q : 1.0);
-        const double at3 = k1/some3;
+        const double root = sqrt(fmax(0.0, disc)), q = -k2 - (k2 < 0.0 ? -root : root);
+        const double some2 = (fabs(q) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at2 = q/some2;
+        const double some3 = (fabs(k1) < 8.0*fabs(q) ? q : 1.0), at3 = k1/some3;
         one = ((at2 < high) && (at2 > low) && (fabs(q) < 24.0*fabs(k3)) ? at2 : low);
         two = ((at3 < high) && (at3 > low) && (fabs(k1) < 8.0*fabs(q)) ? at3 : low);
     }
-    const double less = fmin(one, two);
-    const double more = fmax(one, two);
-    const double first = fmin(cut, less);
-    const double middle = fmax(cut, less);
-    const double last = fmax(middle, more);
+    const double less = fmin(one, two), more = fmax(one, two), first = fmin(cut, less);
+    const double middle = fmax(cut, less), last = fmax(middle, more);
     const double middle2 = fmin(middle, more);
     const double height = first*(first*(first*k3 + k2) + k1) + k0;
     const double height2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const double height3 = k0 + last*(k1 + last*(k2 + k3*last));
     const double found = piece_turns(k0, k1, k2, k3, low, first, at_low, height, zone, alpha,
-        slope, far, n1, loss, together_, apart_, center, beyond, d);
+        slope, far, n1, loss, together, apart, center, beyond, d);
     const double found2 = found + piece_turns(k0, k1, k2, k3, first, middle2, height, height2,
-        zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d);
+        zone, alpha, slope, far, n1, loss, together, apart, center, beyond, d);
     const double found3 = found2 + piece_turns(k0, k1, k2, k3, middle2, last, height2, height3,
-        zone, alpha, slope, far, n1, loss, together_, apart_, center, beyond, d);
+        zone, alpha, slope, far, n1, loss, together, apart, center, beyond, d);
     return found3 + piece_turns(k0, k1, k2, k3, last, high, height3, at_high, zone, alpha, slope,
-        far, n1, loss, together_, apart_, center, beyond, d);
+        far, n1, loss, together, apart, center, beyond, d);
 }
 
 // roots outside the unit circle, behind a fractional delay
-static double late_roots(double alpha, double beta, double d, double m2, double m0, double at_one,
-    double at_minus_one, double loss, double together_, double apart_) {
-    const double slope = alpha + beta;
-    const double wall_far = alpha + 2.0*beta;
-    const double force = beta*slope;
-    const double across = -m0 + m2;
-    const double square = m0*m2;
-    const double even = together_*(m0 + m2);
-    const double linear = (across*across) - even;
-    const double pushed_ = alpha*together_;
-    const double lost = (loss*loss);
-    const double near0 = (at_one - pushed_)*(at_one + pushed_);
-    const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*
-        (together_*together_) + lost;
+static double fractional_roots(double alpha, double beta, double d, double m2, double m0,
+    double at_one, double at_minus_one, double loss, double together, double apart) {
+    const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
+    const double across = -m0 + m2, square = m0*m2, even = together*(m0 + m2);
+    const double linear = (across*across) - even, pushed_ = alpha*together;
+    const double lost = (loss*loss), near0 = (at_one - pushed_)*(at_one + pushed_);
+    const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together) +
+        lost;
     const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0;
-    const double near3 = -force*square;
-    const double square2 = m0*m2;
-    const double even2 = apart_*(m0 + m2);
-    const double linear2 = (across*across) - even2;
-    const double pushed2 = apart_*wall_far;
+    const double near3 = -force*square, square2 = m0*m2, even2 = apart*(m0 + m2);
+    const double linear2 = (across*across) - even2, pushed2 = apart*wall_far;
     const double lost2 = (loss*loss);
     const double far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
-    const double far1 = (apart_*apart_)*force - at_minus_one*(2.0 - loss) - linear2*
+    const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*
         (wall_far*wall_far) + lost2;
     const double far2 = force*linear2 - loss - square2*(wall_far*wall_far) + 1.0;
-    const double far3 = force*square2;
-    const double middle = 2.0*at_one/(2.0 - loss);
-    const double rest = 2.0*at_minus_one/(2.0 - loss);
-    const double sine = 0.25*middle*rest;
+    const double far3 = force*square2, middle = 2.0*at_one/(2.0 - loss);
+    const double rest = 2.0*at_minus_one/(2.0 - loss), sine = 0.25*middle*rest;
     const double tilt = -0.25*middle + 0.25*rest;
-    const double real = -0.25*apart_*middle + 0.25*rest*together_;
-    const double size = (across*across);
-    const double lost3 = (loss*loss);
-    const double one = (real*real) + sine*size;
-    const double two = -real*(m0 + m2) + size*tilt;
-    const double three = m0*m2;
+    const double real = -0.25*apart*middle + 0.25*rest*together, size = (across*across);
+    const double lost3 = (loss*loss), one = (real*real) + sine*size;
+    const double two = -real*(m0 + m2) + size*tilt, three = m0*m2;
     const double wave = 0.25*alpha*rest - 0.25*middle*wall_far;
-    const double wall = sine*(slope*slope) + (wave*wave);
-    const double own0 = lost3*sine - one*wall;
+    const double wall = sine*(slope*slope) + (wave*wave), own0 = lost3*sine - one*wall;
     const double own1 = -force*one + lost3*tilt - two*wall;
-    const double own2 = -force*two - loss - three*wall + 1.0;
-    const double own3 = -force*three;
-    const double one2 = 0.5*middle;
-    const double two2 = 0.5*rest;
+    const double own2 = -force*two - loss - three*wall + 1.0, own3 = -force*three;
+    const double one2 = 0.5*middle, two2 = 0.5*rest;
     const double before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
-    const double after = own0 + two2*(own1 + two2*(own2 + own3*two2));
-    const double zone = 0.0;
-    const double zone2 = 1.0;
-    const double zone3 = 2.0;
-    const double side = (slope >= 0.0 ? 1.0 : -1.0);
+    const double after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0;
+    const double zone2 = 1.0, zone3 = 2.0, side = (slope >= 0.0 ? 1.0 : -1.0);
     const double end = -d + (wall_far > 0.0 ? side : 0.0) +
-        (apart_ > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
+        (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const double total = (((((((near2 == 0.0) && (near3 < 0.0)) || (near2 < 0.0)) &&
         (near1 == 0.0)) || (near1 < 0.0)) && (near0 == 0.0)) || (near0 < 0.0) ?
         (alpha > 0.0 ? 0.0 : side) : 0.0) + zone_turns(far0, far1, far2, far3, zone, two2, far0,
-        after, zone3, alpha, slope, wall_far, across, loss, together_, apart_, middle, rest, d) +
+        after, zone3, alpha, slope, wall_far, across, loss, together, apart, middle, rest, d) +
         zone_turns(near0, near1, near2, near3, zone, one2, near0, before, zone, alpha, slope,
-        wall_far, across, loss, together_, apart_, middle, rest, d) +
+        wall_far, across, loss, together, apart, middle, rest, d) +
         zone_turns(own0, own1, own2, own3, -one2, two2, before, after, zone2, alpha, slope,
-        wall_far, across, loss, together_, apart_, middle, rest, d);
+        wall_far, across, loss, together, apart, middle, rest, d);
     return total - (((((((far2 == 0.0) && (far3 < 0.0)) || (far2 < 0.0)) && (far1 == 0.0)) ||
         (far1 < 0.0)) && (far0 == 0.0)) || (far0 < 0.0) ? end : 0.0);
+}
+
+// displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1 -
+// n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a unit
+// force moves the device in a period
+static void kick_kick_low_numerator_gap_plant_n0_plant_n1(double gamma, double delta,
+    double *kick_out, double *kick_low_out, double *numerator_gap_out, double *plant_n0_out,
+    double *plant_n1_out) {
+    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    if (w < 0.0) {
+        double even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        const double half = 0.5*delta;
+        double near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+        const double envelope = exp(-half);
+        double total2, lost2; wide_prod(envelope, odd, odd_low, &total2, &lost2);
+        double total3, lost3; fast_two_sum(total2, lost2, &total3, &lost3);
+        *kick_out = total3; *kick_low_out = lost3;
+        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
+            delta);
+        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+            odd_low, gamma, near, sunk);
+        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
+            odd, odd_low, gamma, near, risen);
+        return;
+    }
+    const double half = 0.5*delta;
+    double p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    double fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
+    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    const double root_low = root_miss(w, w_low, root);
+    double fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    double total, lost; wide_prod(fall, mean2, mean_low2, &total, &lost);
+    const double creep_low = fall_low*mean2 + lost;
+    double total4, lost4; fast_two_sum(total, creep_low, &total4, &lost4);
+    *kick_out = total4; *kick_low_out = lost4;
+    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
+        mean2, mean_low2);
+    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
+        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
+    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+        mean_low, mean2, mean_low2);
+    return;
 }
 
 // the same, or 1/2 where it is 0
 static double some_part(double d) {
     const double part = d - floor(d);
-    if (part == 0.0) {
-        return 0.5;
-    }
+    if (part == 0.0) { return 0.5; }
     return part;
 }
 
 // 1 where the loop is stable, else 0
 static double stable(double roots, double alpha, double beta, double gamma, double delta) {
-    const double swing_ = sqrt(gamma);
+    const double swing = sqrt(gamma);
     if ((!((alpha == 0.0) && (beta == 0.0) && (delta == 0.0))) &&
         (!((delta < 1.1102230246251565e-15) && (gamma > 1.0) &&
-        (swing_ >= 2251799813685248.0*fabs(sin(swing_))))) && (alpha > -gamma) && (roots == 0.0)) {
+        (swing >= 2251799813685248.0*fabs(sin(swing))))) && (alpha > -gamma) && (roots == 0.0)) {
         return 1.0;
     }
     return 0.0;
@@ -1182,8 +1002,8 @@ static double whole_part(double d) {
 
 // the turns at a crossing, if there is one
 static double crossing_turns(double y, double rest, double off, double center, double beyond,
-    double alpha, double slope, double far, double d, double n1, double loss, double together_,
-    double apart_) {
+    double alpha, double slope, double far, double d, double n1, double loss, double together,
+    double apart) {
     const double edge = (rest > y ? y : rest);
     if ((edge < 4.0) && (rest > 0.0) && (y > 0.0)) {
         const double inside = ((beyond - off > 0.0) && (center + off > 0.0) && (edge > fabs(off)) ?
@@ -1191,7 +1011,7 @@ static double crossing_turns(double y, double rest, double off, double center, d
         const double at = (inside > 0.0 ? center + off : (rest > y ? y : 4.0 - rest));
         const double still = (inside > 0.0 ? beyond - off : (rest > y ? 4.0 - y : rest));
         const double away = (inside > 0.0 ? off : (rest > y ? -center + y : beyond - rest));
-        return phase_turns(at, still, away, alpha, slope, far, d, n1, loss, together_, apart_);
+        return phase_turns(at, still, away, alpha, slope, far, d, n1, loss, together, apart);
     }
     return 0.0;
 }
@@ -1200,73 +1020,44 @@ static double crossing_turns(double y, double rest, double off, double center, d
 static void quadratic_roots(double c, double b, double a, double root, double *low_out,
     double *high_out) {
     if (b >= 0.0) {
-        const double q = -0.5*b - 0.5*root;
-        const double lead_ = (a == 0.0 ? 1.0 : a);
+        const double q = -0.5*b - 0.5*root, lead_ = (a == 0.0 ? 1.0 : a);
         const double own = (q == 0.0 ? 1.0 : q);
-        *low_out = (a == 0.0 ? -1.0 : q/lead_);
-        *high_out = (q == 0.0 ? -1.0 : c/own);
+        *low_out = (a == 0.0 ? -1.0 : q/lead_); *high_out = (q == 0.0 ? -1.0 : c/own);
         return;
     }
-    const double q = -0.5*b + 0.5*root;
-    const double lead_ = (a == 0.0 ? 1.0 : a);
+    const double q = -0.5*b + 0.5*root, lead_ = (a == 0.0 ? 1.0 : a);
     const double own = (q == 0.0 ? 1.0 : q);
-    *low_out = (q == 0.0 ? -1.0 : c/own);
-    *high_out = (a == 0.0 ? -1.0 : q/lead_);
+    *low_out = (q == 0.0 ? -1.0 : c/own); *high_out = (a == 0.0 ? -1.0 : q/lead_);
     return;
 }
 
 // roots outside the unit circle
 static double whole_roots(double alpha, double beta, double d, double n1, double n0, double at_one,
-    double at_minus_one, double loss, double together_, double apart_) {
-    const double e = 1.0 - loss;
-    const double slope = alpha + beta;
-    const double wall_far = alpha + 2.0*beta;
-    const double force = beta*slope;
-    const double cross = n0*n1;
-    const double lost = (loss*loss);
-    const double square = cross*force + e;
-    const double push = alpha*together_;
-    const double pull = apart_*wall_far;
+    double at_minus_one, double loss, double together, double apart) {
+    const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
+    const double force = beta*slope, cross = n0*n1, lost = (loss*loss);
+    const double square = cross*force + e, push = alpha*together, pull = apart*wall_far;
     const double near0 = (at_one - push)*(at_one + push);
-    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together_*together_) +
-        lost;
+    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost;
     const double far0 = (at_minus_one - pull)*(at_minus_one + pull);
-    const double far1 = (apart_*apart_)*force - at_minus_one*(e + 1.0) - cross*
-        (wall_far*wall_far) + lost;
-    const double center = 2.0*at_one/(e + 1.0);
-    const double beyond = 2.0*at_minus_one/(e + 1.0);
-    const double sine = 0.25*beyond*center;
-    const double tilt = 0.25*beyond - 0.25*center;
-    const double real = -0.25*apart_*center + 0.25*beyond*together_;
-    const double m0 = (n1*n1)*sine + (real*real);
-    const double m1 = (n1*n1)*tilt - n1*real;
+    const double far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) +
+        lost;
+    const double center = 2.0*at_one/(e + 1.0), beyond = 2.0*at_minus_one/(e + 1.0);
+    const double sine = 0.25*beyond*center, tilt = 0.25*beyond - 0.25*center;
+    const double real = -0.25*apart*center + 0.25*beyond*together;
+    const double m0 = (n1*n1)*sine + (real*real), m1 = (n1*n1)*tilt - n1*real;
     const double wave = 0.25*alpha*beyond - 0.25*center*wall_far;
-    const double wall = sine*(slope*slope) + (wave*wave);
-    const double own0 = lost*sine - m0*wall;
-    const double own1 = -force*m0 + lost*tilt - m1*wall;
-    const double own2 = e - force*m1;
-    const double square2 = (near1*near1);
-    const double product = 4.0*near0*square;
-    const double size = square2 + fabs(product);
-    const double square3 = (own1*own1);
-    const double product2 = 4.0*own0*own2;
-    const double size2 = square3 + fabs(product2);
-    const double square4 = (far1*far1);
-    const double product3 = 4.0*far0*square;
-    const double size3 = square4 + fabs(product3);
-    const double side = (slope >= 0.0 ? 1.0 : -1.0);
+    const double wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - m0*wall;
+    const double own1 = -force*m0 + lost*tilt - m1*wall, own2 = e - force*m1;
+    const double square2 = (near1*near1), product = 4.0*near0*square;
+    const double size = square2 + fabs(product), square3 = (own1*own1);
+    const double product2 = 4.0*own0*own2, size2 = square3 + fabs(product2);
+    const double square4 = (far1*far1), product3 = 4.0*far0*square;
+    const double size3 = square4 + fabs(product3), side = (slope >= 0.0 ? 1.0 : -1.0);
     const double end = -d + (wall_far > 0.0 ? side : 0.0) +
-        (apart_ > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    double disc4;
-    if ((size >= size2) && (size2 <= size3)) {
-        disc4 = -product2 + square3;
-    } else {
-        if ((size > size3) && (size2 > size3)) {
-            disc4 = -product3 + square4;
-        } else {
-            disc4 = -product + square2;
-        }
-    }
+        (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
+    const double disc4 = ((size >= size2) && (size2 <= size3) ? -product2 + square3 :
+        ((size > size3) && (size2 > size3) ? -product3 + square4 : -product + square2));
     double total;
     if (disc4 >= 0.0) {
         const double root = sqrt(disc4);
@@ -1274,8 +1065,8 @@ static double whole_roots(double alpha, double beta, double d, double n1, double
         double low2, high2; quadratic_roots(own0, own1, own2, root, &low2, &high2);
         double low3, high3; quadratic_roots(far0, far1, square, root, &low3, &high3);
         total = -2.0*crossing_turns(high, low3, high2, center, beyond, alpha, slope, wall_far, d,
-            n1, loss, together_, apart_) + 2.0*crossing_turns(low, high3, low2, center, beyond,
-            alpha, slope, wall_far, d, n1, loss, together_, apart_);
+            n1, loss, together, apart) + 2.0*crossing_turns(low, high3, low2, center, beyond,
+            alpha, slope, wall_far, d, n1, loss, together, apart);
     } else {
         total = 0.0;
     }
@@ -1287,38 +1078,38 @@ static double whole_roots(double alpha, double beta, double d, double n1, double
 
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
 static void ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
-    double together_, double apart_, double across, double *ahead_out, double *in_phase_out) {
-    const double t = tan(psi);
-    const double square = (t*t);
-    const double low = fma(t, t, -(t*t));
+    double together, double apart, double across, double *ahead_out, double *in_phase_out) {
+    const double t = tan(psi), square = (t*t), low = fma(t, t, -(t*t));
     const double taken = at_minus_one*square;
     double total, lost; two_diff(at_one, taken, &total, &lost);
     const double missed = at_minus_one*low + fma(at_minus_one, square, -(at_minus_one*square));
     const double lost2 = lost - missed;
     double total2, lost3; fast_two_sum(total, lost2, &total2, &lost3);
-    const double taken2 = apart_*square;
-    double total3, lost4; two_diff(together_, taken2, &total3, &lost4);
-    const double missed2 = apart_*low + fma(apart_, square, -(apart_*square));
+    const double taken2 = apart*square;
+    double total3, lost4; two_diff(together, taken2, &total3, &lost4);
+    const double missed2 = apart*low + fma(apart, square, -(apart*square));
     const double lost5 = lost4 - missed2;
     double total4, lost6; fast_two_sum(total3, lost5, &total4, &lost6);
-    const double above_j = 2.0*loss*t;
-    const double below_j = across*t;
+    const double above_j = 2.0*loss*t, below_j = across*t;
     const double rest = (below_j*below_j) + 2.0*lost6*total4;
-    const double size = rest + (total4*total4);
-    const double low2 = above_j*lost6 - below_j*lost3;
-    const double found = above_j*total4 - below_j*total2;
-    const double found2 = found + low2;
-    const double low22 = lost3*total4 + lost6*total2;
-    const double rest2 = above_j*below_j + low22;
+    const double size = rest + (total4*total4), low2 = above_j*lost6 - below_j*lost3;
+    const double found = above_j*total4 - below_j*total2, found2 = found + low2;
+    const double low22 = lost3*total4 + lost6*total2, rest2 = above_j*below_j + low22;
     const double found3 = rest2 + total2*total4;
-    *ahead_out = found2/size;
-    *in_phase_out = found3/size;
-    return;
+    *ahead_out = found2/size; *in_phase_out = found3/size; return;
 }
 
-// (n1 - n0)/delta; 1 + a + e; n1 + n0
-static void apart_nyquist_together(double gamma, double delta, double *apart_out,
-    double *nyquist_out, double *together_out) {
+// cos((k + 1) x); sin((k + 1) x)
+static void cos_next_sin_next(double k, double x, double *cos_next_out, double *sin_next_out) {
+    const double count = k + 1.0, before = count - 1.0, angle = count*x;
+    const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
+    const double cosine = cos(angle), sine = sin(angle);
+    *cos_next_out = cosine - off*sine; *sin_next_out = cosine*off + sine; return;
+}
+
+// 1 + a + e; n1 + n0; (n1 - n0)/delta
+static void denominator_at_minus_one_numerator_at_one_numerator_gap(double gamma, double delta,
+    double *denominator_at_minus_one_out, double *numerator_at_one_out, double *numerator_gap_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
@@ -1327,82 +1118,63 @@ static void apart_nyquist_together(double gamma, double delta, double *apart_out
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         const double envelope = exp(-half);
-        *apart_out = apart_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        *nyquist_out = nyquist_swing(half, w, w_low, envelope, even, even_low, root);
-        *together_out = together_swing(reach, half, w, w_low, envelope, root, gamma, near, moved);
+        *denominator_at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope,
+            even, even_low, root);
+        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
+            gamma, near, moved);
+        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
+            delta);
         return;
     }
     const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall_, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall_, &fall_low, &mean, &mean_low);
+    double fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *apart_out = apart_creep(reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
-        mean_low2);
-    *nyquist_out = nyquist_creep(fall_, fall_low, fall2, fall_low2);
-    *together_out = together_creep(reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
-        fall2, fall_low2);
-    return;
-}
-
-// cos((k + 1) x); sin((k + 1) x)
-static void cos_next_sin_next(double k, double x, double *cos_next_out, double *sin_next_out) {
-    const double count = k + 1.0;
-    const double before = count - 1.0;
-    const double angle = count*x;
-    const double missed = -before + k;
-    const double off = missed*x + fma(count, x, -(count*x));
-    const double cosine = cos(angle);
-    const double sine = sin(angle);
-    *cos_next_out = cosine - off*sine;
-    *sin_next_out = cosine*off + sine;
+    *denominator_at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2,
+        fall_low2);
+    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2);
+    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
+        mean2, mean_low2);
     return;
 }
 
 // cos((k + 1) x)
 static double cos_next(double k, double x) {
-    const double count = k + 1.0;
-    const double before = count - 1.0;
-    const double angle = count*x;
-    const double missed = -before + k;
-    const double off = missed*x + fma(count, x, -(count*x));
-    const double cosine = cos(angle);
-    const double sine = sin(angle);
+    const double count = k + 1.0, before = count - 1.0, angle = count*x;
+    const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
+    const double cosine = cos(angle), sine = sin(angle);
     return cosine - off*sine;
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
 static double early_slope(double theta, double k4, double k3, double k2, double k1, double k0) {
-    const double sine = sin(0.5*theta);
-    const double cosine = cos(0.5*theta);
-    const double up = (sine*sine);
-    const double along = (cosine*cosine);
-    const double found = along*k3 + k4*up;
-    const double power2 = (along*along);
-    const double found2 = found*up + k2*power2;
-    const double power3 = along*power2;
-    const double found3 = found2*up + k1*power3;
+    const double sine = sin(0.5*theta), cosine = cos(0.5*theta), up = (sine*sine);
+    const double along = (cosine*cosine), found = along*k3 + k4*up;
+    const double power2 = (along*along), found2 = found*up + k2*power2;
+    const double power3 = along*power2, found3 = found2*up + k1*power3;
     const double power4 = along*power3;
     return found3*up + k0*power4;
 }
 
 // has the sign of the slope of the boundary's alpha next to pi
-static double end_slope(double at_minus_one, double loss, double together_, double apart_,
+static double end_slope(double at_minus_one, double loss, double together, double apart,
     double last) {
-    double total, lost; two_diff(together_, 4.0*last, &total, &lost);
+    double total, lost; two_diff(together, 4.0*last, &total, &lost);
     double total2, lost2; wide_prod(total, total, 2.0*lost, &total2, &lost2);
-    double total3, lost3; two_prod(apart_, together_, &total3, &lost3);
+    double total3, lost3; two_prod(apart, together, &total3, &lost3);
     double total4, lost4; two_diff(total3, total2, &total4, &lost4);
     double total5, lost5; two_diff(total2, 2.0*total3, &total5, &lost5);
-    double total7, lost7; wide_prod(apart_, total3, lost3, &total7, &lost7);
-    double total12, lost12; two_diff(2.0*apart_, total, &total12, &lost12);
-    double total13, lost13; two_prod(apart_, apart_, &total13, &lost13);
+    double total7, lost7; wide_prod(apart, total3, lost3, &total7, &lost7);
+    double total12, lost12; two_diff(2.0*apart, total, &total12, &lost12);
+    double total13, lost13; two_prod(apart, apart, &total13, &lost13);
     double total14, lost14; wide_prod(total13, total12, -lost + lost12, &total14, &lost14);
     const double gap_low = -lost2 + lost3 + lost4;
-    double total10, lost10; wide_prod(apart_, total4, gap_low, &total10, &lost10);
+    double total10, lost10; wide_prod(apart, total4, gap_low, &total10, &lost10);
     double total11, lost11; wide_prod(loss, total10, lost10, &total11, &lost11);
     const double lean_low = lost2 - 2.0*lost3 + lost5;
     double total6, lost6; wide_prod(total, total5, lean_low, &total6, &lost6);
@@ -1419,81 +1191,56 @@ static double end_slope(double at_minus_one, double loss, double together_, doub
 // the next point of a search between a and b, where f is fa and fb, after c
 static double next_guess(double b, double fb, double a, double fa, double c, double fc,
     double close) {
-    const double span = -b + c;
-    const double rise_ = -fb + fc;
-    const double whole = (span == 0.0 ? 1.0 : span);
-    const double place = (a - b)/whole;
-    const double whole2 = (rise_ == 0.0 ? 1.0 : rise_);
+    const double span = -b + c, rise = -fb + fc, whole = (span == 0.0 ? 1.0 : span);
+    const double place = (a - b)/whole, whole2 = (rise == 0.0 ? 1.0 : rise);
     const double height = (fa - fb)/whole2;
     const double safe = ((place < 1.0 - ((1.0 - height)*(1.0 - height))) &&
         (place > (height*height)) ? 1.0 : 0.0);
-    const double width = -a + b;
-    const double whole3 = (width == 0.0 ? 1.0 : width);
+    const double width = -a + b, whole3 = (width == 0.0 ? 1.0 : width);
     const double edge = close*fabs((fabs(fa) < fabs(fb) ? a : b))/fabs(whole3);
     const double edge2 = fmin(0.5, edge);
     double guess;
     if (safe > 0.0) {
-        const double one = -fa + fb;
-        const double two = fb - fc;
-        const double three = fa - fc;
-        const double here = fa/one;
-        const double there = fc/two;
-        const double other = fa/three;
-        const double last = fb/two;
+        const double one = -fa + fb, two = fb - fc, three = fa - fc, here = fa/one;
+        const double there = fc/two, other = fa/three, last = fb/two;
         guess = here*there + last*other*(-a + c)/whole3;
     } else {
         guess = 0.5;
     }
-    const double share = fmin(guess, 1.0 - edge2);
-    const double share2 = fmax(edge2, share);
+    const double share = fmin(guess, 1.0 - edge2), share2 = fmax(edge2, share);
     return a + share2*width;
 }
 
 // the angle of the largest stiffness for delays below a period
-static double early_angle(double at_one, double at_minus_one, double loss, double together_,
-    double apart_, double last) {
-    const double t = (apart_*apart_*apart_);
-    const double t2 = (together_*together_*together_);
-    const double t3 = (together_*together_);
-    const double t4 = apart_*t3;
-    const double t5 = (apart_*apart_);
-    const double t6 = 2.0*loss;
-    const double t7 = at_minus_one + t6;
-    const double t8 = 4.0*together_;
-    const double t9 = 16.0*apart_;
-    const double t10 = at_one + t6;
-    const double t11 = 2.0*at_one;
-    const double t12 = 5.0*at_minus_one;
-    const double t13 = -at_one;
-    const double t14 = 4.0*loss;
-    const double t15 = apart_*together_;
-    const double t16 = 16.0*together_;
-    const double t17 = at_one*last;
-    const double t18 = apart_*t11;
-    const double t19 = at_one*t5;
-    const double k = end_slope(at_minus_one, loss, together_, apart_, last);
+static double early_angle(double at_one, double at_minus_one, double loss, double together,
+    double apart, double last) {
+    const double t = (apart*apart*apart), t2 = (together*together*together);
+    const double t3 = (together*together), t4 = apart*t3, t5 = (apart*apart);
+    const double t6 = 2.0*loss, t7 = at_minus_one + t6, t8 = 4.0*together;
+    const double t9 = 16.0*apart, t10 = at_one + t6, t11 = 2.0*at_one;
+    const double t12 = 5.0*at_minus_one, t13 = -at_one, t14 = 4.0*loss;
+    const double t15 = apart*together, t16 = 16.0*together, t17 = at_one*last;
+    const double t18 = apart*t11, t19 = at_one*t5;
+    const double k = end_slope(at_minus_one, loss, together, apart, last);
     const double k2 = -4.0*at_minus_one*t2 + last*
-        (32.0*at_minus_one*t3 + last*(64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*
-        at_minus_one*together_) - 96.0*t5 - t7*t9*together_) + 16.0*t + 8.0*t4*
-        (at_minus_one + loss) - t5*t7*t8;
+        (32.0*at_minus_one*t3 + last*(64.0*apart*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*
+        together) - 96.0*t5 - t7*t9*together) + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8;
     const double k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
         (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
         t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
-        (-2.0*at_minus_one + t10) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(-t11 + t7);
-    const double k4 = last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*
+        (-2.0*at_minus_one + t10) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together*(-t11 + t7);
+    const double k4 = last*(32.0*t17*together - 8.0*together*(t18 + 12.0*together)) + t8*
         (t10*t3 + t15*(at_minus_one + t13) + t19);
-    const double k5 = last*(t16*t17 + t8*(t10*together_ - t18)) + together_*
+    const double k5 = last*(t16*t17 + t8*(t10*together - t18)) + together*
         (-2.0*t15*(at_one + loss) + t19 + t3*(at_minus_one + t11 + t14));
-    double count = 1.0;
-    double found = 0.0;
+    double count = 1.0, found = 0.0;
     for (int count_count = 0; count_count < 24; ++count_count) {
         if ((count > 24.0) || (found > 0.0)) { break; }
         const double rises = early_slope(0.041666666666666664*3.141592653589793*count, k, k2, k3,
             k4, k5);
         const double next_count = (rises > 0.0 ? count + 1.0 : count);
         const double next_found = (rises > 0.0 ? 0.0 : 1.0);
-        found = next_found;
-        count = next_count;
+        found = next_found; count = next_count;
     }
     if (found > 0.0) {
         const double high = 0.041666666666666664*3.141592653589793*count;
@@ -1507,12 +1254,7 @@ static double early_angle(double at_one, double at_minus_one, double loss, doubl
             if (below >= 0.0) {
                 root = high;
             } else {
-                double b = low;
-                double fb = above;
-                double a = high;
-                double fa = below;
-                double c = high;
-                double fc = below;
+                double b = low, fb = above, a = high, fa = below, c = high, fc = below;
                 for (int count_b = 0; count_b < 120; ++count_b) {
                     if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
                         (fabs(a - b) <= 4.440892098500626e-16*
@@ -1521,16 +1263,9 @@ static double early_angle(double at_one, double at_minus_one, double loss, doubl
                     const double value = early_slope(new_, k, k2, k3, k4, k5);
                     const double same = (((fa < 0.0) && (value < 0.0)) ||
                         ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                    const double next_b = (same > 0.0 ? b : a);
-                    const double next_fb = (same > 0.0 ? fb : fa);
-                    const double next_c = (same > 0.0 ? a : b);
-                    const double next_fc = (same > 0.0 ? fa : fb);
-                    fc = next_fc;
-                    c = next_c;
-                    fa = value;
-                    a = new_;
-                    fb = next_fb;
-                    b = next_b;
+                    const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+                    const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
+                    fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
                 }
                 root = (fabs(fa) < fabs(fb) ? a : b);
             }
@@ -1542,97 +1277,66 @@ static double early_angle(double at_one, double at_minus_one, double loss, doubl
 
 // sin((k + 1) x)
 static double sin_next(double k, double x) {
-    const double count = k + 1.0;
-    const double before = count - 1.0;
-    const double angle = count*x;
-    const double missed = -before + k;
-    const double off = missed*x + fma(count, x, -(count*x));
-    const double cosine = cos(angle);
-    const double sine = sin(angle);
+    const double count = k + 1.0, before = count - 1.0, angle = count*x;
+    const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
+    const double cosine = cos(angle), sine = sin(angle);
     return cosine*off + sine;
 }
 
 // has the sign of the slope of the boundary's alpha
 static double boundary_slope(double theta, double l, double at_one, double at_minus_one,
-    double loss, double together_, double apart_, double across) {
-    const double t = 2.0*l + 2.0;
-    const double t2 = 0.5*theta;
-    const double t3 = sin_next(t, t2);
-    const double t4 = tan(t2);
-    const double t5 = (t4*t4);
-    const double t6 = 4.0*t5;
-    const double t7 = apart_*t5;
-    const double t8 = -t7 + together_;
-    const double t9 = at_minus_one*t5;
-    const double t10 = at_one - t9;
-    const double t11 = across*loss*t6 + t10*t8;
-    const double t12 = cos_next(t, t2);
-    const double t13 = -2.0*across*t10*t4 + 2.0*loss*t4*t8;
-    const double t14 = (across*across);
-    const double t15 = t14*t6 + (t8*t8);
-    const double t16 = (loss*loss);
-    const double t17 = (t10*t10) + t16*t6;
-    const double t18 = t15*t17;
-    const double t19 = t5 + 1.0;
-    return -t4*(0.5*t18 + t19*(t15*(-at_minus_one*t10 + 2.0*t16) - t17*(-apart_*t8 + 2.0*t14)))*
+    double loss, double together, double apart, double across) {
+    const double t = 2.0*l + 2.0, t2 = 0.5*theta, t3 = sin_next(t, t2), t4 = tan(t2);
+    const double t5 = (t4*t4), t6 = 4.0*t5, t7 = apart*t5, t8 = -t7 + together;
+    const double t9 = at_minus_one*t5, t10 = at_one - t9, t11 = across*loss*t6 + t10*t8;
+    const double t12 = cos_next(t, t2), t13 = -2.0*across*t10*t4 + 2.0*loss*t4*t8;
+    const double t14 = (across*across), t15 = t14*t6 + (t8*t8), t16 = (loss*loss);
+    const double t17 = (t10*t10) + t16*t6, t18 = t15*t17, t19 = t5 + 1.0;
+    return -t4*(0.5*t18 + t19*(t15*(-at_minus_one*t10 + 2.0*t16) - t17*(-apart*t8 + 2.0*t14)))*
         (t11*t12 - t13*t3) + (t11*t3 + t12*t13)*
-        (t18*(l + 1.5) + t19*(-across*t17*(t7 + together_) + loss*t15*(at_one + t9)));
+        (t18*(l + 1.5) + t19*(-across*t17*(t7 + together) + loss*t15*(at_one + t9)));
 }
 
 // the angle of the largest stiffness for a period and more
 static double later_angle(double d, double l, double at_one, double at_minus_one, double loss,
-    double together_, double apart_, double across) {
+    double together, double apart, double across) {
     const double turn_ = 3.141592653589793/(d + 1.0);
-    double count = 1.0;
-    double found = 0.0;
+    double count = 1.0, found = 0.0;
     for (int count_count = 0; count_count < 24; ++count_count) {
         if ((count > 24.0) || (found > 0.0)) { break; }
         const double rises = boundary_slope(0.041666666666666664*count*turn_, l, at_one,
-            at_minus_one, loss, together_, apart_, across);
+            at_minus_one, loss, together, apart, across);
         const double next_count = (rises > 0.0 ? count + 1.0 : count);
         const double next_found = (rises > 0.0 ? 0.0 : 1.0);
-        found = next_found;
-        count = next_count;
+        found = next_found; count = next_count;
     }
     if (found > 0.0) {
         const double high = 0.041666666666666664*count*turn_;
         const double low = fmax(0.001*high, 0.041666666666666664*turn_*(count - 1.0));
-        const double above = boundary_slope(low, l, at_one, at_minus_one, loss, together_, apart_,
+        const double above = boundary_slope(low, l, at_one, at_minus_one, loss, together, apart,
             across);
         double root;
         if (above <= 0.0) {
             root = low;
         } else {
-            const double below = boundary_slope(high, l, at_one, at_minus_one, loss, together_,
-                apart_, across);
+            const double below = boundary_slope(high, l, at_one, at_minus_one, loss, together,
+                apart, across);
             if (below >= 0.0) {
                 root = high;
             } else {
-                double b = low;
-                double fb = above;
-                double a = high;
-                double fa = below;
-                double c = high;
-                double fc = below;
+                double b = low, fb = above, a = high, fa = below, c = high, fc = below;
                 for (int count_b = 0; count_b < 120; ++count_b) {
                     if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
                         (fabs(a - b) <= 4.440892098500626e-16*
                         fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
                     const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
                     const double value = boundary_slope(new_, l, at_one, at_minus_one, loss,
-                        together_, apart_, across);
+                        together, apart, across);
                     const double same = (((fa < 0.0) && (value < 0.0)) ||
                         ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                    const double next_b = (same > 0.0 ? b : a);
-                    const double next_fb = (same > 0.0 ? fb : fa);
-                    const double next_c = (same > 0.0 ? a : b);
-                    const double next_fc = (same > 0.0 ? fa : fb);
-                    fc = next_fc;
-                    c = next_c;
-                    fa = value;
-                    a = new_;
-                    fb = next_fb;
-                    b = next_b;
+                    const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+                    const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
+                    fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
                 }
                 root = (fabs(fa) < fabs(fb) ? a : b);
             }
@@ -1643,65 +1347,45 @@ static double later_angle(double d, double l, double at_one, double at_minus_one
 }
 
 // the angle of the largest stiffness without delay
-static double undelayed_angle(double at_one, double at_minus_one, double loss, double together_,
-    double apart_) {
-    const double k = end_slope(at_minus_one, loss, together_, apart_, 0.0);
-    const double t = 2.0*apart_;
-    const double t2 = -together_;
-    const double t3 = 2.0*together_;
-    const double t4 = (together_*together_);
-    const double k2 = t3*((apart_*apart_)*at_one + together_*(at_minus_one*(t + t2) + loss*t));
-    const double k3 = together_*(at_minus_one*t4 + at_one*(t4 + ((-apart_ - t2)*(-apart_ - t2))) +
-        loss*t3*(-apart_ + 2.0*together_));
-    double above;
-    double below;
+static double undelayed_angle(double at_one, double at_minus_one, double loss, double together,
+    double apart) {
+    const double k = end_slope(at_minus_one, loss, together, apart, 0.0), t = 2.0*apart;
+    const double t2 = -together, t3 = 2.0*together, t4 = (together*together);
+    const double k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t));
+    const double k3 = together*(at_minus_one*t4 + at_one*(t4 + ((-apart - t2)*(-apart - t2))) +
+        loss*t3*(-apart + 2.0*together));
+    double above, below;
     if (k2 > 0.0) {
         const double discriminant = -4.0*k*k3 + (k2*k2);
         const double root = sqrt(fmax(0.0, discriminant));
-        above = k2 + root;
-        below = fmax(0.0, -2.0*k);
+        above = k2 + root; below = fmax(0.0, -2.0*k);
     } else {
         const double discriminant = -4.0*k*k3 + (k2*k2);
         if (discriminant < 0.0) {
-            above = 2.0*k3;
-            below = 0.0;
+            above = 2.0*k3; below = 0.0;
         } else {
             const double root = sqrt(fmax(0.0, discriminant));
-            above = 2.0*k3;
-            below = -k2 + root;
+            above = 2.0*k3; below = -k2 + root;
         }
     }
     return 2.0*atan2(sqrt(above), sqrt(below));
 }
 
 // the angle of the wall of largest stable stiffness, or NaN
-static double stiffest_angle(double gamma, double delta, double d, double l, double part,
-    double first, double last, double at_one, double at_minus_one, double loss, double together_,
-    double apart_) {
+static double max_stiffness_angle(double gamma, double delta, double d, double l, double part,
+    double first, double last, double at_one, double at_minus_one, double loss, double together,
+    double apart) {
     if (((d <= 1.0) || (sqrt(gamma)*(d + 1.0) <= 3.141592653589793)) && (gamma <= 9.8)) {
         const double across = (part == 0.0 ? first : first - last);
-        double theta;
-        if (d == 0.0) {
-            theta = undelayed_angle(at_one, at_minus_one, loss, together_, apart_);
-        } else {
-            if (d < 1.0) {
-                theta = early_angle(at_one, at_minus_one, loss, together_, apart_, last);
-            } else {
-                theta = later_angle(d, l, at_one, at_minus_one, loss, together_, apart_, across);
-            }
-        }
-        const double t = sin_next(l, theta);
-        const double t2 = 0.5*theta;
-        const double t3 = sin(t2);
-        const double t4 = cos(t2);
-        const double t5 = (t4*t4);
-        const double t6 = (t3*t3);
-        const double t7 = 4.0*t5*t6;
-        const double t8 = -apart_*t6 + t5*together_;
+        const double theta = (d == 0.0 ? undelayed_angle(at_one, at_minus_one, loss, together,
+            apart) : (d < 1.0 ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
+            later_angle(d, l, at_one, at_minus_one, loss, together, apart, across)));
+        const double t = sin_next(l, theta), t2 = 0.5*theta, t3 = sin(t2), t4 = cos(t2);
+        const double t5 = (t4*t4), t6 = (t3*t3), t7 = 4.0*t5*t6;
+        const double t8 = -apart*t6 + t5*together;
         const double t9 = 1.0/((across*across)*t7 + (t8*t8));
         const double t10 = -at_minus_one*t6 + at_one*t5;
-        const double t11 = -2.0*across*t10 + 2.0*loss*t8;
-        const double t12 = across*loss*t7 + t10*t8;
+        const double t11 = -2.0*across*t10 + 2.0*loss*t8, t12 = across*loss*t7 + t10*t8;
         const double t13 = t9*cos_next(l, theta);
         const double t14 = -t*t12*t9/sin(theta) - 0.5*t11*t13;
         const double stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0*t14*t6;
@@ -1710,19 +1394,13 @@ static double stiffest_angle(double gamma, double delta, double d, double l, dou
             good = 1.0;
         } else {
             const double inside = -4.6566128730773926e-09*gamma + 0.9999999953433871*stiffness;
-            double outside;
-            if (part == 0.0) {
-                outside = whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                    together_, apart_);
-            } else {
-                outside = late_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                    together_, apart_);
-            }
+            const double outside = (part == 0.0 ?
+                whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss, together,
+                apart) : fractional_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
+                together, apart));
             good = stable(outside, inside, t14, gamma, delta);
         }
-        if (good > 0.0) {
-            return theta;
-        }
+        if (good > 0.0) { return theta; }
         return NAN;
     }
     return NAN;
@@ -1746,15 +1424,13 @@ static double gap(double x) {
 
 // sin(x)/x
 static double sinc(double x) {
-    if (fabs(x) < 1.0) {
-        return -(x*x)*gap(x) + 1.0;
-    }
+    if (fabs(x) < 1.0) { return -(x*x)*gap(x) + 1.0; }
     const double whole = (x == 0.0 ? 1.0 : x);
     return sin(x)/whole;
 }
 
 // the damping that the wall needs at the angle 2 psi
-static double need(double alpha, double beta, double l, double epsilon, double psi) {
+static double damping_at(double alpha, double beta, double l, double epsilon, double psi) {
     if (epsilon == 0.0) {
         return 0.5*alpha*(2.0*l + 1.0)*sinc(psi*(2.0*l + 1.0))/sinc(psi) - beta*
             cos_next(l, 2.0*psi);
@@ -1773,32 +1449,25 @@ static double need(double alpha, double beta, double l, double epsilon, double p
 static double chord(double k, double x) {
     const double turn_ = x*(k + 1.0);
     if (turn_ < 1.5) {
-        const double order = 2.0*k + 2.0;
-        const double along = cos_next(k, x);
-        const double wave = sinc(0.5*turn_);
-        const double inner = 0.5*(wave*wave) - gap(turn_);
+        const double order = 2.0*k + 2.0, along = cos_next(k, x);
+        const double wave = sinc(0.5*turn_), inner = 0.5*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25*inner*(order*order));
     }
-    const double order = 2.0*k + 2.0;
-    const double along = cos_next(k, x);
+    const double order = 2.0*k + 2.0, along = cos_next(k, x);
     return (-along*order*sin(x) + 2.0*sin_next(k, x))/(x*x*x);
 }
 
-// has the sign of the slope of Need, at a fraction
+// has the sign of the slope of DampingAt, at a fraction
 static double rising(double alpha, double beta, double l, double epsilon, double psi) {
-    const double t = 2.0*psi;
-    const double t2 = 2.0*alpha/(sinc(psi)*sinc(psi));
-    const double t3 = 0.5*alpha + beta;
-    const double t4 = 2.0*l;
-    const double t5 = t4 + 2.0;
-    const double t6 = t4 + 4.0;
+    const double t = 2.0*psi, t2 = 2.0*alpha/(sinc(psi)*sinc(psi));
+    const double t3 = 0.5*alpha + beta, t4 = 2.0*l, t5 = t4 + 2.0, t6 = t4 + 4.0;
     const double early = -t2*chord(l, t) + t3*(t5*t5)*sinc(psi*t5);
     const double steep = early + epsilon*(-early - t2*chord(l + 1.0, t) + t3*(t6*t6)*sinc(psi*t6));
     return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(2.0*psi) + steep*
-        need(alpha, beta, l, epsilon, psi);
+        damping_at(alpha, beta, l, epsilon, psi);
 }
 
-// has the sign of the slope of Need, up to the angle in phase
+// has the sign of the slope of DampingAt, up to the angle in phase
 static double steepness(double alpha, double beta, double l, double epsilon, double psi) {
     if (epsilon == 0.0) {
         const double t = 2.0*l + 2.0;
@@ -1816,11 +1485,8 @@ static double steepness(double alpha, double beta, double l, double epsilon, dou
 
 // half of the angle at which the wall needs most damping
 static double worst_angle(double alpha, double beta, double l, double epsilon) {
-    const double size = fabs(alpha) + fabs(beta);
-    const double whole = (size == 0.0 ? 1.0 : size);
-    const double stiffness = alpha/whole;
-    const double damping = beta/whole;
-    const double low = 0.0;
+    const double size = fabs(alpha) + fabs(beta), whole = (size == 0.0 ? 1.0 : size);
+    const double stiffness = alpha/whole, damping = beta/whole, low = 0.0;
     const double above = steepness(stiffness, damping, l, epsilon, low);
     double root;
     if (above <= 0.0) {
@@ -1831,12 +1497,7 @@ static double worst_angle(double alpha, double beta, double l, double epsilon) {
         if (below >= 0.0) {
             root = high;
         } else {
-            double b = low;
-            double fb = above;
-            double a = high;
-            double fa = below;
-            double c = high;
-            double fc = below;
+            double b = low, fb = above, a = high, fa = below, c = high, fc = below;
             for (int count_b = 0; count_b < 120; ++count_b) {
                 if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
                     (fabs(a - b) <= 4.656612873077393e-10*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
@@ -1845,16 +1506,9 @@ static double worst_angle(double alpha, double beta, double l, double epsilon) {
                 const double value = steepness(stiffness, damping, l, epsilon, new_);
                 const double same = (((fa < 0.0) && (value < 0.0)) ||
                     ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                const double next_b = (same > 0.0 ? b : a);
-                const double next_fb = (same > 0.0 ? fb : fa);
-                const double next_c = (same > 0.0 ? a : b);
-                const double next_fc = (same > 0.0 ? fa : fb);
-                fc = next_fc;
-                c = next_c;
-                fa = value;
-                a = new_;
-                fb = next_fb;
-                b = next_b;
+                const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+                const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
+                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
             }
             root = (fabs(fa) < fabs(fb) ? a : b);
         }
@@ -1863,14 +1517,11 @@ static double worst_angle(double alpha, double beta, double l, double epsilon) {
 }
 
 // the damping that the wall needs at its worst angle
-static double largest_need(double alpha, double beta, double d) {
-    if (alpha < 0.0) {
-        return INFINITY;
-    }
-    const double whole = floor(d);
-    const double part = d - whole;
+static double largest_required_damping(double alpha, double beta, double d) {
+    if (alpha < 0.0) { return INFINITY; }
+    const double whole = floor(d), part = d - whole;
     const double psi = worst_angle(alpha, beta, whole, part);
-    return need(alpha, beta, whole, part, psi);
+    return damping_at(alpha, beta, whole, part, psi);
 }
 
 // early + share (late - early)
@@ -1882,8 +1533,7 @@ static double between(double share, double early, double late) {
 // negative beyond the angle in phase with the delay
 static double lead(double theta, double l, double epsilon) {
     if (theta*(l + 1.0) < 4.0) {
-        const double early = sin_next(l, theta);
-        const double late = sin_next(l + 1.0, theta);
+        const double early = sin_next(l, theta), late = sin_next(l + 1.0, theta);
         return early + epsilon*(-early + late);
     }
     return -1.0;
@@ -1891,9 +1541,7 @@ static double lead(double theta, double l, double epsilon) {
 
 // the value, NaN for number < 0
 static double rated(double number, double value) {
-    if (number < 0.0) {
-        return NAN;
-    }
+    if (number < 0.0) { return NAN; }
     return value;
 }
 
@@ -1910,8 +1558,7 @@ static double spread(double k, double x) {
 
 // what straight motions need at a whole delay of k periods
 static double straight(double stiffness, double damping, double k, double angle) {
-    const double order = 2.0*k + 1.0;
-    const double wave = sinc(angle*order);
+    const double order = 2.0*k + 1.0, wave = sinc(angle*order);
     double total, lost; two_prod(order, wave, &total, &lost);
     const double near = 2.0*sinc(angle);
     double total2, lost2; wide_quot(total, near, lost, 0.0, &total2, &lost2);
@@ -1923,115 +1570,56 @@ static double straight(double stiffness, double damping, double k, double angle)
     return low + total5;
 }
 
-// the wall whose worst angle is 2 psi, as an angle
-static double turn(double psi, double l, double epsilon) {
-    const double wave = sin(psi);
-    const double wave2 = cos(psi);
-    const double wave3 = chord(l, 2.0*psi);
-    const double wave4 = chord(l + 1.0, 2.0*psi);
-    const double wave5 = cos_next(l, 2.0*psi);
-    const double wave6 = cos_next(l + 1.0, 2.0*psi);
-    const double wave7 = sinc(psi);
-    const double wave8 = sinc(2.0*psi);
-    const double wave9 = sinc(psi*(2.0*l + 1.0));
-    const double wave10 = sinc(psi*(2.0*l + 2.0));
-    const double wave11 = sinc(psi*(2.0*l + 3.0));
-    const double wave12 = sinc(psi*(2.0*l + 4.0));
-    const double low = 0.0;
-    const double t = sin(low);
-    const double t2 = l + 1.0;
-    const double t3 = cos(low);
-    const double t4 = t3/t2;
-    const double t5 = 0.5*t4;
-    const double t6 = t - t5;
-    const double t7 = epsilon*(1.0 - epsilon);
-    const double t8 = 2.0*l;
+// has the sign of minus the slope of what the wall phi needs
+static double turning(double phi, double l, double epsilon, double wave, double wave2,
+    double wave3, double wave4, double wave5, double wave6, double wave7, double wave8,
+    double wave9, double wave10, double wave11, double wave12) {
+    const double t = sin(phi), t2 = l + 1.0, t3 = cos(phi), t4 = t3/t2, t5 = 0.5*t4;
+    const double t6 = t - t5, t7 = epsilon*(1.0 - epsilon), t8 = 2.0*l;
     const double t9 = 2.0*t4/(wave7*wave7);
-    const double t10 = t*wave10*((t8 + 2.0)*(t8 + 2.0)) - t9*wave3;
-    const double t11 = t6*wave5;
-    const double t12 = 1.0/wave7;
-    const double t13 = wave9*(t8 + 1.0);
-    const double t14 = t12*t5;
-    const double t15 = t13*t14;
+    const double t10 = t*wave10*((t8 + 2.0)*(t8 + 2.0)) - t9*wave3, t11 = t6*wave5;
+    const double t12 = 1.0/wave7, t13 = wave9*(t8 + 1.0), t14 = t12*t5, t15 = t13*t14;
     const double t16 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6);
-    const double above = -2.0*t6*t7*wave8*(t + t5) -
-        (epsilon*(t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) + t10)*
+    return -2.0*t6*t7*wave8*(t + t5) - (epsilon*
+        (t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) + t10)*
         (-0.5*t11 + 0.25*t12*t13*t4 + 0.5*t16 + 0.5*
         sqrt(t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) +
         ((-t11 + t15 + t16)*(-t11 + t15 + t16))));
+}
+
+// the wall whose worst angle is 2 psi, as an angle
+static double turn(double psi, double l, double epsilon) {
+    const double wave = sin(psi), wave2 = cos(psi), wave3 = chord(l, 2.0*psi);
+    const double wave4 = chord(l + 1.0, 2.0*psi), wave5 = cos_next(l, 2.0*psi);
+    const double wave6 = cos_next(l + 1.0, 2.0*psi), wave7 = sinc(psi);
+    const double wave8 = sinc(2.0*psi), wave9 = sinc(psi*(2.0*l + 1.0));
+    const double wave10 = sinc(psi*(2.0*l + 2.0)), wave11 = sinc(psi*(2.0*l + 3.0));
+    const double wave12 = sinc(psi*(2.0*l + 4.0)), low = 0.0;
+    const double above = turning(low, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
+        wave8, wave9, wave10, wave11, wave12);
     double root;
     if (above <= 0.0) {
         root = low;
     } else {
         const double high = 0.5*3.141592653589793;
-        const double t17 = sin(high);
-        const double t18 = l + 1.0;
-        const double t19 = cos(high);
-        const double t20 = t19/t18;
-        const double t21 = 0.5*t20;
-        const double t22 = t17 - t21;
-        const double t23 = epsilon*(1.0 - epsilon);
-        const double t24 = 2.0*l;
-        const double t25 = 2.0*t20/(wave7*wave7);
-        const double t26 = t17*wave10*((t24 + 2.0)*(t24 + 2.0)) - t25*wave3;
-        const double t27 = t22*wave5;
-        const double t28 = 1.0/wave7;
-        const double t29 = wave9*(t24 + 1.0);
-        const double t30 = t21*t28;
-        const double t31 = t29*t30;
-        const double t32 = epsilon*(-t22*wave6 + t27 + t30*wave11*(t24 + 3.0) - t31);
-        const double below = -2.0*t22*t23*wave8*(t17 + t21) -
-            (epsilon*(t17*wave12*((t24 + 4.0)*(t24 + 4.0)) - t25*wave4 - t26) + t26)*
-            (0.25*t20*t28*t29 - 0.5*t27 + 0.5*t32 + 0.5*
-            sqrt(t23*(4.0*(t17*t17)*(wave*wave) + (t19*t19)*(wave2*wave2)/(t18*t18)) +
-            ((-t27 + t31 + t32)*(-t27 + t31 + t32))));
+        const double below = turning(high, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
+            wave7, wave8, wave9, wave10, wave11, wave12);
         if (below >= 0.0) {
             root = high;
         } else {
-            double b = low;
-            double fb = above;
-            double a = high;
-            double fa = below;
-            double c = high;
-            double fc = below;
+            double b = low, fb = above, a = high, fa = below, c = high, fc = below;
             for (int count_b = 0; count_b < 120; ++count_b) {
                 if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
                     (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
                     break; }
                 const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
-                const double t33 = sin(new_);
-                const double t34 = l + 1.0;
-                const double t35 = cos(new_);
-                const double t36 = t35/t34;
-                const double t37 = 0.5*t36;
-                const double t38 = t33 - t37;
-                const double t39 = epsilon*(1.0 - epsilon);
-                const double t40 = 2.0*l;
-                const double t41 = 2.0*t36/(wave7*wave7);
-                const double t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3;
-                const double t43 = t38*wave5;
-                const double t44 = 1.0/wave7;
-                const double t45 = wave9*(t40 + 1.0);
-                const double t46 = t37*t44;
-                const double t47 = t45*t46;
-                const double t48 = epsilon*(-t38*wave6 + t43 + t46*wave11*(t40 + 3.0) - t47);
-                const double value = -2.0*t38*t39*wave8*(t33 + t37) -
-                    (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*
-                    (0.25*t36*t44*t45 - 0.5*t43 + 0.5*t48 + 0.5*
-                    sqrt(t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/(t34*t34)) +
-                    ((-t43 + t47 + t48)*(-t43 + t47 + t48))));
+                const double value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5,
+                    wave6, wave7, wave8, wave9, wave10, wave11, wave12);
                 const double same = (((fa < 0.0) && (value < 0.0)) ||
                     ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                const double next_b = (same > 0.0 ? b : a);
-                const double next_fb = (same > 0.0 ? fb : fa);
-                const double next_c = (same > 0.0 ? a : b);
-                const double next_fc = (same > 0.0 ? fa : fb);
-                fc = next_fc;
-                c = next_c;
-                fa = value;
-                a = new_;
-                fb = next_fb;
-                b = next_b;
+                const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+                const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
+                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
             }
             root = (fabs(fa) < fabs(fb) ? a : b);
         }
@@ -2042,19 +1630,16 @@ static double turn(double psi, double l, double epsilon) {
 // the wall whose worst angle is theta, as an angle, or NaN
 static double touching(double theta, double l, double epsilon) {
     const double found = turn(0.5*theta, l, epsilon);
-    if (found < 0.5*3.141592653589793) {
-        return found;
-    }
+    if (found < 0.5*3.141592653589793) { return found; }
     return NAN;
 }
 
 // whether another angle allows more stiffness, at a fraction
 static double passive_slope(double psi, double l, double epsilon) {
-    const double turned = turn(psi, l, epsilon);
-    const double wall = cos(turned)/(l + 1.0);
+    const double turned = turn(psi, l, epsilon), wall = cos(turned)/(l + 1.0);
     const double wall2 = sin(turned) - 0.5*cos(turned)/(l + 1.0);
-    const double need_ = need(wall, wall2, l, epsilon, psi);
-    return -epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(sin(psi)*sin(psi)) + need_*
+    const double need = damping_at(wall, wall2, l, epsilon, psi);
+    return -epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(sin(psi)*sin(psi)) + need*
         (epsilon*(-cos_next(l, 2.0*psi) + cos_next(l + 1.0, 2.0*psi)) + cos_next(l, 2.0*psi));
 }
 
@@ -2071,12 +1656,7 @@ static double passive_angle(double l, double epsilon) {
         if (below >= 0.0) {
             root = high;
         } else {
-            double b = low;
-            double fb = above;
-            double a = high;
-            double fa = below;
-            double c = high;
-            double fc = below;
+            double b = low, fb = above, a = high, fa = below, c = high, fc = below;
             for (int count_b = 0; count_b < 120; ++count_b) {
                 if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
                     (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
@@ -2085,16 +1665,9 @@ static double passive_angle(double l, double epsilon) {
                 const double value = passive_slope(new_, l, epsilon);
                 const double same = (((fa < 0.0) && (value < 0.0)) ||
                     ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                const double next_b = (same > 0.0 ? b : a);
-                const double next_fb = (same > 0.0 ? fb : fa);
-                const double next_c = (same > 0.0 ? a : b);
-                const double next_fc = (same > 0.0 ? fa : fb);
-                fc = next_fc;
-                c = next_c;
-                fa = value;
-                a = new_;
-                fb = next_fb;
-                b = next_b;
+                const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+                const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
+                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
             }
             root = (fabs(fa) < fabs(fb) ? a : b);
         }
@@ -2105,47 +1678,29 @@ static double passive_angle(double l, double epsilon) {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
     double *e_out) {
     if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) {
-        *n1_out = NAN;
-        *n0_out = NAN;
-        *a_out = NAN;
-        *e_out = NAN;
-        return;
+        *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    double fall_of, rise_of, swing_of;
-    fall_rise_swing(gamma, delta, &fall_of, &rise_of, &swing_of);
-    *n1_out = rise_of;
-    *n0_out = fall_of;
-    *a_out = swing_of;
-    *e_out = exp(-delta);
-    return;
+    double plant_n0_of, plant_n1_of, plant_trace_of;
+    plant_n0_plant_n1_plant_trace(gamma, delta, &plant_n0_of, &plant_n1_of, &plant_trace_of);
+    *n1_out = plant_n1_of; *n0_out = plant_n0_of; *a_out = plant_trace_of;
+    *e_out = exp(-delta); return;
 }
 
-void haptic_discretize_late(double gamma, double delta, double epsilon, double *m2_out,
+void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
     double *m1_out, double *m0_out, double *a_out, double *e_out) {
     if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
         (gamma <= 1e+70) && (gamma >= 0.0))) {
-        *m2_out = NAN;
-        *m1_out = NAN;
-        *m0_out = NAN;
-        *a_out = NAN;
-        *e_out = NAN;
-        return;
+        *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    double swing_of, together_of; swing_together(gamma, delta, &swing_of, &together_of);
-    const double t0 = 1.0 - epsilon;
-    const double t1 = (t0*t0);
-    const double t2 = delta*t0;
-    const double rise_of = rise(gamma*t1, t2);
-    const double t3 = rise_of*t1;
+    double numerator_at_one_of, plant_trace_of;
+    numerator_at_one_plant_trace(gamma, delta, &numerator_at_one_of, &plant_trace_of);
+    const double t0 = 1.0 - epsilon, t1 = (t0*t0), t2 = delta*t0;
+    const double plant_n1_of = plant_n1(gamma*t1, t2), t3 = plant_n1_of*t1;
     const double t4 = (epsilon*epsilon);
-    const double fall_of = fall(gamma*t4, delta*epsilon);
-    const double t5 = fall_of*t4*exp(-t2);
-    *m2_out = t3;
-    *m1_out = -t3 - t5 + together_of;
-    *m0_out = t5;
-    *a_out = swing_of;
-    *e_out = exp(-delta);
-    return;
+    const double plant_n0_of = plant_n0(gamma*t4, delta*epsilon);
+    const double t5 = plant_n0_of*t4*exp(-t2);
+    *m2_out = t3; *m1_out = numerator_at_one_of - t3 - t5; *m0_out = t5;
+    *a_out = plant_trace_of; *e_out = exp(-delta); return;
 }
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
@@ -2153,39 +1708,37 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return false;
     }
-    if (late_part(d) == 0.0) {
-        double apart_of, fall_of2, nyquist_of, rise_of3, together_of;
-        apart_fall_nyquist_rise_together(gamma, delta, &apart_of, &fall_of2, &nyquist_of,
-            &rise_of3, &together_of);
-        const double t1 = gamma*together_of;
-        const double t3 = delta*decay(delta);
-        return stable(whole_roots(alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of, t3,
-            together_of, apart_of*delta), alpha, beta, gamma, delta) != 0.0;
+    if (fractional_part(d) == 0.0) {
+        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+            plant_n1_of3;
+        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
+            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
+        const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
+        return stable(whole_roots(alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
+            denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of), alpha,
+            beta, gamma, delta) != 0.0;
     }
-    double apart_of, fall_of2, nyquist_of, rise_of3, together_of;
-    apart_fall_nyquist_rise_together(gamma, delta, &apart_of, &fall_of2, &nyquist_of, &rise_of3,
-        &together_of);
-    const double t1 = gamma*together_of;
-    const double t3 = delta*decay(delta);
-    const double t4 = some_part(d);
-    const double t5 = 1.0 - t4;
-    const double t6 = (t5*t5);
-    const double t7 = gamma*t6;
+    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+        plant_n1_of3;
+    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
+        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
+    const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
+    const double t4 = some_part(d), t5 = 1.0 - t4, t6 = (t5*t5), t7 = gamma*t6;
     const double t8 = delta*t5;
-    double apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of;
-    apart_fall_kick_kick_low_rise(t7, t8, &apart_of3, &fall_of3, &kick_of2, &kick_low_of2,
-        &rise_of);
-    const double t10 = (t4*t4);
-    const double t11 = gamma*t10;
-    const double t12 = delta*t4;
-    double apart_of2, fall_of, kick_of, kick_low_of, rise_of2;
-    apart_fall_kick_kick_low_rise(t11, t12, &apart_of2, &fall_of, &kick_of, &kick_low_of,
-        &rise_of2);
-    const double t13 = fall_of*t10;
-    return stable(late_roots(alpha, beta, whole_part(d), rise_of*t6, t13*exp(-t8), t1, nyquist_of,
-        t3, together_of, late_apart(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*
-        delta*(t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*(kick_of*t12 + rise_of2*t11) +
-        rise_of*rise_of2*t10*t7 - t13*t8*decay(t8))), alpha, beta, gamma, delta) != 0.0;
+    double kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t7, t8, &kick_of2, &kick_low_of2,
+        &numerator_gap_of3, &plant_n0_of3, &plant_n1_of);
+    const double t10 = (t4*t4), t11 = gamma*t10, t12 = delta*t4;
+    double kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t11, t12, &kick_of, &kick_low_of,
+        &numerator_gap_of2, &plant_n0_of, &plant_n1_of2);
+    const double t13 = plant_n0_of*t10;
+    return stable(fractional_roots(alpha, beta, whole_part(d), plant_n1_of*t6, t13*exp(-t8), t1,
+        denominator_at_minus_one_of, t3, numerator_at_one_of,
+        fractional_numerator_gap(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, delta*
+        numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4), plant_n0_of3*t6*
+        (kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*t7 - t13*t8*decay(t8))),
+        alpha, beta, gamma, delta) != 0.0;
 }
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
@@ -2193,193 +1746,153 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return -1.0;
     }
-    if (late_part(d) == 0.0) {
-        double apart_of, fall_of2, nyquist_of, rise_of3, together_of;
-        apart_fall_nyquist_rise_together(gamma, delta, &apart_of, &fall_of2, &nyquist_of,
-            &rise_of3, &together_of);
-        const double t1 = gamma*together_of;
-        const double t3 = delta*decay(delta);
-        return whole_roots(alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of, t3, together_of,
-            apart_of*delta);
+    if (fractional_part(d) == 0.0) {
+        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+            plant_n1_of3;
+        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
+            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
+        const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
+        return whole_roots(alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
+            denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of);
     }
-    double apart_of, fall_of2, nyquist_of, rise_of3, together_of;
-    apart_fall_nyquist_rise_together(gamma, delta, &apart_of, &fall_of2, &nyquist_of, &rise_of3,
-        &together_of);
-    const double t1 = gamma*together_of;
-    const double t3 = delta*decay(delta);
-    const double t4 = some_part(d);
-    const double t5 = 1.0 - t4;
-    const double t6 = (t5*t5);
-    const double t7 = gamma*t6;
+    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+        plant_n1_of3;
+    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
+        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
+    const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
+    const double t4 = some_part(d), t5 = 1.0 - t4, t6 = (t5*t5), t7 = gamma*t6;
     const double t8 = delta*t5;
-    double apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of;
-    apart_fall_kick_kick_low_rise(t7, t8, &apart_of3, &fall_of3, &kick_of2, &kick_low_of2,
-        &rise_of);
-    const double t10 = (t4*t4);
-    const double t11 = gamma*t10;
-    const double t12 = delta*t4;
-    double apart_of2, fall_of, kick_of, kick_low_of, rise_of2;
-    apart_fall_kick_kick_low_rise(t11, t12, &apart_of2, &fall_of, &kick_of, &kick_low_of,
-        &rise_of2);
-    const double t13 = fall_of*t10;
-    return late_roots(alpha, beta, whole_part(d), rise_of*t6, t13*exp(-t8), t1, nyquist_of, t3,
-        together_of, late_apart(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*delta*
-        (t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*(kick_of*t12 + rise_of2*t11) + rise_of*
-        rise_of2*t10*t7 - t13*t8*decay(t8)));
+    double kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t7, t8, &kick_of2, &kick_low_of2,
+        &numerator_gap_of3, &plant_n0_of3, &plant_n1_of);
+    const double t10 = (t4*t4), t11 = gamma*t10, t12 = delta*t4;
+    double kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t11, t12, &kick_of, &kick_low_of,
+        &numerator_gap_of2, &plant_n0_of, &plant_n1_of2);
+    const double t13 = plant_n0_of*t10;
+    return fractional_roots(alpha, beta, whole_part(d), plant_n1_of*t6, t13*exp(-t8), t1,
+        denominator_at_minus_one_of, t3, numerator_at_one_of,
+        fractional_numerator_gap(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, delta*
+        numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4), plant_n0_of3*t6*
+        (kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*t7 - t13*t8*decay(t8)));
 }
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
     double *alpha_out, double *beta_out) {
     if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (gamma <= 1e+70) && (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
-        *alpha_out = NAN;
-        *beta_out = NAN;
-        return;
+        *alpha_out = NAN; *beta_out = NAN; return;
     }
-    if (late_part(d) == 0.0) {
+    if (fractional_part(d) == 0.0) {
         double cos_next_of, sin_next_of;
         cos_next_sin_next(d, theta, &cos_next_of, &sin_next_of);
-        double apart_of, nyquist_of, together_of;
-        apart_nyquist_together(gamma, delta, &apart_of, &nyquist_of, &together_of);
-        const double t1 = 0.5*theta;
-        const double t3 = gamma*together_of;
-        const double t5 = delta*decay(delta);
-        const double t6 = apart_of*delta;
-        const double t7 = t6 + together_of;
+        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of;
+        denominator_at_minus_one_numerator_at_one_numerator_gap(gamma, delta,
+            &denominator_at_minus_one_of, &numerator_at_one_of, &numerator_gap_of);
+        const double t1 = 0.5*theta, t3 = gamma*numerator_at_one_of;
+        const double t5 = delta*decay(delta), t6 = delta*numerator_gap_of;
+        const double t7 = numerator_at_one_of + t6;
         double ahead_of, in_phase_of;
-        ahead_in_phase(t1, t3, nyquist_of, t5, together_of, t6, t7, &ahead_of, &in_phase_of);
+        ahead_in_phase(t1, t3, denominator_at_minus_one_of, t5, numerator_at_one_of, t6, t7,
+            &ahead_of, &in_phase_of);
         const double t11 = tan(t1);
         const double t12 = ahead_of*cos_next_of + in_phase_of*sin_next_of;
         const double t13 = sin(theta);
         *alpha_out = ahead_of*sin_next_of - cos_next_of*in_phase_of + t11*t12;
-        *beta_out = -t12/t13;
-        return;
+        *beta_out = -t12/t13; return;
     }
-    double apart_of, nyquist_of, together_of;
-    apart_nyquist_together(gamma, delta, &apart_of, &nyquist_of, &together_of);
-    const double t1 = 0.5*theta;
-    const double t3 = gamma*together_of;
-    const double t5 = delta*decay(delta);
-    const double t11 = tan(t1);
-    const double t13 = sin(theta);
+    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of;
+    denominator_at_minus_one_numerator_at_one_numerator_gap(gamma, delta,
+        &denominator_at_minus_one_of, &numerator_at_one_of, &numerator_gap_of);
+    const double t1 = 0.5*theta, t3 = gamma*numerator_at_one_of;
+    const double t5 = delta*decay(delta), t11 = tan(t1), t13 = sin(theta);
     const double t14 = whole_part(d);
     double cos_next_of2, sin_next_of2;
     cos_next_sin_next(t14, theta, &cos_next_of2, &sin_next_of2);
-    const double t16 = some_part(d);
-    const double t17 = 1.0 - t16;
-    const double t18 = (t17*t17);
-    const double t19 = gamma*t18;
+    const double t16 = some_part(d), t17 = 1.0 - t16, t18 = (t17*t17), t19 = gamma*t18;
     const double t20 = delta*t17;
-    double apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2;
-    apart_fall_kick_kick_low_rise(t19, t20, &apart_of2, &fall_of2, &kick_of2, &kick_low_of,
-        &rise_of2);
-    const double t21 = (t16*t16);
-    const double t22 = gamma*t21;
-    const double t23 = delta*t16;
-    double apart_of3, fall_of, kick_of, kick_low_of2, rise_of;
-    apart_fall_kick_kick_low_rise(t22, t23, &apart_of3, &fall_of, &kick_of, &kick_low_of2,
-        &rise_of);
-    const double t25 = fall_of*t21;
-    const double t28 = late_apart(t16, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*
-        delta*(t17*t17*t17), apart_of3*delta*(t16*t16*t16), fall_of2*t18*
-        (kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(t20));
-    const double t29 = 2.0*rise_of2*t18 - 2.0*t25*exp(-t20);
+    double kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of2, plant_n1_of2;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t19, t20, &kick_of2, &kick_low_of,
+        &numerator_gap_of2, &plant_n0_of2, &plant_n1_of2);
+    const double t21 = (t16*t16), t22 = gamma*t21, t23 = delta*t16;
+    double kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of, plant_n1_of;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t22, t23, &kick_of, &kick_low_of2,
+        &numerator_gap_of3, &plant_n0_of, &plant_n1_of);
+    const double t25 = plant_n0_of*t21;
+    const double t28 = fractional_numerator_gap(t16, kick_of2, kick_low_of, kick_of, kick_low_of2,
+        delta*numerator_gap_of2*(t17*t17*t17), delta*numerator_gap_of3*(t16*t16*t16), plant_n0_of2*
+        t18*(kick_of*t23 + plant_n1_of*t22) + plant_n1_of*plant_n1_of2*t19*t21 - t20*t25*
+        decay(t20));
+    const double t29 = 2.0*plant_n1_of2*t18 - 2.0*t25*exp(-t20);
     double ahead_of2, in_phase_of2;
-    ahead_in_phase(t1, t3, nyquist_of, t5, together_of, t28, t29, &ahead_of2, &in_phase_of2);
+    ahead_in_phase(t1, t3, denominator_at_minus_one_of, t5, numerator_at_one_of, t28, t29,
+        &ahead_of2, &in_phase_of2);
     const double t33 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2;
     *alpha_out = ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t33;
-    *beta_out = -t33/t13;
-    return;
+    *beta_out = -t33/t13; return;
 }
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
     double *beta_out, double *theta_out) {
     if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (gamma <= 1e+70) && (gamma >= 0.0))) {
-        *alpha_out = NAN;
-        *beta_out = NAN;
-        *theta_out = NAN;
-        return;
+        *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    if (late_part(d) == 0.0) {
-        double apart_of, fall_of, nyquist_of, rise_of, together_of;
-        apart_fall_nyquist_rise_together(gamma, delta, &apart_of, &fall_of, &nyquist_of, &rise_of,
-            &together_of);
-        const double t1 = gamma*together_of;
-        const double t3 = delta*decay(delta);
-        const double t4 = apart_of*delta;
-        const double t5 = stiffest_angle(gamma, delta, d, d, 0.0, rise_of, fall_of, t1, nyquist_of,
-            t3, together_of, t4);
+    if (fractional_part(d) == 0.0) {
+        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
+            plant_n1_of;
+        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
+            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of, &plant_n1_of);
+        const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
+        const double t4 = delta*numerator_gap_of;
+        const double t5 = max_stiffness_angle(gamma, delta, d, d, 0.0, plant_n1_of, plant_n0_of,
+            t1, denominator_at_minus_one_of, t3, numerator_at_one_of, t4);
         double cos_next_of, sin_next_of; cos_next_sin_next(d, t5, &cos_next_of, &sin_next_of);
-        const double t7 = 0.5*t5;
-        const double t8 = sin(t7);
-        const double t9 = cos(t7);
-        const double t10 = t4 + together_of;
-        const double t11 = (t9*t9);
-        const double t12 = (t8*t8);
-        const double t13 = t11*t12;
-        const double t14 = t11*together_of - t12*t4;
-        const double t15 = 1.0/((t10*t10)*t13 + (t14*t14));
-        const double t16 = 2.0*t3;
-        const double t17 = -nyquist_of*t12 + t1*t11;
-        const double t18 = -t10*t17 + t14*t16;
-        const double t19 = t10*t13*t16 + t14*t17;
+        const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7);
+        const double t10 = numerator_at_one_of + t4, t11 = (t9*t9), t12 = (t8*t8);
+        const double t13 = t11*t12, t14 = numerator_at_one_of*t11 - t12*t4;
+        const double t15 = 1.0/((t10*t10)*t13 + (t14*t14)), t16 = 2.0*t3;
+        const double t17 = -denominator_at_minus_one_of*t12 + t1*t11;
+        const double t18 = -t10*t17 + t14*t16, t19 = t10*t13*t16 + t14*t17;
         const double t20 = cos_next_of*t15;
         const double t21 = -sin_next_of*t15*t19/sin(t5) - 0.5*t18*t20;
-        *alpha_out = sin_next_of*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20;
-        *beta_out = t21;
-        *theta_out = t5;
-        return;
+        *alpha_out = sin_next_of*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20; *beta_out = t21;
+        *theta_out = t5; return;
     }
-    double apart_of, fall_of, nyquist_of, rise_of, together_of;
-    apart_fall_nyquist_rise_together(gamma, delta, &apart_of, &fall_of, &nyquist_of, &rise_of,
-        &together_of);
-    const double t1 = gamma*together_of;
-    const double t3 = delta*decay(delta);
-    const double t16 = 2.0*t3;
-    const double t22 = whole_part(d);
-    const double t23 = some_part(d);
-    const double t24 = 1.0 - t23;
-    const double t25 = (t24*t24);
-    const double t26 = gamma*t25;
-    const double t27 = delta*t24;
-    double apart_of2, fall_of3, kick_of2, kick_low_of, rise_of2;
-    apart_fall_kick_kick_low_rise(t26, t27, &apart_of2, &fall_of3, &kick_of2, &kick_low_of,
-        &rise_of2);
-    const double t29 = rise_of2*t25;
-    const double t30 = (t23*t23);
-    const double t31 = gamma*t30;
+    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
+        plant_n1_of;
+    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
+        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of, &plant_n1_of);
+    const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta), t16 = 2.0*t3;
+    const double t22 = whole_part(d), t23 = some_part(d), t24 = 1.0 - t23;
+    const double t25 = (t24*t24), t26 = gamma*t25, t27 = delta*t24;
+    double kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of3, plant_n1_of2;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t26, t27, &kick_of2, &kick_low_of,
+        &numerator_gap_of2, &plant_n0_of3, &plant_n1_of2);
+    const double t29 = plant_n1_of2*t25, t30 = (t23*t23), t31 = gamma*t30;
     const double t32 = delta*t23;
-    double apart_of3, fall_of2, kick_of, kick_low_of2, rise_of3;
-    apart_fall_kick_kick_low_rise(t31, t32, &apart_of3, &fall_of2, &kick_of, &kick_low_of2,
-        &rise_of3);
-    const double t33 = fall_of2*t30;
-    const double t34 = t33*exp(-t27);
-    const double t37 = late_apart(t23, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*
-        delta*(t24*t24*t24), apart_of3*delta*(t23*t23*t23), fall_of3*t25*
-        (kick_of*t32 + rise_of3*t31) + rise_of2*rise_of3*t26*t30 - t27*t33*decay(t27));
-    const double t38 = stiffest_angle(gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3,
-        together_of, t37);
+    double kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of2, plant_n1_of3;
+    kick_kick_low_numerator_gap_plant_n0_plant_n1(t31, t32, &kick_of, &kick_low_of2,
+        &numerator_gap_of3, &plant_n0_of2, &plant_n1_of3);
+    const double t33 = plant_n0_of2*t30, t34 = t33*exp(-t27);
+    const double t37 = fractional_numerator_gap(t23, kick_of2, kick_low_of, kick_of, kick_low_of2,
+        delta*numerator_gap_of2*(t24*t24*t24), delta*numerator_gap_of3*(t23*t23*t23), plant_n0_of3*
+        t25*(kick_of*t32 + plant_n1_of3*t31) + plant_n1_of2*plant_n1_of3*t26*t30 - t27*t33*
+        decay(t27));
+    const double t38 = max_stiffness_angle(gamma, delta, d, t22, t23, t29, t34, t1,
+        denominator_at_minus_one_of, t3, numerator_at_one_of, t37);
     double cos_next_of2, sin_next_of2;
     cos_next_sin_next(t22, t38, &cos_next_of2, &sin_next_of2);
-    const double t39 = 0.5*t38;
-    const double t40 = sin(t39);
-    const double t41 = cos(t39);
-    const double t43 = 2.0*t29 - 2.0*t34;
-    const double t44 = (t41*t41);
-    const double t45 = (t40*t40);
-    const double t46 = t44*t45;
-    const double t47 = -t37*t45 + t44*together_of;
+    const double t39 = 0.5*t38, t40 = sin(t39), t41 = cos(t39), t43 = 2.0*t29 - 2.0*t34;
+    const double t44 = (t41*t41), t45 = (t40*t40), t46 = t44*t45;
+    const double t47 = numerator_at_one_of*t44 - t37*t45;
     const double t48 = 1.0/((t43*t43)*t46 + (t47*t47));
-    const double t49 = -nyquist_of*t45 + t1*t44;
-    const double t50 = t16*t47 - t43*t49;
-    const double t51 = t16*t43*t46 + t47*t49;
+    const double t49 = -denominator_at_minus_one_of*t45 + t1*t44;
+    const double t50 = t16*t47 - t43*t49, t51 = t16*t43*t46 + t47*t49;
     const double t52 = cos_next_of2*t48;
     const double t53 = -sin_next_of2*t48*t51/sin(t38) - 0.5*t50*t52;
-    *alpha_out = sin_next_of2*t40*t41*t48*t50 - 2.0*t45*t53 - t51*t52;
-    *beta_out = t53;
-    *theta_out = t38;
-    return;
+    *alpha_out = sin_next_of2*t40*t41*t48*t50 - 2.0*t45*t53 - t51*t52; *beta_out = t53;
+    *theta_out = t38; return;
 }
 
 double haptic_passivity_margin_at(double theta, double alpha, double beta, double delta, double d) {
@@ -2388,8 +1901,7 @@ double haptic_passivity_margin_at(double theta, double alpha, double beta, doubl
         (theta > 0.0))) {
         return NAN;
     }
-    const double t0 = 0.5*theta;
-    const double cos_next_of = cos_next(d, theta);
+    const double t0 = 0.5*theta, cos_next_of = cos_next(d, theta);
     const double sin_next_of = sin_next(2.0*d, t0);
     return -0.5*alpha*sin_next_of/sin(t0) + beta*cos_next_of + delta;
 }
@@ -2399,84 +1911,51 @@ double haptic_passivity_margin(double alpha, double beta, double delta, double d
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) {
         return NAN;
     }
-    return delta - largest_need(alpha, beta, d);
+    return delta - largest_required_damping(alpha, beta, d);
 }
 
 void haptic_passivity_boundary(double theta, double delta, double d, double *alpha_out,
     double *beta_out) {
     if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (theta <= 3.141592653589793) && (theta > 0.0))) {
-        *alpha_out = NAN;
-        *beta_out = NAN;
-        return;
+        *alpha_out = NAN; *beta_out = NAN; return;
     }
-    if (late_part(d) == 0.0) {
-        const double t0 = lead(theta, d, 0.0);
-        const double t1 = delta/spread(d, theta);
-        const double t2 = 0.5*theta;
-        const double t15 = sinc(t2);
-        const double sin_next_of = sin_next(d, theta);
+    if (fractional_part(d) == 0.0) {
+        const double t0 = lead(theta, d, 0.0), t1 = delta/spread(d, theta);
+        const double t2 = 0.5*theta, t15 = sinc(t2), sin_next_of = sin_next(d, theta);
         const double t3 = sin_next_of*(t15*t15)*(d + 1.0)/theta;
         *alpha_out = rated(t0, 2.0*t1*t3);
-        *beta_out = rated(t0, t1*(-t3 + chord(d, theta)));
-        return;
+        *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
     }
-    const double t2 = 0.5*theta;
-    const double t4 = whole_part(d);
-    const double t5 = some_part(d);
-    const double t6 = lead(theta, t4, t5);
-    const double t7 = t4 + 1.0;
-    const double t8 = touching(theta, t4, t5);
-    const double t9 = cos(t8);
-    const double t10 = t9/t7;
-    const double t11 = sin(t8);
-    const double t12 = -0.5*t10 + t11;
+    const double t2 = 0.5*theta, t4 = whole_part(d), t5 = some_part(d);
+    const double t6 = lead(theta, t4, t5), t7 = t4 + 1.0, t8 = touching(theta, t4, t5);
+    const double t9 = cos(t8), t10 = t9/t7, t11 = sin(t8), t12 = -0.5*t10 + t11;
     const double t13 = between(t5, straight(t10, t12, t4, t2), straight(t10, t12, t7, t2));
-    const double t16 = sin(t2);
-    const double t17 = cos(t2);
+    const double t16 = sin(t2), t17 = cos(t2);
     const double t14 = delta/(0.5*t13 + 0.5*
         sqrt((t13*t13) + t5*(1.0 - t5)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7))));
-    *alpha_out = rated(t6, t10*t14);
-    *beta_out = rated(t6, t12*t14);
-    return;
+    *alpha_out = rated(t6, t10*t14); *beta_out = rated(t6, t12*t14); return;
 }
 
 void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, double *beta_out,
     double *theta_out) {
     if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) {
-        *alpha_out = NAN;
-        *beta_out = NAN;
-        *theta_out = NAN;
-        return;
+        *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    if (late_part(d) == 0.0) {
-        const double t0 = 3.141592653589793/(d + 1.0);
-        const double t1 = tan(0.25*t0);
-        const double t2 = 0.5*t0;
+    if (fractional_part(d) == 0.0) {
+        const double t0 = 3.141592653589793/(d + 1.0), t1 = tan(0.25*t0), t2 = 0.5*t0;
         *alpha_out = 2.0*delta*t1;
-        *beta_out = delta*(-t1 + 2.0/(3.141592653589793*sinc(t2)));
-        *theta_out = t2;
+        *beta_out = delta*(-t1 + 2.0/(3.141592653589793*sinc(t2))); *theta_out = t2;
         return;
     }
-    const double t3 = whole_part(d);
-    const double t4 = t3 + 1.0;
-    const double t5 = some_part(d);
-    const double t6 = passive_angle(t3, t5);
-    const double t7 = touching(t6, t3, t5);
-    const double t8 = cos(t7);
-    const double t9 = t8/t4;
-    const double t10 = sin(t7);
-    const double t11 = t10 - 0.5*t9;
-    const double t12 = 0.5*t6;
+    const double t3 = whole_part(d), t4 = t3 + 1.0, t5 = some_part(d);
+    const double t6 = passive_angle(t3, t5), t7 = touching(t6, t3, t5), t8 = cos(t7);
+    const double t9 = t8/t4, t10 = sin(t7), t11 = t10 - 0.5*t9, t12 = 0.5*t6;
     const double t13 = between(t5, straight(t9, t11, t3, t12), straight(t9, t11, t4, t12));
-    const double t15 = sin(t12);
-    const double t16 = cos(t12);
+    const double t15 = sin(t12), t16 = cos(t12);
     const double t14 = delta/(0.5*t13 + 0.5*
         sqrt((t13*t13) + t5*(1.0 - t5)*(4.0*(t10*t10)*(t15*t15) + (t16*t16)*(t8*t8)/(t4*t4))));
-    *alpha_out = t14*t9;
-    *beta_out = t11*t14;
-    *theta_out = t6;
-    return;
+    *alpha_out = t14*t9; *beta_out = t11*t14; *theta_out = t6; return;
 }
 
 double haptic_linear_limit(double beta, double delta, double d) {

@@ -27,7 +27,7 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
  * Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
  * NaN outside, and where an argument is NaN or larger than 1e70.
  */
-void haptic_discretize_late(double gamma, double delta, double epsilon, double *m2_out,
+void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
     double *m1_out, double *m0_out, double *a_out, double *e_out);
 
 /*

@@ -285,6 +285,16 @@ def fast_two_sum(xp, x, y):
     return total, y - back
 
 
+def two_diff(xp, x, y):
+    """x - y and what it misses"""
+    total = x - y
+    back = total - x
+    rest = total - back
+    one = x - rest
+    two = -back - y
+    return total, one + two
+
+
 def halves(xp, y):
     """A number as two of half its digits, whose products are exact.
 
@@ -299,7 +309,7 @@ def halves(xp, y):
     return high, y - high
 
 
-def product_error(product, one, two):
+def two_prod_error(product, one, two):
     """What a product misses, by Dekker, from the halves of its factors."""
     (high, low), (most, least) = one, two
     error = high*most
@@ -313,23 +323,13 @@ def product_error(product, one, two):
     return error
 
 
-def two_diff(xp, x, y):
-    """x - y and what it misses"""
-    total = x - y
-    back = total - x
-    rest = total - back
-    one = x - rest
-    two = -back - y
-    return total, one + two
-
-
 def device_motion(xp, gamma, delta):
     """w = delta^2/4 - gamma, what it misses, its root and the size of the poles"""
     half = 0.5*delta
     square = (half*half)
     total, lost = two_diff(xp, square, gamma)
     half_halves = halves(xp, half)
-    rest = lost + product_error(square, half_halves, half_halves)
+    rest = lost + two_prod_error(square, half_halves, half_halves)
     total, lost = fast_two_sum(xp, total, rest)
     root = square_root(xp, xp.abs(total))
     return total, lost, root, xp.where(total < 0.0, 0.25*gamma, 0.4444444444444444*half +
@@ -370,7 +370,7 @@ def wide_prod(xp, x, y, y_low):
     """x (y + y_low) and what it misses"""
     x_halves = halves(xp, x)
     y_halves = halves(xp, y)
-    return x*y, x*y_low + product_error(x*y, x_halves, y_halves)
+    return x*y, x*y_low + two_prod_error(x*y, x_halves, y_halves)
 
 
 def brief_fading(xp, rate, low):
@@ -392,7 +392,7 @@ def wide_quot(xp, x, y, x_low, y_low):
     left = x - total*y
     total_halves = halves(xp, total)
     y_halves = halves(xp, y)
-    left = left - product_error(total*y, total_halves, y_halves)
+    left = left - two_prod_error(total*y, total_halves, y_halves)
     rest = x_low - total*y_low
     left = left + rest
     return total, left/y
@@ -402,8 +402,8 @@ def fading_pair(xp, rate, low):
     """exp(-rate), (1 - exp(-rate))/rate and what they miss"""
 
     def yes(low, rate):
-        fall_, fall_low, mean, mean_low = brief_fading(xp, rate, low)
-        return fall_, fall_low, mean, mean_low
+        fall, fall_low, mean, mean_low = brief_fading(xp, rate, low)
+        return fall, fall_low, mean, mean_low
 
     def no(low, rate):
         sunk = xp.exp(-rate)
@@ -415,7 +415,7 @@ def fading_pair(xp, rate, low):
     return select(xp, rate < 0.75, yes, (low, rate), no, (low, rate))
 
 
-def fall_term(xp, gamma, delta, one, one_low, two, two_low, number):
+def plant_n0_term(xp, gamma, delta, one, one_low, two, two_low, number):
     """number + delta one - gamma two and what it misses, of pairs"""
     total, lost = wide_prod(xp, delta, one, one_low)
     total2, lost2 = wide_prod(xp, gamma, two, two_low)
@@ -426,7 +426,7 @@ def fall_term(xp, gamma, delta, one, one_low, two, two_low, number):
     return total2, both + rest
 
 
-def fall_series_single(xp, gamma, delta):
+def plant_n0_series_single(xp, gamma, delta):
     """The same in single precision."""
 
     def yes(delta):
@@ -451,21 +451,21 @@ def fall_series_single(xp, gamma, delta):
     one4 = delta*one3 - gamma*one2 + 2.48015873015873e-05
     one3 = delta*one4 - gamma*one3 + 0.0001984126984126984
     one4 = delta*one3 - gamma*one4 + 0.001388888888888889
-    one3, one_low = fall_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
+    one3, one_low = plant_n0_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
         xp.full_like(delta, 0.0), xp.full_like(delta, 0.008333333333333333))
-    one4, one_low2 = fall_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
+    one4, one_low2 = plant_n0_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
         xp.full_like(delta, 0.041666666666666664))
-    one3, one_low = fall_term(xp, gamma, delta, one4, one_low2, one3, one_low,
+    one3, one_low = plant_n0_term(xp, gamma, delta, one4, one_low2, one3, one_low,
         xp.full_like(delta, 0.16666666666666666))
-    one3, one_low = fall_term(xp, gamma, delta, one3, one_low, one4, one_low2,
+    one3, one_low = plant_n0_term(xp, gamma, delta, one3, one_low, one4, one_low2,
         xp.full_like(delta, 0.0))
     return one3 + one_low
 
 
-def fall_series(xp, gamma, delta):
+def plant_n0_series(xp, gamma, delta):
     """divided difference of exp at 0, p and q, less 1/2"""
     if gamma.dtype == xp.float32:
-        return fall_series_single(xp, gamma, delta)
+        return plant_n0_series_single(xp, gamma, delta)
 
     def yes(delta):
         return 0.0, 0.0
@@ -494,33 +494,33 @@ def fall_series(xp, gamma, delta):
     one4 = delta*one3 - gamma*one4 + 2.48015873015873e-05
     one3 = delta*one4 - gamma*one3 + 0.0001984126984126984
     one4 = delta*one3 - gamma*one4 + 0.001388888888888889
-    one3, one_low = fall_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
+    one3, one_low = plant_n0_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
         xp.full_like(delta, 0.0), xp.full_like(delta, 0.008333333333333333))
-    one4, one_low2 = fall_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
+    one4, one_low2 = plant_n0_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
         xp.full_like(delta, 0.041666666666666664))
-    one3, one_low = fall_term(xp, gamma, delta, one4, one_low2, one3, one_low,
+    one3, one_low = plant_n0_term(xp, gamma, delta, one4, one_low2, one3, one_low,
         xp.full_like(delta, 0.16666666666666666))
-    one3, one_low = fall_term(xp, gamma, delta, one3, one_low, one4, one_low2,
+    one3, one_low = plant_n0_term(xp, gamma, delta, one3, one_low, one4, one_low2,
         xp.full_like(delta, 0.0))
     return one3 + one_low
 
 
-def fall_near(xp, fade_, fade_low, gamma, delta):
+def plant_n0_near(xp, fade_, fade_low, gamma, delta):
     """n0 of a device with slow poles"""
     total, lost = wide_prod(xp, fade_, fade_, 2.0*fade_low)
-    rest = fall_series(xp, gamma, delta)
+    rest = plant_n0_series(xp, gamma, delta)
     total2, lost2 = two_diff(xp, rest, -0.5)
     total, lost2 = wide_prod(xp, total, total2, lost2)
     low = lost*total2 + lost2
     return low + total
 
 
-def fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, slow, slow_low, mean, mean_low,
-    ratio, ratio_low, even, even_low):
+def plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, slow, slow_low, mean,
+    mean_low, ratio, ratio_low, even, even_low):
     """n0 of a creeping device"""
 
     def yes(delta, fade_, fade_low, gamma):
-        return fall_near(xp, fade_, fade_low, gamma, delta)
+        return plant_n0_near(xp, fade_, fade_low, gamma, delta)
 
     def no(even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
         total, lost = wide_prod(xp, ratio, mean, mean_low)
@@ -536,12 +536,12 @@ def fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, slow, slow_lo
         (even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
 
 
-def fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, wave, wave_low, gamma,
-    near, known):
+def plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, wave, wave_low,
+    gamma, near, known):
     """n0 of a swinging device"""
 
     def yes(fade_, fade_low, gamma, half):
-        return fall_near(xp, fade_, fade_low, gamma, 2.0*half)
+        return plant_n0_near(xp, fade_, fade_low, gamma, 2.0*half)
 
     def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
 
@@ -565,32 +565,7 @@ def fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, wave,
         (envelope, even, even_low, gamma, half, known, near, wave, wave_low))
 
 
-def root_miss(xp, square, square_low, root):
-    """what the root of |square + square_low| misses"""
-    sign_low = xp.where(square < 0.0, -square_low, square_low)
-    left = xp.abs(square) - (root*root)
-    root_halves = halves(xp, root)
-    left = left - product_error(root*root, root_halves, root_halves)
-    left = left + sign_low
-    whole = xp.where(root == 0.0, 1.0, root)
-    return 0.5*left/whole
-
-
-def real_poles(xp, gamma, half, w, w_low, root):
-    """the poles p = half + root and q = gamma/p and what they miss"""
-    total, lost = fast_two_sum(xp, half, root)
-    p_low = lost + root_miss(xp, w, w_low, root)
-    whole = xp.where(total == 0.0, 1.0, total)
-    q = gamma/whole
-    off = gamma - q*whole
-    whole_halves = halves(xp, whole)
-    q_halves = halves(xp, q)
-    off = off - product_error(whole*q, whole_halves, q_halves)
-    off = off - p_low*q
-    return whole, p_low, q, off/whole
-
-
-def rise_series_single(xp, h, w):
+def plant_n1_series_single(xp, h, w):
     """The same in single precision."""
 
     def yes(h):
@@ -630,10 +605,10 @@ def rise_series_single(xp, h, w):
     return even3 + h*total3
 
 
-def rise_series(xp, h, w):
-    """divided difference of exp at h, sqrt(w), -sqrt(w), less 1/2"""
+def plant_n1_series(xp, h, w):
+    """divided difference of exp at h and +-sqrt(w), less 1/2"""
     if h.dtype == xp.float32:
-        return rise_series_single(xp, h, w)
+        return plant_n1_series_single(xp, h, w)
 
     def yes(h):
         return 0.0, 0.0, 0.0
@@ -681,21 +656,21 @@ def rise_series(xp, h, w):
     return even3 + h*total3
 
 
-def rise_near(xp, fade_, fade_low, half, w):
+def plant_n1_near(xp, fade_, fade_low, half, w):
     """n1 of a device with slow poles"""
-    rest = rise_series(xp, half, w)
+    rest = plant_n1_series(xp, half, w)
     total, lost = two_diff(xp, rest, -0.5)
     total2, lost = wide_prod(xp, fade_, total, lost)
     low = fade_low*total + lost
     return low + total2
 
 
-def rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, slow, slow_low, mean, mean_low, even,
-    even_low):
+def plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, slow, slow_low, mean, mean_low,
+    even, even_low):
     """n1 of a creeping device"""
 
     def yes(fade_, fade_low, half, w):
-        return rise_near(xp, fade_, fade_low, half, w)
+        return plant_n1_near(xp, fade_, fade_low, half, w)
 
     def no(even, even_low, mean, mean_low, p, p_low, slow, slow_low):
         total, lost = wide_prod(xp, slow, even, even_low)
@@ -709,12 +684,12 @@ def rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, slow, slow_low, me
         (even, even_low, mean, mean_low, p, p_low, slow, slow_low))
 
 
-def rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, wave, wave_low,
+def plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, wave, wave_low,
     gamma, near, known):
     """n1 of a swinging device"""
 
     def yes(fade_, fade_low, half, w):
-        return rise_near(xp, fade_, fade_low, half, w)
+        return plant_n1_near(xp, fade_, fade_low, half, w)
 
     def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
 
@@ -737,21 +712,7 @@ def rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, wa
         (envelope, even, even_low, gamma, half, known, near, wave, wave_low))
 
 
-def slow_fade(xp, reach, half):
-    """exp(-half) of a device with slow poles, and what it misses"""
-
-    def yes(half):
-        fall_, fall_low, mean, mean_low = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
-        total, lost = wide_prod(xp, fall_, fall_, 2.0*fall_low)
-        return total, lost
-
-    def no(reach):
-        return 0.0, 0.0
-
-    return select(xp, reach < 0.5625, yes, (half,), no, (reach,))
-
-
-def trace_creep(xp, slow, slow_low, ratio, ratio_low):
+def plant_trace_creep(xp, slow, slow_low, ratio, ratio_low):
     """a of a creeping device"""
     total, lost = fast_two_sum(xp, 1.0, ratio)
     total2, lost = wide_prod(xp, slow, total, lost + ratio_low)
@@ -759,10 +720,49 @@ def trace_creep(xp, slow, slow_low, ratio, ratio_low):
     return low + total2
 
 
-def trace_swing(xp, envelope, even, even_low):
+def plant_trace_swing(xp, envelope, even, even_low):
     """a of a swinging device"""
     total, lost = wide_prod(xp, envelope, even, even_low)
     return 2.0*lost + 2.0*total
+
+
+def root_miss(xp, square, square_low, root):
+    """what the root of |square + square_low| misses"""
+    sign_low = xp.where(square < 0.0, -square_low, square_low)
+    left = xp.abs(square) - (root*root)
+    root_halves = halves(xp, root)
+    left = left - two_prod_error(root*root, root_halves, root_halves)
+    left = left + sign_low
+    whole = xp.where(root == 0.0, 1.0, root)
+    return 0.5*left/whole
+
+
+def real_poles(xp, gamma, half, w, w_low, root):
+    """the poles p = half + root and q = gamma/p and what they miss"""
+    total, lost = fast_two_sum(xp, half, root)
+    p_low = lost + root_miss(xp, w, w_low, root)
+    whole = xp.where(total == 0.0, 1.0, total)
+    q = gamma/whole
+    off = gamma - q*whole
+    whole_halves = halves(xp, whole)
+    q_halves = halves(xp, q)
+    off = off - two_prod_error(whole*q, whole_halves, q_halves)
+    off = off - p_low*q
+    return whole, p_low, q, off/whole
+
+
+def slow_fade(xp, reach, half):
+    """exp(-half) of a device with slow poles, and what it misses"""
+
+    def yes(half):
+        fall, fall_low, mean, mean_low = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
+        total, lost = wide_prod(xp, fall, fall, 2.0*fall_low)
+        return total, lost
+
+    def no(reach):
+        return 0.0, 0.0
+
+    return select(xp, reach < 0.5625, yes, (half,), no, (reach,))
 
 
 def cos_series_single(xp, w):
@@ -839,7 +839,7 @@ def two_prod(xp, x, y):
     """x y and what it misses"""
     x_halves = halves(xp, x)
     y_halves = halves(xp, y)
-    return x*y, product_error(x*y, x_halves, y_halves)
+    return x*y, two_prod_error(x*y, x_halves, y_halves)
 
 
 def whole_turns_single(xp, half, square, square_low, root, stiff):
@@ -865,18 +865,18 @@ def whole_turns_single(xp, half, square, square_low, root, stiff):
         far = (total*total)
 
         def yes(half, lost10, missed, root, stiff, total10):
-            fall_, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
-            total26, lost26 = fast_two_sum(xp, 1.0, -fall_)
+            fall, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
+            total26, lost26 = fast_two_sum(xp, 1.0, -fall)
             total11, lost11 = wide_prod(xp, total10, total10, 2.0*lost10)
             total13, lost13 = fast_two_sum(xp, 1.0, -total11*sin_series(xp, -total11))
             total14, lost13 = wide_prod(xp, total10, total13, lost13)
             bent = (total11*total11)*cos_series(xp, -total11)
             total11, lost12 = fast_two_sum(xp, 0.5*total11, -bent)
             lift_low = 0.5*lost11*total13 + lost12
-            total13, lost12 = wide_prod(xp, fall_, total11, lift_low)
-            total29, lost11 = wide_prod(xp, fall_, total11, lift_low)
+            total13, lost12 = wide_prod(xp, fall, total11, lift_low)
+            total29, lost11 = wide_prod(xp, fall, total11, lift_low)
             total14, lost13 = wide_quot(xp, total14, root, lost10*(1.0 - total11) + lost13, missed)
-            total16, lost16 = wide_prod(xp, fall_, total14, lost13)
+            total16, lost16 = wide_prod(xp, fall, total14, lost13)
             total16, lost17 = two_diff(xp, mean, total16)
             total21, lost21 = two_diff(xp, mean, total14)
             total21, lost21 = wide_prod(xp, half, total21, lost21 - lost13 + mean_low)
@@ -887,7 +887,7 @@ def whole_turns_single(xp, half, square, square_low, root, stiff):
             total13, lost16 = two_diff(xp, total16, -total13)
             low2 = lift_low - lost21 + lost13
             total21, lost13 = two_diff(xp, total21, -low2)
-            total16, lost13 = wide_prod(xp, fall_, total21, lost13)
+            total16, lost13 = wide_prod(xp, fall, total21, lost13)
             low2 = lost26 - fall_low
             total26, lost26 = fast_two_sum(xp, total26, low2)
             total26, lost26 = wide_prod(xp, total26, total26, 2.0*lost26)
@@ -938,18 +938,18 @@ def whole_turns(xp, half, square, square_low, root, stiff):
         far = (total*total)
 
         def yes(half, lost10, missed, root, stiff, total10):
-            fall_, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
-            total26, lost26 = fast_two_sum(xp, 1.0, -fall_)
+            fall, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
+            total26, lost26 = fast_two_sum(xp, 1.0, -fall)
             total11, lost11 = wide_prod(xp, total10, total10, 2.0*lost10)
             total13, lost13 = fast_two_sum(xp, 1.0, -total11*sin_series(xp, -total11))
             total14, lost13 = wide_prod(xp, total10, total13, lost13)
             bent = (total11*total11)*cos_series(xp, -total11)
             total11, lost12 = fast_two_sum(xp, 0.5*total11, -bent)
             lift_low = 0.5*lost11*total13 + lost12
-            total13, lost12 = wide_prod(xp, fall_, total11, lift_low)
-            total29, lost11 = wide_prod(xp, fall_, total11, lift_low)
+            total13, lost12 = wide_prod(xp, fall, total11, lift_low)
+            total29, lost11 = wide_prod(xp, fall, total11, lift_low)
             total14, lost13 = wide_quot(xp, total14, root, lost10*(1.0 - total11) + lost13, missed)
-            total16, lost16 = wide_prod(xp, fall_, total14, lost13)
+            total16, lost16 = wide_prod(xp, fall, total14, lost13)
             total16, lost17 = two_diff(xp, mean, total16)
             total21, lost21 = two_diff(xp, mean, total14)
             total21, lost21 = wide_prod(xp, half, total21, lost21 - lost13 + mean_low)
@@ -960,7 +960,7 @@ def whole_turns(xp, half, square, square_low, root, stiff):
             total13, lost16 = two_diff(xp, total16, -total13)
             low2 = lift_low - lost21 + lost13
             total21, lost13 = two_diff(xp, total21, -low2)
-            total16, lost13 = wide_prod(xp, fall_, total21, lost13)
+            total16, lost13 = wide_prod(xp, fall, total21, lost13)
             low2 = lost26 - fall_low
             total26, lost26 = fast_two_sum(xp, total26, low2)
             total26, lost26 = wide_prod(xp, total26, total26, 2.0*lost26)
@@ -986,7 +986,7 @@ def whole_turns(xp, half, square, square_low, root, stiff):
         (half, root, square, square_low, stiff), no, (half,))
 
 
-def fall_rise_swing(xp, gamma, delta):
+def plant_n0_plant_n1_plant_trace(xp, gamma, delta):
     """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
     moves the device in a period; a, the sum of the sampled device's poles
     """
@@ -998,99 +998,28 @@ def fall_rise_swing(xp, gamma, delta):
         near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
         fade_, fade_low = slow_fade(xp, reach, half)
         envelope = xp.exp(-half)
-        return fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
-            gamma, near, sunk), rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even,
-            even_low, odd, odd_low, gamma, near, risen), trace_swing(xp, envelope, even, even_low)
+        return (
+            plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
+            odd_low, gamma, near, sunk), plant_n1_swing(xp, reach, fade_, fade_low, half, w,
+            envelope, even, even_low, odd, odd_low, gamma, near, risen),
+            plant_trace_swing(xp, envelope, even, even_low)
+        )
 
     def no(delta, gamma, reach, root, w, w_low):
         half = 0.5*delta
         p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
         fade_, fade_low = slow_fade(xp, reach, half)
         root_low = root_miss(xp, w, w_low, root)
         fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
         return (
-            fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low, mean,
-            mean_low, fall2, fall_low2, mean2, mean_low2),
-            rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
-            mean_low, mean2, mean_low2), trace_creep(xp, fall_, fall_low, fall2, fall_low2)
+            plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
+            mean, mean_low, fall2, fall_low2, mean2, mean_low2),
+            plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+            mean_low, mean2, mean_low2), plant_trace_creep(xp, fall, fall_low, fall2, fall_low2)
         )
 
     return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
-
-
-def fall(xp, gamma, delta):
-    """n0, the same device with its time reversed, times exp(-delta)"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-
-    def yes(delta, gamma, reach):
-        half = 0.5*delta
-        fade_, fade_low = slow_fade(xp, reach, half)
-        return fall_near(xp, fade_, fade_low, gamma, delta)
-
-    def no(delta, gamma, reach, root, w, w_low):
-
-        def yes(delta, gamma, reach, root, w, w_low):
-            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-            half = 0.5*delta
-            fade_, fade_low = slow_fade(xp, reach, half)
-            envelope = xp.exp(-half)
-            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-            return fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
-                odd_low, gamma, near, sunk)
-
-        def no(delta, gamma, reach, root, w, w_low):
-            half = 0.5*delta
-            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-            fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-            fade_, fade_low = slow_fade(xp, reach, half)
-            root_low = root_miss(xp, w, w_low, root)
-            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-            return fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_, fall_low,
-                mean, mean_low, fall2, fall_low2, mean2, mean_low2)
-
-        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-            (delta, gamma, reach, root, w, w_low))
-
-    return select(xp, reach < 0.5625, yes, (delta, gamma, reach), no,
-        (delta, gamma, reach, root, w, w_low))
-
-
-def rise(xp, gamma, delta):
-    """n1, how far a unit force moves the device in a period"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-
-    def yes(delta, reach, w):
-        half = 0.5*delta
-        fade_, fade_low = slow_fade(xp, reach, half)
-        return rise_near(xp, fade_, fade_low, half, w)
-
-    def no(delta, gamma, reach, root, w, w_low):
-
-        def yes(delta, gamma, reach, root, w, w_low):
-            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-            half = 0.5*delta
-            fade_, fade_low = slow_fade(xp, reach, half)
-            envelope = xp.exp(-half)
-            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-            return rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-                odd_low, gamma, near, risen)
-
-        def no(delta, gamma, reach, root, w, w_low):
-            half = 0.5*delta
-            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-            fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-            fade_, fade_low = slow_fade(xp, reach, half)
-            root_low = root_miss(xp, w, w_low, root)
-            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-            return rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
-                mean_low, mean2, mean_low2)
-
-        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-            (delta, gamma, reach, root, w, w_low))
-
-    return select(xp, reach < 0.5625, yes, (delta, reach, w), no,
         (delta, gamma, reach, root, w, w_low))
 
 
@@ -1100,7 +1029,7 @@ def fast_fall(xp, slow, slow_low, ratio, ratio_low):
     return total, lost + ratio*slow_low
 
 
-def together_series_single(xp, h, w):
+def numerator_at_one_series_single(xp, h, w):
     """The same in single precision."""
     y = (h*h)
 
@@ -1130,10 +1059,10 @@ def together_series_single(xp, h, w):
     return own2 + total3*y
 
 
-def together_series(xp, h, w):
+def numerator_at_one_series(xp, h, w):
     """divided difference of cosh(sqrt) at h^2 and w, less 1/2"""
     if h.dtype == xp.float32:
-        return together_series_single(xp, h, w)
+        return numerator_at_one_series_single(xp, h, w)
     y = (h*h)
 
     def yes(h):
@@ -1167,20 +1096,21 @@ def together_series(xp, h, w):
     return own2 + total3*y
 
 
-def together_near(xp, half, w):
+def numerator_at_one_near(xp, half, w):
     """n1 + n0 of a device with slow poles"""
-    rest = together_series(xp, half, w)
+    rest = numerator_at_one_series(xp, half, w)
     total, lost = two_diff(xp, rest, -0.5)
     envelope = xp.exp(-half)
     total, lost = wide_prod(xp, envelope, total, lost)
     return 2.0*lost + 2.0*total
 
 
-def together_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low):
+def numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, ratio,
+    ratio_low):
     """n1 + n0 of a creeping device"""
 
     def yes(half, w):
-        return together_near(xp, half, w)
+        return numerator_at_one_near(xp, half, w)
 
     def no(mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
         fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
@@ -1205,11 +1135,11 @@ def half_squares(xp, half, envelope, wave, back):
     return total2, lost2 + lost
 
 
-def together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, known):
+def numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, known):
     """n1 + n0 of a swinging device"""
 
     def yes(half, w):
-        return together_near(xp, half, w)
+        return numerator_at_one_near(xp, half, w)
 
     def no(envelope, gamma, half, known, near, root, w, w_low):
 
@@ -1230,8 +1160,8 @@ def together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, known
         (envelope, gamma, half, known, near, root, w, w_low))
 
 
-def swing_together(xp, gamma, delta):
-    """a, the sum of the sampled device's poles; n1 + n0"""
+def numerator_at_one_plant_trace(xp, gamma, delta):
+    """n1 + n0; a, the sum of the sampled device's poles"""
     w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, reach, root, w, w_low):
@@ -1239,28 +1169,140 @@ def swing_together(xp, gamma, delta):
         half = 0.5*delta
         near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
         envelope = xp.exp(-half)
-        return (
-            trace_swing(xp, envelope, even, even_low),
-            together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, moved)
-        )
+        return numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
+            moved), plant_trace_swing(xp, envelope, even, even_low)
 
     def no(delta, gamma, reach, root, w, w_low):
         half = 0.5*delta
         p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
         root_low = root_miss(xp, w, w_low, root)
         fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-        return (
-            trace_creep(xp, fall_, fall_low, fall2, fall_low2),
-            together_creep(xp, reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
-            fall2, fall_low2)
-        )
+        return numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean, mean_low,
+            fall2, fall_low2), plant_trace_creep(xp, fall, fall_low, fall2, fall_low2)
 
     return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
         (delta, gamma, reach, root, w, w_low))
 
 
-def apart_series_single(xp, h, w):
+def plant_n0(xp, gamma, delta):
+    """n0, the same device with its time reversed, times exp(-delta)"""
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, gamma, reach):
+        half = 0.5*delta
+        fade_, fade_low = slow_fade(xp, reach, half)
+        return plant_n0_near(xp, fade_, fade_low, gamma, delta)
+
+    def no(delta, gamma, reach, root, w, w_low):
+
+        def yes(delta, gamma, reach, root, w, w_low):
+            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+            half = 0.5*delta
+            fade_, fade_low = slow_fade(xp, reach, half)
+            envelope = xp.exp(-half)
+            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+            return plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
+                odd_low, gamma, near, sunk)
+
+        def no(delta, gamma, reach, root, w, w_low):
+            half = 0.5*delta
+            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+            fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+            fade_, fade_low = slow_fade(xp, reach, half)
+            root_low = root_miss(xp, w, w_low, root)
+            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+            return plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall,
+                fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2)
+
+        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+            (delta, gamma, reach, root, w, w_low))
+
+    return select(xp, reach < 0.5625, yes, (delta, gamma, reach), no,
+        (delta, gamma, reach, root, w, w_low))
+
+
+def plant_n1(xp, gamma, delta):
+    """n1, how far a unit force moves the device in a period"""
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, reach, w):
+        half = 0.5*delta
+        fade_, fade_low = slow_fade(xp, reach, half)
+        return plant_n1_near(xp, fade_, fade_low, half, w)
+
+    def no(delta, gamma, reach, root, w, w_low):
+
+        def yes(delta, gamma, reach, root, w, w_low):
+            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+            half = 0.5*delta
+            fade_, fade_low = slow_fade(xp, reach, half)
+            envelope = xp.exp(-half)
+            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+            return plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low,
+                odd, odd_low, gamma, near, risen)
+
+        def no(delta, gamma, reach, root, w, w_low):
+            half = 0.5*delta
+            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+            fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+            fade_, fade_low = slow_fade(xp, reach, half)
+            root_low = root_miss(xp, w, w_low, root)
+            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+            return plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low,
+                mean, mean_low, mean2, mean_low2)
+
+        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+            (delta, gamma, reach, root, w, w_low))
+
+    return select(xp, reach < 0.5625, yes, (delta, reach, w), no,
+        (delta, gamma, reach, root, w, w_low))
+
+
+def decay(xp, x):
+    """(1 - exp(-x))/x"""
+
+    def yes(x):
+        return 1.0
+
+    def no(x):
+        return -xp.expm1(-x)/x
+
+    return select(xp, x == 0.0, yes, (x,), no, (x,))
+
+
+def denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low):
+    """1 + a + e of a creeping device"""
+    total, lost = fast_two_sum(xp, 1.0, slow)
+    fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
+    total2, lost2 = fast_two_sum(xp, 1.0, fast)
+    total, lost2 = wide_prod(xp, total, total2, fast_low + lost2)
+    low = lost2 + total2*(lost + slow_low)
+    return low + total
+
+
+def denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root):
+    """1 + a + e of a swinging device"""
+    total3, lost2 = wide_prod(xp, 2.0*envelope, even, even_low)
+
+    def yes(half, lost2, total3):
+        e = xp.exp(-2.0*half)
+        total2, lost = fast_two_sum(xp, 1.0, e)
+        total2, lost3 = fast_two_sum(xp, total2, total3)
+        rest = lost + lost2 + lost3
+        return rest + total2
+
+    def no(envelope, half, root, w, w_low):
+        angle = 0.5*root
+        back = 0.5*root_miss(xp, w, w_low, root)*xp.sin(angle)
+        total, low = half_squares(xp, half, envelope, xp.cos(angle), back)
+        return 4.0*low + 4.0*total
+
+    return select(xp, total3 > 0.0, yes, (half, lost2, total3), no,
+        (envelope, half, root, w, w_low))
+
+
+def numerator_gap_series_single(xp, h, w):
     """The same in single precision."""
     y = (h*h)
 
@@ -1291,10 +1333,10 @@ def apart_series_single(xp, h, w):
     return total3 - 4.967053879312289e-09
 
 
-def apart_series(xp, h, w):
+def numerator_gap_series(xp, h, w):
     """divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6"""
     if h.dtype == xp.float32:
-        return apart_series_single(xp, h, w)
+        return numerator_gap_series_single(xp, h, w)
     y = (h*h)
 
     def yes(h):
@@ -1329,20 +1371,20 @@ def apart_series(xp, h, w):
     return total3 + 9.25185853854297e-18
 
 
-def apart_near(xp, half, w):
+def numerator_gap_near(xp, half, w):
     """(n1 - n0)/delta of a device with slow poles"""
-    rest = apart_series(xp, half, w)
+    rest = numerator_gap_series(xp, half, w)
     total, lost = two_diff(xp, rest, -0.16666666666666666)
     envelope = xp.exp(-half)
     total, lost = wide_prod(xp, envelope, total, lost)
     return lost + total
 
 
-def apart_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, ratio, even, even_low):
+def numerator_gap_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, ratio, even, even_low):
     """(n1 - n0)/delta of a creeping device"""
 
     def yes(half, w):
-        return apart_near(xp, half, w)
+        return numerator_gap_near(xp, half, w)
 
     def no(delta, even, even_low, mean, mean_low, p, ratio, slow):
         fast = ratio*slow
@@ -1360,23 +1402,11 @@ def apart_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, ratio, even,
         (delta, even, even_low, mean, mean_low, p, ratio, slow))
 
 
-def decay(xp, x):
-    """(1 - exp(-x))/x"""
-
-    def yes(x):
-        return 1.0
-
-    def no(x):
-        return -xp.expm1(-x)/x
-
-    return select(xp, x == 0.0, yes, (x,), no, (x,))
-
-
-def apart_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
+def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
     """(n1 - n0)/delta of a swinging device"""
 
     def yes(half, w):
-        return apart_near(xp, half, w)
+        return numerator_gap_near(xp, half, w)
 
     def no(delta, envelope, gamma, wave, wave_low):
         total, lost = wide_prod(xp, envelope, wave, wave_low)
@@ -1389,10 +1419,9 @@ def apart_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
     return select(xp, reach < 1.0, yes, (half, w), no, (delta, envelope, gamma, wave, wave_low))
 
 
-def apart_fall_kick_kick_low_rise(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta);
-    displacement by a unit impulse after a period; what the last rounding of Kick takes; n1, how
-    far a unit force moves the device in a period
+def den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta):
+    """1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
+    exp(-delta); n1, how far a unit force moves the device in a period
     """
     w, w_low, root, reach = device_motion(xp, gamma, delta)
 
@@ -1402,31 +1431,31 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
         near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
         fade_, fade_low = slow_fade(xp, reach, half)
         envelope = xp.exp(-half)
-        total2, lost2 = wide_prod(xp, envelope, odd, odd_low)
-        total2, lost2 = fast_two_sum(xp, total2, lost2)
         return (
-            apart_swing(xp, reach, half, w, envelope, odd, odd_low, gamma, delta),
-            fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk), total2, lost2,
-            rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root),
+            numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
+            moved), numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
+            delta), plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low,
+            odd, odd_low, gamma, near, sunk),
+            plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
             odd_low, gamma, near, risen)
         )
 
     def no(delta, gamma, reach, root, w, w_low):
         half = 0.5*delta
         p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
         fade_, fade_low = slow_fade(xp, reach, half)
         root_low = root_miss(xp, w, w_low, root)
         fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-        total, lost = wide_prod(xp, fall_, mean2, mean_low2)
-        creep_low = fall_low*mean2 + lost
-        total, lost = fast_two_sum(xp, total, creep_low)
         return (
-            apart_creep(xp, reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
-            mean_low2), fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_,
-            fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2), total, lost,
-            rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
+            denominator_at_minus_one_creep(xp, fall, fall_low, fall2, fall_low2),
+            numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean,
+            mean_low, fall2, fall_low2), numerator_gap_creep(xp, reach, half, w, delta, p,
+            fall, mean, mean_low, fall2, mean2, mean_low2),
+            plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
+            mean, mean_low, fall2, fall_low2, mean2, mean_low2),
+            plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
             mean_low, mean2, mean_low2)
         )
 
@@ -1434,80 +1463,7 @@ def apart_fall_kick_kick_low_rise(xp, gamma, delta):
         (delta, gamma, reach, root, w, w_low))
 
 
-def nyquist_creep(xp, slow, slow_low, ratio, ratio_low):
-    """1 + a + e of a creeping device"""
-    total, lost = fast_two_sum(xp, 1.0, slow)
-    fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
-    total2, lost2 = fast_two_sum(xp, 1.0, fast)
-    total, lost2 = wide_prod(xp, total, total2, fast_low + lost2)
-    low = lost2 + total2*(lost + slow_low)
-    return low + total
-
-
-def nyquist_swing(xp, half, w, w_low, envelope, even, even_low, root):
-    """1 + a + e of a swinging device"""
-    total3, lost2 = wide_prod(xp, 2.0*envelope, even, even_low)
-
-    def yes(half, lost2, total3):
-        e = xp.exp(-2.0*half)
-        total2, lost = fast_two_sum(xp, 1.0, e)
-        total2, lost3 = fast_two_sum(xp, total2, total3)
-        rest = lost + lost2 + lost3
-        return rest + total2
-
-    def no(envelope, half, root, w, w_low):
-        angle = 0.5*root
-        back = 0.5*root_miss(xp, w, w_low, root)*xp.sin(angle)
-        total, low = half_squares(xp, half, envelope, xp.cos(angle), back)
-        return 4.0*low + 4.0*total
-
-    return select(xp, total3 > 0.0, yes, (half, lost2, total3), no,
-        (envelope, half, root, w, w_low))
-
-
-def apart_fall_nyquist_rise_together(xp, gamma, delta):
-    """(n1 - n0)/delta; n0, the same device with its time reversed, times exp(-delta); 1 + a +
-    e; n1, how far a unit force moves the device in a period; n1 + n0
-    """
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-
-    def yes(delta, gamma, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        half = 0.5*delta
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        envelope = xp.exp(-half)
-        return (
-            apart_swing(xp, reach, half, w, envelope, odd, odd_low, gamma, delta),
-            fall_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk), nyquist_swing(xp, half, w, w_low, envelope, even,
-            even_low, root), rise_swing(xp, reach, fade_, fade_low, half, w, envelope, even,
-            even_low, odd, odd_low, gamma, near, risen),
-            together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, moved)
-        )
-
-    def no(delta, gamma, reach, root, w, w_low):
-        half = 0.5*delta
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-        return (
-            apart_creep(xp, reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
-            mean_low2), fall_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall_,
-            fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2),
-            nyquist_creep(xp, fall_, fall_low, fall2, fall_low2),
-            rise_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall_, fall_low, mean,
-            mean_low, mean2, mean_low2), together_creep(xp, reach, half, w, p, p_low, fall_,
-            fall_low, mean, mean_low, fall2, fall_low2)
-        )
-
-    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
-
-
-def late_apart(xp, epsilon, x, x_low, y, y_low, first, last, turned):
+def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
     """m2 - m1 + m0, M at z = -1 behind a fraction of a period"""
     total, lost = fast_two_sum(xp, 1.0, -epsilon)
     total, lost = wide_prod(xp, epsilon, total, lost)
@@ -1524,15 +1480,15 @@ def late_apart(xp, epsilon, x, x_low, y, y_low, first, last, turned):
     return rest + total
 
 
-def late_part(xp, d):
+def fractional_part(xp, d):
     """the fraction of a period in a delay"""
     return d - xp.floor(d)
 
 
-def cubic_root(xp, k0, k1, k2, k3, low, high, rise_):
+def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
     """the root of a cubic on a piece where it bends one way"""
     convex = xp.where(2.0*k2 + 3.0*k3*(high + low) > 0.0, xp.full_like(high, 1.0), -1.0)
-    down = xp.where(convex*rise_ > 0.0, xp.full_like(convex, 1.0), -1.0)
+    down = xp.where(convex*rise > 0.0, xp.full_like(convex, 1.0), -1.0)
 
     def over(y, moves, down, high, k0, k1, k2, k3, low):
         return moves == 0.0
@@ -1561,13 +1517,13 @@ def turn_angle(xp, x, y):
     )
 
 
-def phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together_, apart_):
+def phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together, apart):
     """the nearest whole number of turns in the phase at a crossing"""
     at = xp.where(0.0 > y, 0.0, y)
     still = xp.where(0.0 > rest, 0.0, rest)
     sine = 2.0*square_root(xp, at*still)
     halves_, turned = turn_angle(xp, off*(2.0*loss - 4.0), loss*sine)
-    halves2, turned2 = turn_angle(xp, still*together_ - apart_*at, n1*sine)
+    halves2, turned2 = turn_angle(xp, still*together - apart*at, n1*sine)
     halves3, turned3 = turn_angle(xp, alpha*still - at*far, sine*slope)
     case1 = at > 2.0
     half = xp.atan2(xp.where(case1, square_root(xp, still), square_root(xp, at)),
@@ -1584,21 +1540,21 @@ def phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together_, apa
 
 
 def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
-    together_, apart_, center, beyond, d):
+    together, apart, center, beyond, d):
     """what the crossing on a piece, if there is one, adds"""
 
-    def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss,
-        low, n1, slope, together_, zone):
+    def yes(alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low,
+        n1, slope, together, zone):
         x = cubic_root(xp, k0, k1, k2, k3, low, high, at_high - at_low)
         case1 = zone == 1.0
         case2 = zone == 0.0
         y = xp.where(case2, x, xp.where(case1, center + x, 4.0 - x))
         rest = xp.where(case2, 4.0 - x, xp.where(case1, beyond - x, x))
 
-        def yes(alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
-            together_, x, y, zone):
+        def yes(alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
+            together, x, y, zone):
             off = xp.where(zone == 0.0, x - center, xp.where(zone == 1.0, x, beyond - x))
-            found = phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together_, apart_)
+            found = phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together, apart)
             rises = (
                 xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
                 xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
@@ -1610,8 +1566,8 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             return 0.0
 
         turned = select(xp, (rest > 0.0) & (y > 0.0), yes,
-            (alpha, apart_, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
-            together_, x, y, zone), no, (rest,))
+            (alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
+            together, x, y, zone), no, (rest,))
 
         return turned
 
@@ -1619,12 +1575,12 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
         return 0.0
 
     return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
-        (high > low), yes, (alpha, apart_, at_high, at_low, beyond, center, d, far, high, k0, k1,
-        k2, k3, loss, low, n1, slope, together_, zone), no, (at_high,))
+        (high > low), yes, (alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1,
+        k2, k3, loss, low, n1, slope, together, zone), no, (at_high,))
 
 
 def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
-    together_, apart_, center, beyond, d):
+    together, apart, center, beyond, d):
     """what the crossings between two points add to the count"""
     disc = (k2*k2) - 3.0*k1*k3
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
@@ -1659,44 +1615,44 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     height2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
     height3 = k0 + last*(k1 + last*(k2 + k3*last))
     found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope, far,
-        n1, loss, together_, apart_, center, beyond, d)
+        n1, loss, together, apart, center, beyond, d)
     found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, height, height2, zone, alpha,
-        slope, far, n1, loss, together_, apart_, center, beyond, d)
+        slope, far, n1, loss, together, apart, center, beyond, d)
     found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha,
-        slope, far, n1, loss, together_, apart_, center, beyond, d)
+        slope, far, n1, loss, together, apart, center, beyond, d)
     return found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha,
-        slope, far, n1, loss, together_, apart_, center, beyond, d)
+        slope, far, n1, loss, together, apart, center, beyond, d)
 
 
-def late_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together_, apart_):
+def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart):
     """roots outside the unit circle, behind a fractional delay"""
     slope = alpha + beta
     wall_far = alpha + 2.0*beta
     force = beta*slope
     across = m2 - m0
     square = m0*m2
-    even = together_*(m0 + m2)
+    even = together*(m0 + m2)
     linear = (across*across) - even
-    pushed_ = alpha*together_
+    pushed_ = alpha*together
     lost = (loss*loss)
     near0 = (at_one - pushed_)*(at_one + pushed_)
-    near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together_*together_)
+    near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together)
     near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
     near3 = -force*square
     square = m0*m2
-    even = apart_*(m0 + m2)
+    even = apart*(m0 + m2)
     linear = (across*across) - even
-    pushed_ = apart_*wall_far
+    pushed_ = apart*wall_far
     lost = (loss*loss)
     far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
-    far1 = (apart_*apart_)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
+    far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
     far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
     far3 = force*square
     middle = 2.0*at_one/(2.0 - loss)
     rest = 2.0*at_minus_one/(2.0 - loss)
     sine = 0.25*middle*rest
     tilt = 0.25*rest - 0.25*middle
-    real = 0.25*rest*together_ - 0.25*apart_*middle
+    real = 0.25*rest*together - 0.25*apart*middle
     size = (across*across)
     lost = (loss*loss)
     one = (real*real) + sine*size
@@ -1715,23 +1671,68 @@ def late_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together_
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
     end = (
         xp.where(wall_far > 0.0, side, 0.0) - d +
-        xp.where(apart_ > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) -
+        xp.where(apart > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) -
         3.0
     )
     total = (
         xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
         (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side),
         0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0,
-        after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together_,
-        apart_, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3,
+        after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together,
+        apart, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3,
         xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha, slope,
-        wall_far, across, loss, together_, apart_, middle, rest, d) +
+        wall_far, across, loss, together, apart, middle, rest, d) +
         zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
-        xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together_, apart_,
+        xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together, apart,
         middle, rest, d)
     )
     return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) |
         (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+
+
+def kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, gamma, delta):
+    """displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1
+    - n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a
+    unit force moves the device in a period
+    """
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, gamma, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        half = 0.5*delta
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        envelope = xp.exp(-half)
+        total2, lost2 = wide_prod(xp, envelope, odd, odd_low)
+        total2, lost2 = fast_two_sum(xp, total2, lost2)
+        return (
+            total2, lost2, numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
+            delta), plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low,
+            odd, odd_low, gamma, near, sunk),
+            plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen)
+        )
+
+    def no(delta, gamma, reach, root, w, w_low):
+        half = 0.5*delta
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        fade_, fade_low = slow_fade(xp, reach, half)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        total, lost = wide_prod(xp, fall, mean2, mean_low2)
+        creep_low = fall_low*mean2 + lost
+        total, lost = fast_two_sum(xp, total, creep_low)
+        return (
+            total, lost, numerator_gap_creep(xp, reach, half, w, delta, p, fall, mean, mean_low,
+            fall2, mean2, mean_low2), plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta,
+            p, p_low, fall, fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2),
+            plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+            mean_low, mean2, mean_low2)
+        )
+
+    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
 def some_part(xp, d):
@@ -1742,22 +1743,22 @@ def some_part(xp, d):
 
 def stable_single(xp, roots, alpha, beta, gamma, delta):
     """The same in single precision."""
-    swing_ = square_root(xp, gamma)
+    swing = square_root(xp, gamma)
     return xp.where((alpha > -gamma) & (roots == 0.0) &
         (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
         (~((delta < 5.960464477539062e-07) & (gamma > 1.0) &
-        (swing_ >= 4194304.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+        (swing >= 4194304.0*xp.abs(xp.sin(swing))))), xp.full_like(alpha, 1.0), 0.0)
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
     """1 where the loop is stable, else 0"""
     if roots.dtype == xp.float32:
         return stable_single(xp, roots, alpha, beta, gamma, delta)
-    swing_ = square_root(xp, gamma)
+    swing = square_root(xp, gamma)
     return xp.where((alpha > -gamma) & (roots == 0.0) &
         (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
         (~((delta < 1.1102230246251565e-15) & (gamma > 1.0) &
-        (swing_ >= 2251799813685248.0*xp.abs(xp.sin(swing_))))), xp.full_like(alpha, 1.0), 0.0)
+        (swing >= 2251799813685248.0*xp.abs(xp.sin(swing))))), xp.full_like(alpha, 1.0), 0.0)
 
 
 def whole_part(xp, d):
@@ -1765,12 +1766,12 @@ def whole_part(xp, d):
     return xp.floor(d)
 
 
-def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together_,
-    apart_):
+def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
+    apart):
     """the turns at a crossing, if there is one"""
     edge = xp.where(rest > y, y, rest)
 
-    def yes(alpha, apart_, beyond, center, d, edge, far, loss, n1, off, rest, slope, together_, y):
+    def yes(alpha, apart, beyond, center, d, edge, far, loss, n1, off, rest, slope, together, y):
         inside_ = xp.where((beyond - off > 0.0) & (center + off > 0.0) & (edge > xp.abs(off)),
             xp.full_like(beyond, 1.0), 0.0)
         case1 = rest > y
@@ -1778,14 +1779,14 @@ def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, l
         at = xp.where(case2, center + off, xp.where(case1, y, 4.0 - rest))
         still = xp.where(case2, beyond - off, xp.where(case1, 4.0 - y, rest))
         away = xp.where(case2, off, xp.where(case1, y - center, beyond - rest))
-        return phase_turns(xp, at, still, away, alpha, slope, far, d, n1, loss, together_, apart_)
+        return phase_turns(xp, at, still, away, alpha, slope, far, d, n1, loss, together, apart)
 
     def no(edge):
         return 0.0
 
     return select(xp, (edge < 4.0) & (rest > 0.0) & (y > 0.0), yes,
-        (alpha, apart_, beyond, center, d, edge, far, loss, n1, off, rest, slope, together_, y),
-        no, (edge,))
+        (alpha, apart, beyond, center, d, edge, far, loss, n1, off, rest, slope, together, y), no,
+        (edge,))
 
 
 def quadratic_roots(xp, c, b, a, root):
@@ -1810,7 +1811,7 @@ def quadratic_roots(xp, c, b, a, root):
     return select(xp, b >= 0.0, yes, (a, b, c, root), no, (a, b, c, root))
 
 
-def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together_, apart_):
+def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together, apart):
     """roots outside the unit circle"""
     e = 1.0 - loss
     slope = alpha + beta
@@ -1819,17 +1820,17 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
     cross = n0*n1
     lost = (loss*loss)
     square = cross*force + e
-    push = alpha*together_
-    pull = apart_*wall_far
+    push = alpha*together
+    pull = apart*wall_far
     near0 = (at_one - push)*(at_one + push)
-    near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together_*together_) + lost
+    near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost
     far0 = (at_minus_one - pull)*(at_minus_one + pull)
-    far1 = (apart_*apart_)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) + lost
+    far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) + lost
     center = 2.0*at_one/(e + 1.0)
     beyond = 2.0*at_minus_one/(e + 1.0)
     sine = 0.25*beyond*center
     tilt = 0.25*beyond - 0.25*center
-    real = 0.25*beyond*together_ - 0.25*apart_*center
+    real = 0.25*beyond*together - 0.25*apart*center
     m0 = (n1*n1)*sine + (real*real)
     m1 = (n1*n1)*tilt - n1*real
     wave = 0.25*alpha*beyond - 0.25*center*wall_far
@@ -1849,7 +1850,7 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
     side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
     end = (
         xp.where(wall_far > 0.0, side, 0.0) - d +
-        xp.where(apart_ > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
+        xp.where(apart > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
     )
 
     def yes(product2, square3):
@@ -1875,22 +1876,22 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         (product, product3, size, size2, size3, square2, square4))
 
 
-    def yes(alpha, apart_, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
-        own1, own2, slope, square, together_, wall_far):
+    def yes(alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0, own1,
+        own2, slope, square, together, wall_far):
         root = square_root(xp, disc4)
         low, high = quadratic_roots(xp, near0, near1, square, root)
         low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
         low3, high3 = quadratic_roots(xp, far0, far1, square, root)
         total = 2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope, wall_far, d,
-            n1, loss, together_, apart_) - 2.0*crossing_turns(xp, high, low3, high2, center,
-            beyond, alpha, slope, wall_far, d, n1, loss, together_, apart_)
+            n1, loss, together, apart) - 2.0*crossing_turns(xp, high, low3, high2, center, beyond,
+            alpha, slope, wall_far, d, n1, loss, together, apart)
         return total
 
     def no(disc4):
         return 0.0
 
-    total = select(xp, disc4 >= 0.0, yes, (alpha, apart_, beyond, center, d, disc4, far0, far1,
-        loss, n1, near0, near1, own0, own1, own2, slope, square, together_, wall_far), no, (disc4,))
+    total = select(xp, disc4 >= 0.0, yes, (alpha, apart, beyond, center, d, disc4, far0, far1,
+        loss, n1, near0, near1, own0, own1, own2, slope, square, together, wall_far), no, (disc4,))
 
     total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
         (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
@@ -1898,25 +1899,25 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         (far0 < 0.0), end, 0.0)
 
 
-def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, across):
+def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across):
     """the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2
     j psi)
     """
     t = xp.tan(psi)
     square = (t*t)
     t_halves = halves(xp, t)
-    low = product_error(square, t_halves, t_halves)
+    low = two_prod_error(square, t_halves, t_halves)
     taken = at_minus_one*square
     total, lost = two_diff(xp, at_one, taken)
     at_minus_one_halves = halves(xp, at_minus_one)
     square_halves = halves(xp, square)
-    missed = at_minus_one*low + product_error(taken, at_minus_one_halves, square_halves)
+    missed = at_minus_one*low + two_prod_error(taken, at_minus_one_halves, square_halves)
     lost = lost - missed
     total, lost = fast_two_sum(xp, total, lost)
-    taken = apart_*square
-    total3, lost4 = two_diff(xp, together_, taken)
-    apart__halves = halves(xp, apart_)
-    missed = apart_*low + product_error(taken, apart__halves, square_halves)
+    taken = apart*square
+    total3, lost4 = two_diff(xp, together, taken)
+    apart_halves = halves(xp, apart)
+    missed = apart*low + two_prod_error(taken, apart_halves, square_halves)
     lost4 = lost4 - missed
     total3, lost4 = fast_two_sum(xp, total3, lost4)
     above_j = 2.0*loss*t
@@ -1932,38 +1933,6 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together_, apart_, acros
     return found/size, found3/size
 
 
-def apart_nyquist_together(xp, gamma, delta):
-    """(n1 - n0)/delta; 1 + a + e; n1 + n0"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-
-    def yes(delta, gamma, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        half = 0.5*delta
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        envelope = xp.exp(-half)
-        return (
-            apart_swing(xp, reach, half, w, envelope, odd, odd_low, gamma, delta),
-            nyquist_swing(xp, half, w, w_low, envelope, even, even_low, root),
-            together_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, moved)
-        )
-
-    def no(delta, gamma, reach, root, w, w_low):
-        half = 0.5*delta
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall_, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-        return (
-            apart_creep(xp, reach, half, w, delta, p, fall_, mean, mean_low, fall2, mean2,
-            mean_low2), nyquist_creep(xp, fall_, fall_low, fall2, fall_low2),
-            together_creep(xp, reach, half, w, p, p_low, fall_, fall_low, mean, mean_low,
-            fall2, fall_low2)
-        )
-
-    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
-
-
 def cos_next_sin_next_single(xp, k, x):
     """The same in single precision."""
     count = k + 1.0
@@ -1974,20 +1943,20 @@ def cos_next_sin_next_single(xp, k, x):
     left = angle - 1.5707963705062866*quarters
     quarters_halves = halves(xp, quarters)
     number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-    total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866, quarters_halves,
+    total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866, quarters_halves,
         number1_halves))
     total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    total, lost3 = two_diff(xp, total, -product_error(angle, count_halves, x_halves))
+    total, lost3 = two_diff(xp, total, -two_prod_error(angle, count_halves, x_halves))
     total, lost4 = two_diff(xp, total, -missed*x)
     number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
     low = (
         lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-        product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
     )
     missed_halves = halves(xp, missed)
-    low = low + product_error(missed*x, missed_halves, x_halves)
+    low = low + two_prod_error(missed*x, missed_halves, x_halves)
     wave = xp.sin(total)
     still = xp.cos(total)
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
@@ -2012,10 +1981,43 @@ def cos_next_sin_next(xp, k, x):
     missed = k - before
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    off = missed*x + product_error(angle, count_halves, x_halves)
+    off = missed*x + two_prod_error(angle, count_halves, x_halves)
     cosine = xp.cos(angle)
     sine = xp.sin(angle)
     return cosine - off*sine, cosine*off + sine
+
+
+def denominator_at_minus_one_numerator_at_one_numerator_gap(xp, gamma, delta):
+    """1 + a + e; n1 + n0; (n1 - n0)/delta"""
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, gamma, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        half = 0.5*delta
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        envelope = xp.exp(-half)
+        return (
+            denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root),
+            numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
+            moved), numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
+            delta)
+        )
+
+    def no(delta, gamma, reach, root, w, w_low):
+        half = 0.5*delta
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        return (
+            denominator_at_minus_one_creep(xp, fall, fall_low, fall2, fall_low2),
+            numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean,
+            mean_low, fall2, fall_low2), numerator_gap_creep(xp, reach, half, w, delta, p,
+            fall, mean, mean_low, fall2, mean2, mean_low2)
+        )
+
+    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
+        (delta, gamma, reach, root, w, w_low))
 
 
 def cos_next_single(xp, k, x):
@@ -2031,20 +2033,20 @@ def cos_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
             quarters_halves, number1_halves))
         total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
         total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
         )
         missed_halves = halves(xp, missed)
-        low = low + product_error(missed*x, missed_halves, x_halves)
+        low = low + two_prod_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total)
         still = xp.cos(total)
         sine = low*still + wave
@@ -2058,20 +2060,20 @@ def cos_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
             quarters_halves, number1_halves))
         total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
         total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
         )
         missed_halves = halves(xp, missed)
-        low = low + product_error(missed*x, missed_halves, x_halves)
+        low = low + two_prod_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total)
         still = xp.cos(total)
         sine = low*still + wave
@@ -2092,7 +2094,7 @@ def cos_next(xp, k, x):
     missed = k - before
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    off = missed*x + product_error(angle, count_halves, x_halves)
+    off = missed*x + two_prod_error(angle, count_halves, x_halves)
     cosine = xp.cos(angle)
     sine = xp.sin(angle)
     return cosine - off*sine
@@ -2113,19 +2115,19 @@ def early_slope(xp, theta, k4, k3, k2, k1, k0):
     return found*up + k0*power2
 
 
-def end_slope(xp, at_minus_one, loss, together_, apart_, last):
+def end_slope(xp, at_minus_one, loss, together, apart, last):
     """has the sign of the slope of the boundary's alpha next to pi"""
-    total, lost = two_diff(xp, together_, 4.0*last)
+    total, lost = two_diff(xp, together, 4.0*last)
     total2, lost2 = wide_prod(xp, total, total, 2.0*lost)
-    total3, lost3 = two_prod(xp, apart_, together_)
+    total3, lost3 = two_prod(xp, apart, together)
     total4, lost4 = two_diff(xp, total3, total2)
     total2, lost5 = two_diff(xp, total2, 2.0*total3)
-    total3, lost7 = wide_prod(xp, apart_, total3, lost3)
-    total12, lost12 = two_diff(xp, 2.0*apart_, total)
-    total13, lost13 = two_prod(xp, apart_, apart_)
+    total3, lost7 = wide_prod(xp, apart, total3, lost3)
+    total12, lost12 = two_diff(xp, 2.0*apart, total)
+    total13, lost13 = two_prod(xp, apart, apart)
     total13, lost12 = wide_prod(xp, total13, total12, lost12 - lost)
     gap_low = lost3 - lost2 + lost4
-    total4, lost4 = wide_prod(xp, apart_, total4, gap_low)
+    total4, lost4 = wide_prod(xp, apart, total4, gap_low)
     total4, lost4 = wide_prod(xp, loss, total4, lost4)
     lean_low = lost2 - 2.0*lost3 + lost5
     total, lost5 = wide_prod(xp, total, total2, lean_low)
@@ -2142,10 +2144,10 @@ def end_slope(xp, at_minus_one, loss, together_, apart_, last):
 def next_guess(xp, b, fb, a, fa, c, fc, close):
     """the next point of a search between a and b, where f is fa and fb, after c"""
     span = c - b
-    rise_ = fc - fb
+    rise = fc - fb
     whole = xp.where(span == 0.0, 1.0, span)
     place = (a - b)/whole
-    whole = xp.where(rise_ == 0.0, 1.0, rise_)
+    whole = xp.where(rise == 0.0, 1.0, rise)
     height = (fa - fb)/whole
     safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)),
         xp.full_like(height, 1.0), 0.0)
@@ -2175,43 +2177,43 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
     return a + share*width
 
 
-def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
+def early_angle_single(xp, at_one, at_minus_one, loss, together, apart, last):
     """The same in single precision."""
-    t = (apart_*apart_*apart_)
-    t2 = (together_*together_*together_)
-    t3 = (together_*together_)
-    t4 = apart_*t3
-    t5 = (apart_*apart_)
+    t = (apart*apart*apart)
+    t2 = (together*together*together)
+    t3 = (together*together)
+    t4 = apart*t3
+    t5 = (apart*apart)
     t6 = 2.0*loss
     t7 = at_minus_one + t6
-    t8 = 4.0*together_
-    t9 = 16.0*apart_
+    t8 = 4.0*together
+    t9 = 16.0*apart
     t6 = at_one + t6
     t11 = 2.0*at_one
     t12 = 5.0*at_minus_one
     t13 = -at_one
     t14 = 4.0*loss
-    t15 = apart_*together_
-    t16 = 16.0*together_
+    t15 = apart*together
+    t16 = 16.0*together
     t17 = at_one*last
-    t18 = apart_*t11
+    t18 = apart*t11
     t19 = at_one*t5
-    k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
+    k = end_slope(xp, at_minus_one, loss, together, apart, last)
     k2 = last*(32.0*at_minus_one*t3 + last*
-        (64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*
-        t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+        (64.0*apart*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together) - 96.0*t5 - t7*t9*
+        together) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
     k3 = (
         last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
         (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
         t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
-        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together*(t7 - t11)
     )
     k4 = (
-        last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*
+        last*(32.0*t17*together - 8.0*together*(t18 + 12.0*together)) + t8*
         (t6*t3 + t15*(at_minus_one + t13) + t19)
     )
     k5 = (
-        last*(t16*t17 + t8*(t6*together_ - t18)) + together_*
+        last*(t16*t17 + t8*(t6*together - t18)) + together*
         (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
     )
 
@@ -2286,45 +2288,45 @@ def early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last):
     return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5), no, (found,))
 
 
-def early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last):
+def early_angle(xp, at_one, at_minus_one, loss, together, apart, last):
     """the angle of the largest stiffness for delays below a period"""
     if at_one.dtype == xp.float32:
-        return early_angle_single(xp, at_one, at_minus_one, loss, together_, apart_, last)
-    t = (apart_*apart_*apart_)
-    t2 = (together_*together_*together_)
-    t3 = (together_*together_)
-    t4 = apart_*t3
-    t5 = (apart_*apart_)
+        return early_angle_single(xp, at_one, at_minus_one, loss, together, apart, last)
+    t = (apart*apart*apart)
+    t2 = (together*together*together)
+    t3 = (together*together)
+    t4 = apart*t3
+    t5 = (apart*apart)
     t6 = 2.0*loss
     t7 = at_minus_one + t6
-    t8 = 4.0*together_
-    t9 = 16.0*apart_
+    t8 = 4.0*together
+    t9 = 16.0*apart
     t6 = at_one + t6
     t11 = 2.0*at_one
     t12 = 5.0*at_minus_one
     t13 = -at_one
     t14 = 4.0*loss
-    t15 = apart_*together_
-    t16 = 16.0*together_
+    t15 = apart*together
+    t16 = 16.0*together
     t17 = at_one*last
-    t18 = apart_*t11
+    t18 = apart*t11
     t19 = at_one*t5
-    k = end_slope(xp, at_minus_one, loss, together_, apart_, last)
+    k = end_slope(xp, at_minus_one, loss, together, apart, last)
     k2 = last*(32.0*at_minus_one*t3 + last*
-        (64.0*apart_*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together_) - 96.0*t5 - t7*
-        t9*together_) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
+        (64.0*apart*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together) - 96.0*t5 - t7*t9*
+        together) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
     k3 = (
         last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
         (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
         t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
-        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together_*(t7 - t11)
+        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together*(t7 - t11)
     )
     k4 = (
-        last*(32.0*t17*together_ - 8.0*together_*(t18 + 12.0*together_)) + t8*
+        last*(32.0*t17*together - 8.0*together*(t18 + 12.0*together)) + t8*
         (t6*t3 + t15*(at_minus_one + t13) + t19)
     )
     k5 = (
-        last*(t16*t17 + t8*(t6*together_ - t18)) + together_*
+        last*(t16*t17 + t8*(t6*together - t18)) + together*
         (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
     )
 
@@ -2412,20 +2414,20 @@ def sin_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
             quarters_halves, number1_halves))
         total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
         total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
         )
         missed_halves = halves(xp, missed)
-        low = low + product_error(missed*x, missed_halves, x_halves)
+        low = low + two_prod_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total)
         still = xp.cos(total)
         sine = low*still + wave
@@ -2439,20 +2441,20 @@ def sin_next_single(xp, k, x):
         left = angle - 1.5707963705062866*quarters
         quarters_halves = halves(xp, quarters)
         number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, product_error(quarters*1.5707963705062866,
+        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
             quarters_halves, number1_halves))
         total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
         count_halves = halves(xp, count)
         x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -product_error(count*x, count_halves, x_halves))
+        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
         total, lost4 = two_diff(xp, total, -missed*x)
         number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
         low = (
             lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            product_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
         )
         missed_halves = halves(xp, missed)
-        low = low + product_error(missed*x, missed_halves, x_halves)
+        low = low + two_prod_error(missed*x, missed_halves, x_halves)
         wave = xp.sin(total)
         still = xp.cos(total)
         sine = low*still + wave
@@ -2473,13 +2475,13 @@ def sin_next(xp, k, x):
     missed = k - before
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    off = missed*x + product_error(angle, count_halves, x_halves)
+    off = missed*x + two_prod_error(angle, count_halves, x_halves)
     cosine = xp.cos(angle)
     sine = xp.sin(angle)
     return cosine*off + sine
 
 
-def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, across):
+def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together, apart, across):
     """has the sign of the slope of the boundary's alpha"""
     t = 2.0*l + 2.0
     t2 = 0.5*theta
@@ -2487,8 +2489,8 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     t4 = xp.tan(t2)
     t5 = (t4*t4)
     t6 = 4.0*t5
-    t7 = apart_*t5
-    t8 = together_ - t7
+    t7 = apart*t5
+    t8 = together - t7
     t9 = at_minus_one*t5
     t10 = at_one - t9
     t11 = across*loss*t6 + t10*t8
@@ -2501,65 +2503,63 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together_, apart_, 
     t18 = t15*t6
     t5 = t5 + 1.0
     return (
-        (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*
-        (t7 + together_))) - t4*(0.5*t18 + t5*
-        (t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart_*t8)))*(t11*t2 - t*t3)
+        (t11*t3 + t2*t)*(t18*(l + 1.5) + t5*(loss*t15*(at_one + t9) - across*t6*(t7 + together))) -
+        t4*(0.5*t18 + t5*(t15*(2.0*t16 - at_minus_one*t10) - t6*(2.0*t14 - apart*t8)))*
+        (t11*t2 - t*t3)
     )
 
 
-def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
+def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together, apart, across):
     """The same in single precision."""
     turn_ = 3.141592653589793/(d + 1.0)
 
-    def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+    def over(count, found, across, apart, at_minus_one, at_one, l, loss, together, turn_):
         return (count > 24.0) | (found > 0.0)
 
-    def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+    def step(count, found, across, apart, at_minus_one, at_one, l, loss, together, turn_):
         rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss,
-            together_, apart_, across)
+            together, apart, across)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
     count, found = repeat(xp, 24, over, step, (1.0, 0.0),
-        (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+        (across, apart, at_minus_one, at_one, l, loss, together, turn_))
 
-    def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+    def yes(across, apart, at_minus_one, at_one, count, l, loss, together, turn_):
         high = 0.041666666666666664*count*turn_
         low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
             0.041666666666666664*turn_*(count - 1.0))
-        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together, apart, across)
 
         def yes(low):
             root = low
             return root
 
-        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_):
-            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together_, apart_,
-                across)
+        def no(above, across, apart, at_minus_one, at_one, high, l, loss, low, together):
+            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together, apart, across)
 
             def yes(high):
                 root = high
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high, l, loss, low,
-                together_):
+            def no(above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together):
 
-                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
-                    together_):
+                def over(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
+                    together):
                     return (
                         ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
                         (xp.abs(a - b) <= 2.384185791015625e-07*
                         xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
                     )
 
-                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
-                    together_):
+                def step(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
+                    together):
                     new = next_guess(xp, b, fb, a, fa, c, fc,
                         xp.full_like(a, 2.384185791015625e-07))
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
-                        apart_, across)
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together, apart,
+                        across)
                     same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
                         xp.full_like(fa, 1.0), 0.0)
                     case1 = same > 0.0
@@ -2571,82 +2571,80 @@ def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, 
 
                 b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                     (low, above, high, below, high, below),
-                    (across, apart_, at_minus_one, at_one, l, loss, together_))
+                    (across, apart, at_minus_one, at_one, l, loss, together))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
             root = select(xp, below >= 0.0, yes, (high,), no,
-                (above, across, apart_, at_minus_one, at_one, below, high, l, loss, low, together_))
+                (above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together))
 
             return root
 
         root = select(xp, above <= 0.0, yes, (low,), no,
-            (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+            (above, across, apart, at_minus_one, at_one, high, l, loss, low, together))
 
         return root
 
     def no(found):
         return xp.nan
 
-    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss,
-        together_, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (across, apart, at_minus_one, at_one, count, l, loss,
+        together, turn_), no, (found,))
 
 
-def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across):
+def later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across):
     """the angle of the largest stiffness for a period and more"""
     if d.dtype == xp.float32:
-        return later_angle_single(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
+        return later_angle_single(xp, d, l, at_one, at_minus_one, loss, together, apart, across)
     turn_ = 3.141592653589793/(d + 1.0)
 
-    def over(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+    def over(count, found, across, apart, at_minus_one, at_one, l, loss, together, turn_):
         return (count > 24.0) | (found > 0.0)
 
-    def step(count, found, across, apart_, at_minus_one, at_one, l, loss, together_, turn_):
+    def step(count, found, across, apart, at_minus_one, at_one, l, loss, together, turn_):
         rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss,
-            together_, apart_, across)
+            together, apart, across)
         case1 = rises > 0.0
         next_count = xp.where(case1, count + 1.0, count)
         next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
         return next_count, next_found
 
     count, found = repeat(xp, 24, over, step, (1.0, 0.0),
-        (across, apart_, at_minus_one, at_one, l, loss, together_, turn_))
+        (across, apart, at_minus_one, at_one, l, loss, together, turn_))
 
-    def yes(across, apart_, at_minus_one, at_one, count, l, loss, together_, turn_):
+    def yes(across, apart, at_minus_one, at_one, count, l, loss, together, turn_):
         high = 0.041666666666666664*count*turn_
         low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
             0.041666666666666664*turn_*(count - 1.0))
-        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together_, apart_, across)
+        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together, apart, across)
 
         def yes(low):
             root = low
             return root
 
-        def no(above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_):
-            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together_, apart_,
-                across)
+        def no(above, across, apart, at_minus_one, at_one, high, l, loss, low, together):
+            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together, apart, across)
 
             def yes(high):
                 root = high
                 return root
 
-            def no(above, across, apart_, at_minus_one, at_one, below, high, l, loss, low,
-                together_):
+            def no(above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together):
 
-                def over(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
-                    together_):
+                def over(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
+                    together):
                     return (
                         ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
                         (xp.abs(a - b) <= 4.440892098500626e-16*
                         xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
                     )
 
-                def step(b, fb, a, fa, c, fc, across, apart_, at_minus_one, at_one, l, loss,
-                    together_):
+                def step(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
+                    together):
                     new = next_guess(xp, b, fb, a, fa, c, fc,
                         xp.full_like(a, 4.440892098500626e-16))
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together_,
-                        apart_, across)
+                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together, apart,
+                        across)
                     same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
                         xp.full_like(fa, 1.0), 0.0)
                     case1 = same > 0.0
@@ -2658,37 +2656,37 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
 
                 b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
                     (low, above, high, below, high, below),
-                    (across, apart_, at_minus_one, at_one, l, loss, together_))
+                    (across, apart, at_minus_one, at_one, l, loss, together))
                 root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
                 return root
 
             root = select(xp, below >= 0.0, yes, (high,), no,
-                (above, across, apart_, at_minus_one, at_one, below, high, l, loss, low, together_))
+                (above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together))
 
             return root
 
         root = select(xp, above <= 0.0, yes, (low,), no,
-            (above, across, apart_, at_minus_one, at_one, high, l, loss, low, together_))
+            (above, across, apart, at_minus_one, at_one, high, l, loss, low, together))
 
         return root
 
     def no(found):
         return xp.nan
 
-    return select(xp, found > 0.0, yes, (across, apart_, at_minus_one, at_one, count, l, loss,
-        together_, turn_), no, (found,))
+    return select(xp, found > 0.0, yes, (across, apart, at_minus_one, at_one, count, l, loss,
+        together, turn_), no, (found,))
 
 
-def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
+def undelayed_angle(xp, at_one, at_minus_one, loss, together, apart):
     """the angle of the largest stiffness without delay"""
-    k = end_slope(xp, at_minus_one, loss, together_, apart_, xp.full_like(apart_, 0.0))
-    t = 2.0*apart_
-    t2 = -together_
-    t3 = 2.0*together_
-    t4 = (together_*together_)
-    k2 = t3*((apart_*apart_)*at_one + together_*(at_minus_one*(t + t2) + loss*t))
-    k3 = together_*(at_minus_one*t4 + at_one*(t4 + ((-apart_ - t2)*(-apart_ - t2))) + loss*t3*
-        (2.0*together_ - apart_))
+    k = end_slope(xp, at_minus_one, loss, together, apart, xp.full_like(apart, 0.0))
+    t = 2.0*apart
+    t2 = -together
+    t3 = 2.0*together
+    t4 = (together*together)
+    k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t))
+    k3 = together*(at_minus_one*t4 + at_one*(t4 + ((-apart - t2)*(-apart - t2))) + loss*t3*
+        (2.0*together - apart))
 
     def yes(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
@@ -2719,34 +2717,34 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_):
     return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
 
 
-def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
-    together_, apart_):
+def max_stiffness_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one,
+    loss, together, apart):
     """The same in single precision."""
 
-    def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
+    def yes(apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together):
         across = xp.where(part == 0.0, first, first - last)
 
-        def yes(apart_, at_minus_one, at_one, loss, together_):
-            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_)
+        def yes(apart, at_minus_one, at_one, loss, together):
+            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together, apart)
             return theta
 
-        def no(across, apart_, at_minus_one, at_one, d, l, last, loss, together_):
+        def no(across, apart, at_minus_one, at_one, d, l, last, loss, together):
 
-            def yes(apart_, at_minus_one, at_one, last, loss, together_):
-                theta = early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last)
+            def yes(apart, at_minus_one, at_one, last, loss, together):
+                theta = early_angle(xp, at_one, at_minus_one, loss, together, apart, last)
                 return theta
 
-            def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
-                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
+            def no(across, apart, at_minus_one, at_one, d, l, loss, together):
+                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_),
-                no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart, at_minus_one, at_one, last, loss, together),
+                no, (across, apart, at_minus_one, at_one, d, l, loss, together))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no,
-            (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
+        theta = select(xp, d == 0.0, yes, (apart, at_minus_one, at_one, loss, together), no,
+            (across, apart, at_minus_one, at_one, d, l, last, loss, together))
 
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
@@ -2755,7 +2753,7 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         t5 = (t2*t2)
         t6 = (t3*t3)
         t7 = 4.0*t5*t6
-        t8 = t5*together_ - apart_*t6
+        t8 = t5*together - apart*t6
         t9 = 1.0/((across*across)*t7 + (t8*t8))
         t5 = at_one*t5 - at_minus_one*t6
         t11 = 2.0*loss*t8 - 2.0*across*t5
@@ -2767,31 +2765,31 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         def yes(d):
             return 1.0
 
-        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
-            t14, together_):
+        def no(apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
+            t14, together):
             inside_ = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
 
-            def yes(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
+            def yes(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
                 outside = whole_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
-                    together_, apart_)
+                    together, apart)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
-                outside = late_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
-                    together_, apart_)
+            def no(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
+                outside = fractional_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one,
+                    loss, together, apart)
                 return outside
 
             outside = select(xp, part == 0.0, yes,
-                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_), no,
-                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_))
+                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together), no,
+                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together))
 
             good = stable(xp, outside, inside_, t14, gamma, delta)
             return good
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
             (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
-            (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
-            together_))
+            (apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
+            together))
 
         return xp.where(good > 0.0, theta, xp.nan)
 
@@ -2799,41 +2797,41 @@ def stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_
         return xp.nan
 
     return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
-        (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
-        part, together_), no, (d,))
+        (gamma <= 9.8), yes, (apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
+        part, together), no, (d,))
 
 
-def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
-    together_, apart_):
+def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
+    together, apart):
     """the angle of the wall of largest stable stiffness, or NaN"""
     if gamma.dtype == xp.float32:
-        return stiffest_angle_single(xp, gamma, delta, d, l, part, first, last, at_one,
-            at_minus_one, loss, together_, apart_)
+        return max_stiffness_angle_single(xp, gamma, delta, d, l, part, first, last, at_one,
+            at_minus_one, loss, together, apart)
 
-    def yes(apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together_):
+    def yes(apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together):
         across = xp.where(part == 0.0, first, first - last)
 
-        def yes(apart_, at_minus_one, at_one, loss, together_):
-            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together_, apart_)
+        def yes(apart, at_minus_one, at_one, loss, together):
+            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together, apart)
             return theta
 
-        def no(across, apart_, at_minus_one, at_one, d, l, last, loss, together_):
+        def no(across, apart, at_minus_one, at_one, d, l, last, loss, together):
 
-            def yes(apart_, at_minus_one, at_one, last, loss, together_):
-                theta = early_angle(xp, at_one, at_minus_one, loss, together_, apart_, last)
+            def yes(apart, at_minus_one, at_one, last, loss, together):
+                theta = early_angle(xp, at_one, at_minus_one, loss, together, apart, last)
                 return theta
 
-            def no(across, apart_, at_minus_one, at_one, d, l, loss, together_):
-                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together_, apart_, across)
+            def no(across, apart, at_minus_one, at_one, d, l, loss, together):
+                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across)
                 return theta
 
-            theta = select(xp, d < 1.0, yes, (apart_, at_minus_one, at_one, last, loss, together_),
-                no, (across, apart_, at_minus_one, at_one, d, l, loss, together_))
+            theta = select(xp, d < 1.0, yes, (apart, at_minus_one, at_one, last, loss, together),
+                no, (across, apart, at_minus_one, at_one, d, l, loss, together))
 
             return theta
 
-        theta = select(xp, d == 0.0, yes, (apart_, at_minus_one, at_one, loss, together_), no,
-            (across, apart_, at_minus_one, at_one, d, l, last, loss, together_))
+        theta = select(xp, d == 0.0, yes, (apart, at_minus_one, at_one, loss, together), no,
+            (across, apart, at_minus_one, at_one, d, l, last, loss, together))
 
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
@@ -2842,7 +2840,7 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         t5 = (t2*t2)
         t6 = (t3*t3)
         t7 = 4.0*t5*t6
-        t8 = t5*together_ - apart_*t6
+        t8 = t5*together - apart*t6
         t9 = 1.0/((across*across)*t7 + (t8*t8))
         t5 = at_one*t5 - at_minus_one*t6
         t11 = 2.0*loss*t8 - 2.0*across*t5
@@ -2854,31 +2852,31 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         def yes(d):
             return 1.0
 
-        def no(apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
-            t14, together_):
+        def no(apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
+            t14, together):
             inside_ = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
 
-            def yes(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
+            def yes(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
                 outside = whole_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
-                    together_, apart_)
+                    together, apart)
                 return outside
 
-            def no(apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_):
-                outside = late_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
-                    together_, apart_)
+            def no(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
+                outside = fractional_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one,
+                    loss, together, apart)
                 return outside
 
             outside = select(xp, part == 0.0, yes,
-                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_), no,
-                (apart_, at_minus_one, at_one, first, inside_, l, last, loss, t14, together_))
+                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together), no,
+                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together))
 
             good = stable(xp, outside, inside_, t14, gamma, delta)
             return good
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
             (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
-            (apart_, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
-            together_))
+            (apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
+            together))
 
         return xp.where(good > 0.0, theta, xp.nan)
 
@@ -2886,8 +2884,8 @@ def stiffest_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_o
         return xp.nan
 
     return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
-        (gamma <= 9.8), yes, (apart_, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
-        part, together_), no, (d,))
+        (gamma <= 9.8), yes, (apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
+        part, together), no, (d,))
 
 
 def gap_single(xp, x):
@@ -2943,7 +2941,7 @@ def sinc(xp, x):
     return select(xp, xp.abs(x) < 1.0, yes, (x,), no, (x,))
 
 
-def need(xp, alpha, beta, l, epsilon, psi):
+def damping_at(xp, alpha, beta, l, epsilon, psi):
     """the damping that the wall needs at the angle 2 psi"""
 
     def yes(alpha, beta, l, psi):
@@ -2988,7 +2986,7 @@ def chord(xp, k, x):
 
 
 def rising(xp, alpha, beta, l, epsilon, psi):
-    """has the sign of the slope of Need, at a fraction"""
+    """has the sign of the slope of DampingAt, at a fraction"""
     t = 2.0*psi
     t2 = 2.0*alpha/(sinc(xp, psi)*sinc(xp, psi))
     t3 = 0.5*alpha + beta
@@ -2999,12 +2997,12 @@ def rising(xp, alpha, beta, l, epsilon, psi):
     steep = early + epsilon*(t3*(t4*t4)*sinc(xp, psi*t4) - early - t2*chord(xp, l + 1.0, t))
     return (
         2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(xp, 2.0*psi) + steep*
-        need(xp, alpha, beta, l, epsilon, psi)
+        damping_at(xp, alpha, beta, l, epsilon, psi)
     )
 
 
 def steepness(xp, alpha, beta, l, epsilon, psi):
-    """has the sign of the slope of Need, up to the angle in phase"""
+    """has the sign of the slope of DampingAt, up to the angle in phase"""
 
     def yes(alpha, beta, l, psi):
         t = 2.0*l + 2.0
@@ -3146,7 +3144,7 @@ def worst_angle(xp, alpha, beta, l, epsilon):
     return root
 
 
-def largest_need(xp, alpha, beta, d):
+def largest_required_damping(xp, alpha, beta, d):
     """the damping that the wall needs at its worst angle"""
 
     def yes(alpha):
@@ -3156,7 +3154,7 @@ def largest_need(xp, alpha, beta, d):
         whole = xp.floor(d)
         part = d - whole
         psi = worst_angle(xp, alpha, beta, whole, part)
-        return need(xp, alpha, beta, whole, part, psi)
+        return damping_at(xp, alpha, beta, whole, part, psi)
 
     return select(xp, alpha < 0.0, yes, (alpha,), no, (alpha, beta, d))
 
@@ -3216,8 +3214,36 @@ def straight(xp, stiffness, damping, k, angle):
     return low + total4
 
 
+def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9,
+    wave10, wave11, wave12):
+    """has the sign of minus the slope of what the wall phi needs"""
+    t = xp.sin(phi)
+    t2 = l + 1.0
+    t3 = xp.cos(phi)
+    t4 = t3/t2
+    t5 = 0.5*t4
+    t6 = t - t5
+    t7 = epsilon*(1.0 - epsilon)
+    t8 = 2.0*l
+    t9 = 2.0*t4/(wave7*wave7)
+    t10 = t*wave10*((t8 + 2.0)*(t8 + 2.0)) - t9*wave3
+    t11 = t6*wave5
+    t12 = 1.0/wave7
+    t13 = wave9*(t8 + 1.0)
+    t14 = t12*t5
+    t15 = t13*t14
+    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    return (
+        -2.0*t6*t7*wave8*(t + t5) - (epsilon*(t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) +
+        t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
+        square_root(xp, t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) +
+        ((t15 - t11 + t14)*(t15 - t11 + t14))))
+    )
+
+
 def turn_single(xp, psi, l, epsilon):
     """The same in single precision."""
+    wave = xp.sin(psi)
     wave2 = xp.cos(psi)
     wave3 = chord(xp, l, 2.0*psi)
     wave4 = chord(xp, l + 1.0, 2.0*psi)
@@ -3226,43 +3252,19 @@ def turn_single(xp, psi, l, epsilon):
     wave7 = sinc(xp, psi)
     wave8 = sinc(xp, 2.0*psi)
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
+    wave10 = sinc(xp, psi*(2.0*l + 2.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
-    t2 = l + 1.0
-    t4 = 1.0/t2
-    t5 = 0.5*t4
-    t6 = -t5
-    t7 = epsilon*(1.0 - epsilon)
-    t8 = 2.0*l
-    t9 = 2.0*t4/(wave7*wave7)
-    t10 = -t9*wave3
-    t11 = t6*wave5
-    t12 = 1.0/wave7
-    t13 = wave9*(t8 + 1.0)
-    t14 = t12*t5
-    t15 = t13*t14
-    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = (
-        -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*
-        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
-        square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
-    )
+    wave12 = sinc(xp, psi*(2.0*l + 4.0))
+    above = turning(xp, xp.full_like(epsilon, 0.0), l, epsilon, wave, wave2, wave3, wave4, wave5,
+        wave6, wave7, wave8, wave9, wave10, wave11, wave12)
 
     def yes(above):
         return 0.0
 
-    def no(above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
-        wave = xp.sin(psi)
-        wave10 = sinc(xp, psi*(2.0*l + 2.0))
-        wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t23 = epsilon*(1.0 - epsilon)
-        t24 = 2.0*l
-        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
-        t32 = epsilon*(wave5 - wave6)
-        below = (
-            -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
-            (0.5*t32 - 0.5*wave5 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
-            ((t32 - wave5)*(t32 - wave5))))
-        )
+    def no(above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
+        wave7, wave8, wave9):
+        below = turning(xp, xp.full_like(epsilon, 0.5*3.141592653589793), l, epsilon, wave, wave2,
+            wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10, wave11, wave12)
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -3281,29 +3283,8 @@ def turn_single(xp, psi, l, epsilon):
             def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
                 wave4, wave5, wave6, wave7, wave8, wave9):
                 new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 2.384185791015625e-07))
-                t33 = xp.sin(new)
-                t34 = l + 1.0
-                t35 = xp.cos(new)
-                t36 = t35/t34
-                t37 = 0.5*t36
-                t38 = t33 - t37
-                t39 = epsilon*(1.0 - epsilon)
-                t40 = 2.0*l
-                t41 = 2.0*t36/(wave7*wave7)
-                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
-                t43 = t38*wave5
-                t44 = 1.0/wave7
-                t45 = wave9*(t40 + 1.0)
-                t46 = t37*t44
-                t47 = t45*t46
-                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = (
-                    -2.0*t38*t39*wave8*(t33 + t37) -
-                    (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*
-                    (0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*
-                    square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
-                    (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
-                )
+                value = turning(xp, new, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
+                    wave7, wave8, wave9, wave10, wave11, wave12)
                 same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
                     xp.full_like(fa, 1.0), 0.0)
                 case1 = same > 0.0
@@ -3327,7 +3308,8 @@ def turn_single(xp, psi, l, epsilon):
         return root
 
     root = select(xp, above <= 0.0, yes, (above,), no,
-        (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+        (above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7,
+        wave8, wave9))
 
     return root
 
@@ -3336,6 +3318,7 @@ def turn(xp, psi, l, epsilon):
     """the wall whose worst angle is 2 psi, as an angle"""
     if psi.dtype == xp.float32:
         return turn_single(xp, psi, l, epsilon)
+    wave = xp.sin(psi)
     wave2 = xp.cos(psi)
     wave3 = chord(xp, l, 2.0*psi)
     wave4 = chord(xp, l + 1.0, 2.0*psi)
@@ -3344,43 +3327,19 @@ def turn(xp, psi, l, epsilon):
     wave7 = sinc(xp, psi)
     wave8 = sinc(xp, 2.0*psi)
     wave9 = sinc(xp, psi*(2.0*l + 1.0))
+    wave10 = sinc(xp, psi*(2.0*l + 2.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
-    t2 = l + 1.0
-    t4 = 1.0/t2
-    t5 = 0.5*t4
-    t6 = -t5
-    t7 = epsilon*(1.0 - epsilon)
-    t8 = 2.0*l
-    t9 = 2.0*t4/(wave7*wave7)
-    t10 = -t9*wave3
-    t11 = t6*wave5
-    t12 = 1.0/wave7
-    t13 = wave9*(t8 + 1.0)
-    t14 = t12*t5
-    t15 = t13*t14
-    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
-    above = (
-        -2.0*t5*t6*t7*wave8 - (epsilon*(-t10 - t9*wave4) + t10)*
-        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
-        square_root(xp, ((t15 - t11 + t14)*(t15 - t11 + t14)) + t7*(wave2*wave2)/(t2*t2)))
-    )
+    wave12 = sinc(xp, psi*(2.0*l + 4.0))
+    above = turning(xp, xp.full_like(epsilon, 0.0), l, epsilon, wave, wave2, wave3, wave4, wave5,
+        wave6, wave7, wave8, wave9, wave10, wave11, wave12)
 
     def yes(above):
         return 0.0
 
-    def no(above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9):
-        wave = xp.sin(psi)
-        wave10 = sinc(xp, psi*(2.0*l + 2.0))
-        wave12 = sinc(xp, psi*(2.0*l + 4.0))
-        t23 = epsilon*(1.0 - epsilon)
-        t24 = 2.0*l
-        t26 = wave10*((t24 + 2.0)*(t24 + 2.0))
-        t32 = epsilon*(wave5 - wave6)
-        below = (
-            -2.0*t23*wave8 - (epsilon*(wave12*((t24 + 4.0)*(t24 + 4.0)) - t26) + t26)*
-            (0.5*t32 - 0.5*wave5 + 0.5*square_root(xp, 4.0*t23*(wave*wave) +
-            ((t32 - wave5)*(t32 - wave5))))
-        )
+    def no(above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
+        wave7, wave8, wave9):
+        below = turning(xp, xp.full_like(epsilon, 0.5*3.141592653589793), l, epsilon, wave, wave2,
+            wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10, wave11, wave12)
 
         def yes(below):
             return 0.5*3.141592653589793
@@ -3399,29 +3358,8 @@ def turn(xp, psi, l, epsilon):
             def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
                 wave4, wave5, wave6, wave7, wave8, wave9):
                 new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 4.440892098500626e-16))
-                t33 = xp.sin(new)
-                t34 = l + 1.0
-                t35 = xp.cos(new)
-                t36 = t35/t34
-                t37 = 0.5*t36
-                t38 = t33 - t37
-                t39 = epsilon*(1.0 - epsilon)
-                t40 = 2.0*l
-                t41 = 2.0*t36/(wave7*wave7)
-                t42 = t33*wave10*((t40 + 2.0)*(t40 + 2.0)) - t41*wave3
-                t43 = t38*wave5
-                t44 = 1.0/wave7
-                t45 = wave9*(t40 + 1.0)
-                t46 = t37*t44
-                t47 = t45*t46
-                t46 = epsilon*(t43 - t38*wave6 + t46*wave11*(t40 + 3.0) - t47)
-                value = (
-                    -2.0*t38*t39*wave8*(t33 + t37) -
-                    (epsilon*(t33*wave12*((t40 + 4.0)*(t40 + 4.0)) - t41*wave4 - t42) + t42)*
-                    (0.25*t36*t44*t45 - 0.5*t43 + 0.5*t46 + 0.5*
-                    square_root(xp, t39*(4.0*(t33*t33)*(wave*wave) + (t35*t35)*(wave2*wave2)/
-                    (t34*t34)) + ((t47 - t43 + t46)*(t47 - t43 + t46))))
-                )
+                value = turning(xp, new, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
+                    wave7, wave8, wave9, wave10, wave11, wave12)
                 same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
                     xp.full_like(fa, 1.0), 0.0)
                 case1 = same > 0.0
@@ -3445,7 +3383,8 @@ def turn(xp, psi, l, epsilon):
         return root
 
     root = select(xp, above <= 0.0, yes, (above,), no,
-        (above, epsilon, l, psi, wave11, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9))
+        (above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7,
+        wave8, wave9))
 
     return root
 
@@ -3461,9 +3400,9 @@ def passive_slope(xp, psi, l, epsilon):
     turned = turn(xp, psi, l, epsilon)
     wall = xp.cos(turned)/(l + 1.0)
     wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
-    need_ = need(xp, wall, wall2, l, epsilon, psi)
+    need = damping_at(xp, wall, wall2, l, epsilon, psi)
     return (
-        need_*(epsilon*(cos_next(xp, l + 1.0, 2.0*psi) - cos_next(xp, l, 2.0*psi)) +
+        need*(epsilon*(cos_next(xp, l + 1.0, 2.0*psi) - cos_next(xp, l, 2.0*psi)) +
         cos_next(xp, l, 2.0*psi)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
         (xp.sin(psi)*xp.sin(psi))
     )
@@ -3588,8 +3527,8 @@ def discretize(gamma, delta):
     most = limits(xp, gamma)
 
     def work(gamma, delta):
-        fall_of, rise_of, swing_of = fall_rise_swing(xp, gamma, delta)
-        return rise_of, fall_of, swing_of, xp.exp(-delta)
+        plant_n0_of, plant_n1_of, plant_trace_of = plant_n0_plant_n1_plant_trace(xp, gamma, delta)
+        return plant_n1_of, plant_n0_of, plant_trace_of, xp.exp(-delta)
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
@@ -3598,7 +3537,7 @@ def discretize(gamma, delta):
 
 
 @by_value
-def discretize_late(gamma, delta, epsilon):
+def discretize_fractional(gamma, delta, epsilon):
     """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2
 
     - a z + e)) in units of T^2/m.
@@ -3612,32 +3551,33 @@ def discretize_late(gamma, delta, epsilon):
     most = limits(xp, gamma)
 
     def plant(gamma, delta):
-        swing_of, together_of = swing_together(xp, gamma, delta)
-        return swing_of, together_of
+        numerator_at_one_of, plant_trace_of = numerator_at_one_plant_trace(xp, gamma, delta)
+        return numerator_at_one_of, plant_trace_of
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
 
-    swing_of, together_of = guarded(xp, plant, inside, 2, math.nan, gamma, delta)
+    numerator_at_one_of, plant_trace_of = guarded(xp, plant, inside, 2, math.nan, gamma, delta)
 
-    def work(gamma, delta, epsilon, swing_of, together_of):
+    def work(gamma, delta, epsilon, numerator_at_one_of, plant_trace_of):
         t0 = 1.0 - epsilon
         t1 = (t0*t0)
         t0 = delta*t0
-        rise_of = rise(xp, gamma*t1, t0)
-        t1 = rise_of*t1
+        plant_n1_of = plant_n1(xp, gamma*t1, t0)
+        t1 = plant_n1_of*t1
         t4 = (epsilon*epsilon)
-        fall_of = fall(xp, gamma*t4, delta*epsilon)
-        t4 = fall_of*t4*xp.exp(-t0)
-        return t1, together_of - t1 - t4, t4, swing_of, xp.exp(-delta)
+        plant_n0_of = plant_n0(xp, gamma*t4, delta*epsilon)
+        t4 = plant_n0_of*t4*xp.exp(-t0)
+        return t1, numerator_at_one_of - t1 - t4, t4, plant_trace_of, xp.exp(-delta)
 
-    def inside(gamma, delta, epsilon, swing_of, together_of):
+    def inside(gamma, delta, epsilon, numerator_at_one_of, plant_trace_of):
         return (
             ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((epsilon < 1.0) & (epsilon >= 0.0)) & ~xp.isnan(swing_of)
+            ((epsilon < 1.0) & (epsilon >= 0.0)) & ~xp.isnan(numerator_at_one_of)
         )
 
-    return guarded(xp, work, inside, 5, math.nan, gamma, delta, epsilon, swing_of, together_of)
+    return guarded(xp, work, inside, 5, math.nan, gamma, delta, epsilon, numerator_at_one_of,
+        plant_trace_of)
 
 
 @by_value
@@ -3657,65 +3597,73 @@ def is_stable(alpha, beta, gamma, delta, d):
     most = limits(xp, alpha)
 
     def plant(gamma, delta):
-        apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
-            apart_fall_nyquist_rise_together(xp, gamma, delta)
-        )
+        (
+            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+                plant_n1_of3
+        ) = den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta)
         return (
-            apart_of, fall_of2, nyquist_of, rise_of3, together_of, gamma*together_of, delta*
-            decay(xp, delta)
+            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+            plant_n1_of3, gamma*numerator_at_one_of, delta*decay(xp, delta)
         )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
 
-    apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3 = (
-        guarded(xp, plant, inside, 7, math.nan, gamma, delta)
-    )
+    (
+        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+            plant_n1_of3, t1, t3
+    ) = guarded(xp, plant, inside, 7, math.nan, gamma, delta)
 
-    def work(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
-        t1, t3):
+    def work(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
+        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
 
-        def yes(alpha, apart_of, beta, d, delta, fall_of2, gamma, nyquist_of, rise_of3, t1, t3,
-            together_of):
-            return stable(xp, whole_roots(xp, alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of,
-                t3, together_of, apart_of*delta), alpha, beta, gamma, delta) != 0.0
+        def yes(alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of,
+            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
+            return stable(xp, whole_roots(xp, alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
+                denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of),
+                alpha, beta, gamma, delta) != 0.0
 
-        def no(alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of):
+        def no(alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
+            t3):
             t4 = some_part(xp, d)
             t5 = 1.0 - t4
             t6 = (t5*t5)
             t7 = gamma*t6
             t8 = delta*t5
-            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of = (
-                apart_fall_kick_kick_low_rise(xp, t7, t8)
+            kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t7, t8)
             )
             t10 = (t4*t4)
             t11 = gamma*t10
             t12 = delta*t4
-            apart_of2, fall_of, kick_of, kick_low_of, rise_of2 = (
-                apart_fall_kick_kick_low_rise(xp, t11, t12)
+            kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2 = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t11, t12)
             )
-            t13 = fall_of*t10
-            return stable(xp, late_roots(xp, alpha, beta, whole_part(xp, d), rise_of*t6, t13*
-                xp.exp(-t8), t1, nyquist_of, t3, together_of,
-                late_apart(xp, t4, kick_of2, kick_low_of2, kick_of, kick_low_of, apart_of3*delta*
-                (t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*(kick_of*t12 + rise_of2*t11) +
-                rise_of*rise_of2*t10*t7 - t13*t8*decay(xp, t8))), alpha, beta, gamma, delta) != 0.0
+            t13 = plant_n0_of*t10
+            return stable(xp, fractional_roots(xp, alpha, beta, whole_part(xp, d), plant_n1_of*t6,
+                t13*xp.exp(-t8), t1, denominator_at_minus_one_of, t3, numerator_at_one_of,
+                fractional_numerator_gap(xp, t4, kick_of2, kick_low_of2, kick_of, kick_low_of,
+                delta*numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4),
+                plant_n0_of3*t6*(kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*
+                t7 - t13*t8*decay(xp, t8))), alpha, beta, gamma, delta) != 0.0
 
-        return select(xp, late_part(xp, d) == 0.0, yes,
-            (alpha, apart_of, beta, d, delta, fall_of2, gamma, nyquist_of, rise_of3, t1, t3,
-            together_of), no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
+        return select(xp, fractional_part(xp, d) == 0.0, yes,
+            (alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of,
+            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3), no,
+            (alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
+            t3))
 
-    def inside(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
-        t1, t3):
+    def inside(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
+        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
         return (
             (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
             ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(apart_of)
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(denominator_at_minus_one_of)
         )
 
-    return guarded(xp, work, inside, 1, False, alpha, beta, gamma, delta, d, apart_of, fall_of2,
-        nyquist_of, rise_of3, together_of, t1, t3)
+    return guarded(xp, work, inside, 1, False, alpha, beta, gamma, delta, d,
+        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+        plant_n1_of3, t1, t3)
 
 
 @by_value
@@ -3735,64 +3683,72 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     most = limits(xp, alpha)
 
     def plant(gamma, delta):
-        apart_of, fall_of2, nyquist_of, rise_of3, together_of = (
-            apart_fall_nyquist_rise_together(xp, gamma, delta)
-        )
+        (
+            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+                plant_n1_of3
+        ) = den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta)
         return (
-            apart_of, fall_of2, nyquist_of, rise_of3, together_of, gamma*together_of, delta*
-            decay(xp, delta)
+            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+            plant_n1_of3, gamma*numerator_at_one_of, delta*decay(xp, delta)
         )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
 
-    apart_of, fall_of2, nyquist_of, rise_of3, together_of, t1, t3 = (
-        guarded(xp, plant, inside, 7, math.nan, gamma, delta)
-    )
+    (
+        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+            plant_n1_of3, t1, t3
+    ) = guarded(xp, plant, inside, 7, math.nan, gamma, delta)
 
-    def work(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
-        t1, t3):
+    def work(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
+        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
 
-        def yes(alpha, apart_of, beta, d, delta, fall_of2, nyquist_of, rise_of3, t1, t3,
-            together_of):
-            return whole_roots(xp, alpha, beta, d, rise_of3, fall_of2, t1, nyquist_of, t3,
-                together_of, apart_of*delta)
+        def yes(alpha, beta, d, delta, denominator_at_minus_one_of, numerator_at_one_of,
+            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
+            return whole_roots(xp, alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
+                denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of)
 
-        def no(alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of):
+        def no(alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
+            t3):
             t4 = some_part(xp, d)
             t5 = 1.0 - t4
             t6 = (t5*t5)
             t7 = gamma*t6
             t8 = delta*t5
-            apart_of3, fall_of3, kick_of2, kick_low_of2, rise_of = (
-                apart_fall_kick_kick_low_rise(xp, t7, t8)
+            kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t7, t8)
             )
             t10 = (t4*t4)
             t11 = gamma*t10
             t12 = delta*t4
-            apart_of2, fall_of, kick_of, kick_low_of, rise_of2 = (
-                apart_fall_kick_kick_low_rise(xp, t11, t12)
+            kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2 = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t11, t12)
             )
-            t13 = fall_of*t10
-            return late_roots(xp, alpha, beta, whole_part(xp, d), rise_of*t6, t13*xp.exp(-t8), t1,
-                nyquist_of, t3, together_of, late_apart(xp, t4, kick_of2, kick_low_of2, kick_of,
-                kick_low_of, apart_of3*delta*(t5*t5*t5), apart_of2*delta*(t4*t4*t4), fall_of3*t6*
-                (kick_of*t12 + rise_of2*t11) + rise_of*rise_of2*t10*t7 - t13*t8*decay(xp, t8)))
+            t13 = plant_n0_of*t10
+            return fractional_roots(xp, alpha, beta, whole_part(xp, d), plant_n1_of*t6, t13*
+                xp.exp(-t8), t1, denominator_at_minus_one_of, t3, numerator_at_one_of,
+                fractional_numerator_gap(xp, t4, kick_of2, kick_low_of2, kick_of, kick_low_of,
+                delta*numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4),
+                plant_n0_of3*t6*(kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*
+                t7 - t13*t8*decay(xp, t8)))
 
-        return select(xp, late_part(xp, d) == 0.0, yes,
-            (alpha, apart_of, beta, d, delta, fall_of2, nyquist_of, rise_of3, t1, t3, together_of),
-            no, (alpha, beta, d, delta, gamma, nyquist_of, t1, t3, together_of))
+        return select(xp, fractional_part(xp, d) == 0.0, yes,
+            (alpha, beta, d, delta, denominator_at_minus_one_of, numerator_at_one_of,
+            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3), no,
+            (alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
+            t3))
 
-    def inside(alpha, beta, gamma, delta, d, apart_of, fall_of2, nyquist_of, rise_of3, together_of,
-        t1, t3):
+    def inside(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
+        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
         return (
             (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
             ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(apart_of)
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(denominator_at_minus_one_of)
         )
 
-    return guarded(xp, work, inside, 1, -1, alpha, beta, gamma, delta, d, apart_of, fall_of2,
-        nyquist_of, rise_of3, together_of, t1, t3)
+    return guarded(xp, work, inside, 1, -1, alpha, beta, gamma, delta, d,
+        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
+        plant_n1_of3, t1, t3)
 
 
 @by_value
@@ -3810,29 +3766,36 @@ def stability_boundary(theta, gamma, delta, d):
     most = limits(xp, theta)
 
     def plant(gamma, delta):
-        apart_of, nyquist_of, together_of = apart_nyquist_together(xp, gamma, delta)
-        t6 = apart_of*delta
+        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of = (
+            denominator_at_minus_one_numerator_at_one_numerator_gap(xp, gamma, delta)
+        )
+        t6 = delta*numerator_gap_of
         return (
-            nyquist_of, together_of, gamma*together_of, delta*decay(xp, delta), t6, t6 + together_of
+            denominator_at_minus_one_of, numerator_at_one_of, gamma*numerator_at_one_of, delta*
+            decay(xp, delta), t6, numerator_at_one_of + t6
         )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
 
-    nyquist_of, together_of, t3, t5, t6, t7 = guarded(xp, plant, inside, 6, math.nan, gamma, delta)
+    denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7 = (
+        guarded(xp, plant, inside, 6, math.nan, gamma, delta)
+    )
 
-    def work(theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7):
+    def work(theta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6,
+        t7):
 
-        def yes(d, nyquist_of, t3, t5, t6, t7, theta, together_of):
+        def yes(d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7, theta):
             cos_next_of, sin_next_of = cos_next_sin_next(xp, d, theta)
             t1 = 0.5*theta
-            ahead_of, in_phase_of = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t6, t7)
+            ahead_of, in_phase_of = ahead_in_phase(xp, t1, t3, denominator_at_minus_one_of, t5,
+                numerator_at_one_of, t6, t7)
             t1 = xp.tan(t1)
             t12 = ahead_of*cos_next_of + in_phase_of*sin_next_of
             t13 = xp.sin(theta)
             return ahead_of*sin_next_of - cos_next_of*in_phase_of + t1*t12, -t12/t13
 
-        def no(d, delta, gamma, nyquist_of, t3, t5, theta, together_of):
+        def no(d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t3, t5, theta):
             t1 = 0.5*theta
             t11 = xp.tan(t1)
             t13 = xp.sin(theta)
@@ -3843,38 +3806,40 @@ def stability_boundary(theta, gamma, delta, d):
             t18 = (t17*t17)
             t19 = gamma*t18
             t20 = delta*t17
-            apart_of2, fall_of2, kick_of2, kick_low_of, rise_of2 = (
-                apart_fall_kick_kick_low_rise(xp, t19, t20)
+            kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of2, plant_n1_of2 = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t19, t20)
             )
             t21 = (t14*t14)
             t22 = gamma*t21
             t23 = delta*t14
-            apart_of3, fall_of, kick_of, kick_low_of2, rise_of = (
-                apart_fall_kick_kick_low_rise(xp, t22, t23)
+            kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of, plant_n1_of = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t22, t23)
             )
-            t25 = fall_of*t21
-            t23 = late_apart(xp, t14, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
-                (t17*t17*t17), apart_of3*delta*(t14*t14*t14), fall_of2*t18*
-                (kick_of*t23 + rise_of*t22) + rise_of*rise_of2*t19*t21 - t20*t25*decay(xp, t20))
-            t25 = 2.0*rise_of2*t18 - 2.0*t25*xp.exp(-t20)
-            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, nyquist_of, t5, together_of, t23,
-                t25)
+            t25 = plant_n0_of*t21
+            t23 = fractional_numerator_gap(xp, t14, kick_of2, kick_low_of, kick_of, kick_low_of2,
+                delta*numerator_gap_of2*(t17*t17*t17), delta*numerator_gap_of3*(t14*t14*t14),
+                plant_n0_of2*t18*(kick_of*t23 + plant_n1_of*t22) + plant_n1_of*plant_n1_of2*t19*
+                t21 - t20*t25*decay(xp, t20))
+            t25 = 2.0*plant_n1_of2*t18 - 2.0*t25*xp.exp(-t20)
+            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, denominator_at_minus_one_of, t5,
+                numerator_at_one_of, t23, t25)
             t25 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2
             return ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t25, -t25/t13
 
-        return select(xp, late_part(xp, d) == 0.0, yes,
-            (d, nyquist_of, t3, t5, t6, t7, theta, together_of), no,
-            (d, delta, gamma, nyquist_of, t3, t5, theta, together_of))
+        return select(xp, fractional_part(xp, d) == 0.0, yes,
+            (d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7, theta), no,
+            (d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t3, t5, theta))
 
-    def inside(theta, gamma, delta, d, nyquist_of, together_of, t3, t5, t6, t7):
+    def inside(theta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5,
+        t6, t7):
         return (
             ((theta <= most.angle) & (theta > 0.0)) & ((gamma <= most.size) & (gamma >= 0.0)) &
             ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0)) &
-            ~xp.isnan(nyquist_of)
+            ~xp.isnan(denominator_at_minus_one_of)
         )
 
-    return guarded(xp, work, inside, 2, math.nan, theta, gamma, delta, d, nyquist_of, together_of,
-        t3, t5, t6, t7)
+    return guarded(xp, work, inside, 2, math.nan, theta, gamma, delta, d,
+        denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7)
 
 
 @by_value
@@ -3894,28 +3859,32 @@ def max_stable_stiffness(gamma, delta, d):
     most = limits(xp, gamma)
 
     def plant(gamma, delta):
-        apart_of, fall_of, nyquist_of, rise_of, together_of = (
-            apart_fall_nyquist_rise_together(xp, gamma, delta)
-        )
+        (
+            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
+                plant_n1_of
+        ) = den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta)
         t3 = delta*decay(xp, delta)
-        t4 = apart_of*delta
+        t4 = delta*numerator_gap_of
         return (
-            fall_of, nyquist_of, rise_of, together_of, gamma*together_of, t3, t4, t4 + together_of,
-            2.0*t3
+            denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of, plant_n1_of, gamma*
+            numerator_at_one_of, t3, t4, numerator_at_one_of + t4, 2.0*t3
         )
 
     def inside(gamma, delta):
         return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
 
-    fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16 = (
-        guarded(xp, plant, inside, 9, math.nan, gamma, delta)
-    )
+    (
+        denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of, plant_n1_of, t1, t3, t4,
+            t10, t16
+    ) = guarded(xp, plant, inside, 9, math.nan, gamma, delta)
 
-    def work(gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16):
+    def work(gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of,
+        plant_n1_of, t1, t3, t4, t10, t16):
 
-        def yes(d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of):
-            t5 = stiffest_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), rise_of, fall_of, t1,
-                nyquist_of, t3, together_of, t4)
+        def yes(d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, plant_n0_of,
+            plant_n1_of, t1, t10, t16, t3, t4):
+            t5 = max_stiffness_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), plant_n1_of,
+                plant_n0_of, t1, denominator_at_minus_one_of, t3, numerator_at_one_of, t4)
             cos_next_of, sin_next_of = cos_next_sin_next(xp, d, t5)
             t7 = 0.5*t5
             t8 = xp.sin(t7)
@@ -3923,39 +3892,40 @@ def max_stable_stiffness(gamma, delta, d):
             t11 = (t7*t7)
             t12 = (t8*t8)
             t13 = t11*t12
-            t14 = t11*together_of - t12*t4
+            t14 = numerator_at_one_of*t11 - t12*t4
             t15 = 1.0/((t10*t10)*t13 + (t14*t14))
-            t11 = t1*t11 - nyquist_of*t12
+            t11 = t1*t11 - denominator_at_minus_one_of*t12
             t18 = t14*t16 - t10*t11
             t11 = t10*t13*t16 + t14*t11
             t14 = cos_next_of*t15
             t13 = -sin_next_of*t15*t11/xp.sin(t5) - 0.5*t18*t14
             return sin_next_of*t15*t18*t8*t7 - 2.0*t12*t13 - t11*t14, t13, t5
 
-        def no(d, delta, gamma, nyquist_of, t1, t16, t3, together_of):
+        def no(d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1, t16, t3):
             t22 = whole_part(xp, d)
             t23 = some_part(xp, d)
             t24 = 1.0 - t23
             t25 = (t24*t24)
             t26 = gamma*t25
             t27 = delta*t24
-            apart_of2, fall_of3, kick_of2, kick_low_of, rise_of2 = (
-                apart_fall_kick_kick_low_rise(xp, t26, t27)
+            kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of3, plant_n1_of2 = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t26, t27)
             )
-            t29 = rise_of2*t25
+            t29 = plant_n1_of2*t25
             t30 = (t23*t23)
             t31 = gamma*t30
             t32 = delta*t23
-            apart_of3, fall_of2, kick_of, kick_low_of2, rise_of3 = (
-                apart_fall_kick_kick_low_rise(xp, t31, t32)
+            kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of2, plant_n1_of3 = (
+                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t31, t32)
             )
-            t33 = fall_of2*t30
+            t33 = plant_n0_of2*t30
             t34 = t33*xp.exp(-t27)
-            t33 = late_apart(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2, apart_of2*delta*
-                (t24*t24*t24), apart_of3*delta*(t23*t23*t23), fall_of3*t25*
-                (kick_of*t32 + rise_of3*t31) + rise_of2*rise_of3*t26*t30 - t27*t33*decay(xp, t27))
-            t23 = stiffest_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1, nyquist_of, t3,
-                together_of, t33)
+            t33 = fractional_numerator_gap(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2,
+                delta*numerator_gap_of2*(t24*t24*t24), delta*numerator_gap_of3*(t23*t23*t23),
+                plant_n0_of3*t25*(kick_of*t32 + plant_n1_of3*t31) + plant_n1_of2*plant_n1_of3*t26*
+                t30 - t27*t33*decay(xp, t27))
+            t23 = max_stiffness_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1,
+                denominator_at_minus_one_of, t3, numerator_at_one_of, t33)
             cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t22, t23)
             t22 = 0.5*t23
             t32 = xp.sin(t22)
@@ -3964,27 +3934,29 @@ def max_stable_stiffness(gamma, delta, d):
             t29 = (t22*t22)
             t31 = (t32*t32)
             t30 = t29*t31
-            t33 = t29*together_of - t33*t31
+            t33 = numerator_at_one_of*t29 - t33*t31
             t27 = 1.0/((t34*t34)*t30 + (t33*t33))
-            t29 = t1*t29 - nyquist_of*t31
+            t29 = t1*t29 - denominator_at_minus_one_of*t31
             t26 = t16*t33 - t34*t29
             t29 = t16*t34*t30 + t33*t29
             t33 = cos_next_of2*t27
             t30 = -sin_next_of2*t27*t29/xp.sin(t23) - 0.5*t26*t33
             return sin_next_of2*t32*t22*t27*t26 - 2.0*t31*t30 - t29*t33, t30, t23
 
-        return select(xp, late_part(xp, d) == 0.0, yes,
-            (d, delta, fall_of, gamma, nyquist_of, rise_of, t1, t10, t16, t3, t4, together_of), no,
-            (d, delta, gamma, nyquist_of, t1, t16, t3, together_of))
+        return select(xp, fractional_part(xp, d) == 0.0, yes,
+            (d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, plant_n0_of,
+            plant_n1_of, t1, t10, t16, t3, t4), no,
+            (d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1, t16, t3))
 
-    def inside(gamma, delta, d, fall_of, nyquist_of, rise_of, together_of, t1, t3, t4, t10, t16):
+    def inside(gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of,
+        plant_n1_of, t1, t3, t4, t10, t16):
         return (
             ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(fall_of)
+            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(denominator_at_minus_one_of)
         )
 
-    return guarded(xp, work, inside, 3, math.nan, gamma, delta, d, fall_of, nyquist_of, rise_of,
-        together_of, t1, t3, t4, t10, t16)
+    return guarded(xp, work, inside, 3, math.nan, gamma, delta, d, denominator_at_minus_one_of,
+        numerator_at_one_of, plant_n0_of, plant_n1_of, t1, t3, t4, t10, t16)
 
 
 @by_value
@@ -4035,7 +4007,7 @@ def passivity_margin(alpha, beta, delta, d):
     most = limits(xp, alpha)
 
     def work(alpha, beta, delta, d):
-        return delta - largest_need(xp, alpha, beta, d)
+        return delta - largest_required_damping(xp, alpha, beta, d)
 
     def inside(alpha, beta, delta, d):
         return (
@@ -4089,7 +4061,8 @@ def passivity_boundary(theta, delta, d):
                 (4.0*(t8*t8)*(t16*t16) + (t2*t2)*(t9*t9)/(t7*t7))))
             return rated(xp, t6, t10*t2), rated(xp, t6, t12*t2)
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta, theta), no, (d, delta, theta))
+        return select(xp, fractional_part(xp, d) == 0.0, yes, (d, delta, theta), no,
+            (d, delta, theta))
 
     def inside(theta, delta, d):
         return (
@@ -4138,7 +4111,7 @@ def max_passive_stiffness(delta, d):
                 (4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4))))
             return t12*t9, t11*t12, t6
 
-        return select(xp, late_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
+        return select(xp, fractional_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
 
     def inside(delta, d):
         return ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0))

@@ -27,7 +27,7 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
  * Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
  * NaN outside, and where an argument is NaN or larger than 1e8.
  */
-void haptic_single_discretize_late(float gamma, float delta, float epsilon, float *m2_out,
+void haptic_single_discretize_fractional(float gamma, float delta, float epsilon, float *m2_out,
     float *m1_out, float *m0_out, float *a_out, float *e_out);
 
 /*

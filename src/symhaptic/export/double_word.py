@@ -14,11 +14,11 @@ from sympy import Expr, cos, exp, factorial, sin
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
-    ProductError,
     Routine,
     Steps,
+    TwoProdError,
     choose,
-    fast_sum,
+    fast_two_sum,
     product,
     quotient,
 )
@@ -53,14 +53,14 @@ def briefly(do: Steps, given: Expr, low: Expr) -> Fading:
 def brief_fading() -> Routine:
     """From the series of the mean."""
     do = Steps()
-    first, lost = fast_sum(do, sp.S.One, -rate / 2)
+    first, lost = fast_two_sum(do, sp.S.One, -rate / 2)
     curved = do("curved", rate * rate * sp.Function("DecaySeries")(rate))
-    mean, more = fast_sum(do, first, curved)
+    mean, more = fast_two_sum(do, first, curved)
     bent = do("bent", low * (sp.S.Half - rate / 3 + rate * rate / 8))
     mean_low = do("mean_low", (lost + more) - bent)
     gone, off = product(do, rate, mean, mean_low)
     off = do("off", off + low * mean)
-    fall, rest = fast_sum(do, sp.S.One, -gone)
+    fall, rest = fast_two_sum(do, sp.S.One, -gone)
     found = Fading(fall, rest - off, mean, mean_low)
     return do.routine("BriefFading", "exp(-rate), (1 - exp(-rate))/rate and what they miss, for a "
                       "rate up to 3/4", (rate, low), vars(found))  # fmt: skip
@@ -84,7 +84,7 @@ def fading_pair() -> Routine:
     near = briefly(do, do("given", choose(brief, rate, 0)), low)
     sunk = do("sunk", exp(-rate))
     sunk_low = do("sunk_low", -sunk * low)
-    top, top_low = fast_sum(do, sp.S.One, -sunk)
+    top, top_low = fast_two_sum(do, sp.S.One, -sunk)
     bottom = do("bottom", choose(brief, 1, rate))
     mean, mean_low = quotient(do, top, bottom, top_low - sunk_low, low)
     far = Fading(sunk, sunk_low, mean, mean_low)
@@ -117,7 +117,7 @@ def root_miss() -> Routine:
     square, square_low, root = given = sp.symbols("square square_low root")
     sign_low = do("sign_low", choose(square < 0, -square_low, square_low))
     left = do("left", sp.Abs(square) - root * root)
-    left = do("left", left - ProductError(root, root))
+    left = do("left", left - TwoProdError(root, root))
     left = do("left", left + sign_low)
     return do.routine("RootMiss", "what the root of |square + square_low| misses", given,
                       left / do.nonzero(root) / 2)  # fmt: skip
@@ -134,12 +134,12 @@ def waving_pair() -> Routine:
     square, square_low, angle = given = sp.symbols("square square_low angle")
     slow = square > -SLOW
     small = do("small", choose(slow, square, 0))
-    first, lost = fast_sum(do, sp.S.One, small / 2)
+    first, lost = fast_two_sum(do, sp.S.One, small / 2)
     curved = do("curved", small * small * sp.Function("CosSeries")(small))
-    even, more = fast_sum(do, first, curved)
+    even, more = fast_two_sum(do, first, curved)
     both = do("both", lost + more)
     bent = do("bent", small * sp.Function("SinSeries")(small))
-    odd, rest = fast_sum(do, sp.S.One, bent)
+    odd, rest = fast_two_sum(do, sp.S.One, bent)
     angle_low = do("angle_low", root_low(square, square_low, angle))
     near = Wave(even, both + square_low / 2, odd, rest + square_low / 6)
     sine, cosine = do("sine", sin(angle)), do("cosine", cos(angle))

@@ -8,16 +8,16 @@ import sympy as sp
 from sympy import And, Expr, Max, Or, atan2, cos, pi, sin, sqrt
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, difference, product
+from symhaptic.export.routine import Routine, Steps, choose, product, two_diff
 from symhaptic.export.search import crossing
-from symhaptic.forms import stiffest
-from symhaptic.forms.counted import LateRoots, Stable, WholeRoots
+from symhaptic.forms import max_stiffness_slope
+from symhaptic.forms.max_stiffness_angle import MAX_STIFFNESS_ARGUMENTS, MAX_STIFFNESS_SPRING
+from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots
 from symhaptic.forms.stability_forms import curve
-from symhaptic.forms.stiffest_angle import STIFFEST_ARGUMENTS, STIFFEST_SPRING
 from symhaptic.notation import theta
 
 gamma, delta, d, steps, part, first, last, at_one, at_minus_one, loss, together, apart = (
-    STIFFEST_ARGUMENTS
+    MAX_STIFFNESS_ARGUMENTS
 )
 
 _PARTS = 24
@@ -27,30 +27,30 @@ _PARTS = 24
 def end_slope() -> Routine:
     """Its terms cancel where the maximum is next to pi: each is known twice as well as a float."""
     do = Steps()
-    _, r, loss, s, a, late = stiffest.EARLY
-    side, side_low = difference(do, s, 4 * late)
+    _, r, loss, s, a, late = max_stiffness_slope.EARLY
+    side, side_low = two_diff(do, s, 4 * late)
     square, square_low = product(do, side, side, 2 * side_low)
     across, across_low = product(do, a, s)
-    gap, gap_low = difference(do, across, square)
+    gap, gap_low = two_diff(do, across, square)
     gap_low = do("gap_low", gap_low + (across_low - square_low))
-    lean, lean_low = difference(do, square, 2 * across)
+    lean, lean_low = two_diff(do, square, 2 * across)
     lean_low = do("lean_low", lean_low + (square_low - 2 * across_low))
     one, one_low = product(do, side, lean, lean_low)
     two, two_low = product(do, a, across, across_low)
-    bent, bent_low = difference(do, one, -two)
+    bent, bent_low = two_diff(do, one, -two)
     bent_low = do("bent_low", bent_low + (one_low + side_low * lean + two_low))
     one, one_low = product(do, r, bent, bent_low)
     part, part_low = product(do, a, gap, gap_low)
     two, two_low = product(do, loss, part, part_low)
-    rest, rest_low = difference(do, 2 * a, side)
+    rest, rest_low = two_diff(do, 2 * a, side)
     wide, wide_low = product(do, a, a)
     three, three_low = product(do, wide, rest, rest_low - side_low)
     three_low = do("three_low", three_low + wide_low * rest)
-    found, lost = difference(do, 4 * three, one)
-    found, more = difference(do, found, 2 * two)
+    found, lost = two_diff(do, 4 * three, one)
+    found, more = two_diff(do, found, 2 * two)
     low = do("low", (lost + more) + (4 * three_low - (one_low + 2 * two_low)))
     return do.routine("EndSlope", "has the sign of the slope of the boundary's alpha next to pi",
-                      stiffest.EARLY[1:], found + low)  # fmt: skip
+                      max_stiffness_slope.EARLY[1:], found + low)  # fmt: skip
 
 
 def early_slope() -> Routine:
@@ -70,22 +70,24 @@ def early_slope() -> Routine:
 def undelayed_angle() -> Routine:
     """Without delay: where a parabola changes its sign first, or pi where it does not."""
     do = Steps()
-    square = do("k", sp.Function("EndSlope")(*stiffest.UNDELAYED[1:], 0))
-    middle, last = (do("k", k) for k in do.common(*stiffest.undelayed()[1:]))
+    square = do("k", sp.Function("EndSlope")(*max_stiffness_slope.UNDELAYED[1:], 0))
+    middle, last = (do("k", k) for k in do.common(*max_stiffness_slope.undelayed()[1:]))
     discriminant = do("discriminant", middle * middle - 4 * square * last)
     root = do("root", sqrt(Max(discriminant, 0)))
     falls = choose(discriminant < 0, 0, root - middle)
     above = do("above", choose(middle > 0, middle + root, 2 * last))
     below = do("below", choose(middle > 0, Max(-2 * square, 0), falls))
     return do.routine("UndelayedAngle", "the angle of the largest stiffness without delay",
-                      stiffest.UNDELAYED, 2 * atan2(sqrt(above), sqrt(below)))  # fmt: skip
+                      max_stiffness_slope.UNDELAYED,
+                      2 * atan2(sqrt(above), sqrt(below)))  # fmt: skip
 
 
 def boundary_slope() -> Routine:
     """The sign of the slope of alpha along the boundary."""
     do = Steps()
     return do.routine("BoundarySlope", "has the sign of the slope of the boundary's alpha",
-                      stiffest.SLOPE_ARGUMENTS, *do.common(stiffest.slope()[0]))  # fmt: skip
+                      max_stiffness_slope.SLOPE_ARGUMENTS,
+                      *do.common(max_stiffness_slope.slope()[0]))  # fmt: skip
 
 
 def _first_maximum(
@@ -115,19 +117,19 @@ def _first_maximum(
 
 def early_angle(precision: Precision = DOUBLE) -> Routine:
     """For delays below one period; pi where the stiffness rises all the way."""
-    do = Steps(taken={symbol.name for symbol in stiffest.EARLY})
-    end = sp.Function("EndSlope")(*stiffest.EARLY[1:])
-    quartic = [do("k", k) for k in (end, *do.common(*stiffest.early()[1:]))]
+    do = Steps(taken={symbol.name for symbol in max_stiffness_slope.EARLY})
+    end = sp.Function("EndSlope")(*max_stiffness_slope.EARLY[1:])
+    quartic = [do("k", k) for k in (end, *do.common(*max_stiffness_slope.early()[1:]))]
     found = _first_maximum(
         do, pi, lambda at: sp.Function("EarlySlope")(at, *quartic), precision, pi
     )
     return do.routine("EarlyAngle", "the angle of the largest stiffness for delays below a period",
-                      stiffest.EARLY, found)  # fmt: skip
+                      max_stiffness_slope.EARLY, found)  # fmt: skip
 
 
 def later_angle(precision: Precision = DOUBLE) -> Routine:
     """For all others; NaN where the stiffness rises for the first half turn of the delay."""
-    given = d, *stiffest.SLOPE_ARGUMENTS[1:]
+    given = d, *max_stiffness_slope.SLOPE_ARGUMENTS[1:]
     do = Steps(taken={symbol.name for symbol in given})
     _, *numbers = given
     turn = do("turn", pi / (d + 1))
@@ -138,9 +140,9 @@ def later_angle(precision: Precision = DOUBLE) -> Routine:
                       given, found)  # fmt: skip
 
 
-def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
+def max_stiffness_angle(precision: Precision = DOUBLE) -> Routine:
     """The first maximum of alpha on the boundary, if it borders the stable region, else NaN."""
-    do = Steps(taken={symbol.name for symbol in STIFFEST_ARGUMENTS})
+    do = Steps(taken={symbol.name for symbol in MAX_STIFFNESS_ARGUMENTS})
     whole = sp.Eq(part, 0)
     across = do("across", choose(whole, first, first - last))
     numbers = at_one, at_minus_one, loss, together, apart
@@ -148,26 +150,53 @@ def stiffest_angle(precision: Precision = DOUBLE) -> Routine:
     later = sp.Function("LaterAngle")(d, steps, *numbers, across)
     undelayed = sp.Function("UndelayedAngle")(*numbers)
     top = do("theta", choose(sp.Eq(d, 0), undelayed, choose(d < 1, early, later)))
+    roots = choose(
+        whole,
+        WholeRoots(*_INSIDE, steps, first, last, *numbers),
+        FractionalRoots(*_INSIDE, steps, first, last, *numbers),
+    )
+    found = _bordering(do, top, across, steps, roots, precision)
+    return do.routine("MaxStiffnessAngle",
+                      "the angle of the wall of largest stable stiffness, or NaN",
+                      MAX_STIFFNESS_ARGUMENTS, found)  # fmt: skip
+
+
+_INSIDE = sp.symbols("inside damping")
+
+
+def _bordering(
+    do: Steps, top: Expr, across: Expr, steps: Expr, roots: Expr, precision: Precision
+) -> Expr:
+    """The angle if its wall borders the stable region, else NaN; ``roots`` are those of a wall."""
+    numbers = at_one, at_minus_one, loss, together, apart
     stiffness, damping = do.common(*curve((*numbers, 2 * across), top, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region
     inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))
     wall = inside, damping
-    outside = choose(
-        whole,
-        WholeRoots(*wall, steps, first, last, *numbers),
-        LateRoots(*wall, steps, first, last, *numbers),
-    )
-    outside = do("outside", outside)
+    outside = do("outside", roots.xreplace(dict(zip(_INSIDE, wall, strict=True))))
     soft = sqrt(gamma) * (d + 1) <= pi
-    known = And(gamma <= STIFFEST_SPRING, Or(soft, d <= 1))
+    known = And(gamma <= MAX_STIFFNESS_SPRING, Or(soft, d <= 1))
     # with damping and no stiff spring, comparison found no maximum that lies elsewhere
     sure = And(soft, delta > 0, stiffness > -gamma)
     good = do("good", choose(sure, 1, Stable(outside, *wall, gamma, delta)))
-    return do.routine("StiffestAngle", "the angle of the wall of largest stable stiffness, or NaN",
-                      STIFFEST_ARGUMENTS,
-                      choose(known, choose(good > 0, top, sp.nan), sp.nan))  # fmt: skip
+    return choose(known, choose(good > 0, top, sp.nan), sp.nan)
+
+
+def max_stiffness_whole_angle(precision: Precision = DOUBLE) -> Routine:
+    """Of a whole delay, which is none or one period and more."""
+    given = gamma, delta, d, first, last, at_one, at_minus_one, loss, together, apart
+    do = Steps(taken={symbol.name for symbol in given})
+    numbers = at_one, at_minus_one, loss, together, apart
+    later = sp.Function("LaterAngle")(d, d, *numbers, first)
+    undelayed = sp.Function("UndelayedAngle")(*numbers)
+    top = do("theta", choose(sp.Eq(d, 0), undelayed, later))
+    roots = WholeRoots(*_INSIDE, d, first, last, *numbers)
+    found = _bordering(do, top, first, d, roots, precision)
+    return do.routine("MaxStiffnessWholeAngle",
+                      "the angle of the wall of largest stable stiffness, or NaN",
+                      given, found)  # fmt: skip
 
 
 ROUTINES = (boundary_slope, early_slope, end_slope, undelayed_angle)
-PRECISE = (early_angle, later_angle, stiffest_angle)
+PRECISE = (early_angle, later_angle, max_stiffness_angle, max_stiffness_whole_angle)

@@ -11,21 +11,21 @@ from sympy import Expr, Piecewise, Symbol
 
 from symhaptic.export import (
     angle_slopes,
-    counting,
     device,
     device_series,
+    double_word,
     elementary,
     error_free,
-    late_counting,
-    pairs,
-    passive,
+    fractional_root_count,
+    max_stiffness,
+    required_damping,
     response,
+    root_count,
     search,
     slopes,
-    stiffest,
     whole_turns,
 )
-from symhaptic.export.joint import joint, merged
+from symhaptic.export.fused import fused, merged
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Step, choose
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
@@ -91,8 +91,8 @@ def _makers() -> dict[str, tuple[Callable[..., Routine], bool]]:
 
 
 _MODULES = (
-    error_free, elementary, pairs, whole_turns, device, device_series, slopes, angle_slopes,
-    counting, late_counting, search, passive, response, stiffest,
+    error_free, elementary, double_word, whole_turns, device, device_series, slopes, angle_slopes,
+    root_count, fractional_root_count, search, required_damping, response, max_stiffness,
 )  # fmt: skip
 
 
@@ -164,7 +164,7 @@ def named(name: str, routines: Mapping[str, Routine]) -> Routine:
         return routines[name]
     made = routines.made if isinstance(routines, Known) else {}
     if name not in made:
-        made[name] = joint(parts, routines)
+        made[name] = fused(parts, routines)
     return made[name]
 
 
@@ -191,8 +191,8 @@ def library(
     if merges:
         public = tuple(map(merged, public))
     own = {}
-    if target.operations["ProductError"].startswith("product_error("):
-        own["ProductError"] = elementary.product_error(target.precision)
+    if target.operations["TwoProdError"].startswith("two_prod_error("):
+        own["TwoProdError"] = elementary.two_prod_error(target.precision)
     ordered: dict[str, Routine] = {}
 
     def add(wanted: Routine) -> None:

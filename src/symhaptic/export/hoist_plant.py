@@ -14,7 +14,7 @@ from symhaptic.notation import delta, gamma
 _PLANT = {gamma, delta}
 
 
-def staged(routine: Routine) -> tuple[Routine | None, Routine]:
+def hoisted(routine: Routine) -> tuple[Routine | None, Routine]:
     """The numbers of the plant as a routine of its own, where there is more to do, and the rest."""
     given = tuple(s for s in routine.arguments if s in _PLANT)
     if given == routine.arguments:

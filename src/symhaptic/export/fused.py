@@ -13,18 +13,33 @@ from sympy.core.function import AppliedUndef
 from symhaptic.export.routine import Routine, Several, Step, computed, expm1, fresh, names
 from symhaptic.export.target import code_name
 from symhaptic.forms.entire import CosNext, Entire, SinNext
-from symhaptic.forms.entire_device import Apart, Fall, Nyquist, Rise, Swing, Together
-from symhaptic.forms.response import Ahead, Careful, InPhase, KickLow
-from symhaptic.forms.slopes import ApartDrop, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
+from symhaptic.forms.entire_device import (
+    DenominatorAtMinusOne,
+    NumeratorAtOne,
+    NumeratorGap,
+    PlantN0,
+    PlantN1,
+    PlantTrace,
+)
+from symhaptic.forms.response import Ahead, Compensated, InPhase, KickLow
+from symhaptic.forms.slopes import (
+    Coast,
+    Ebb,
+    Echo,
+    Kick,
+    NumeratorGapDrop,
+    PlantN0Drop,
+    PlantN1Drop,
+)
 
 MERGED = (
-    Apart, Fall, Nyquist, Rise, Swing, Together,
-    Kick, KickLow, Coast, Echo, Ebb, RiseDrop, FallDrop, ApartDrop,
+    NumeratorGap, PlantN0, DenominatorAtMinusOne, PlantN1, PlantTrace, NumeratorAtOne,
+    Kick, KickLow, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop,
     CosNext, SinNext, Ahead, InPhase,
 )  # fmt: skip
 """Functions that have steps in common with others of the same arguments."""
 
-_CALLS = (Entire, Careful, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
+_CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
 def merged(user: Routine) -> Routine:
@@ -68,7 +83,7 @@ def merged(user: Routine) -> Routine:
     return replace(user, steps=tuple(done), results=results)
 
 
-def joint(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
+def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     """Routines of the same arguments as one; a step that two of them have is done once."""
     arguments = routines[parts[0]].arguments
     taken = {s.name for s in arguments}

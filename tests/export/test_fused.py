@@ -10,16 +10,16 @@ import sympy as sp
 from export.inlining import inlined
 from mpmath import mpf
 
-from symhaptic.export import joint, request
+from symhaptic.export import fused, request
 from symhaptic.export.array_api import TARGET
-from symhaptic.export.library import known, library, named, routine
+from symhaptic.export.module import known, library, named, routine
 from symhaptic.export.routine import Several, computed
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 
 ROUTINES = known()
 PLAIN = request.chosen([], delay=2)
 FORMS = [*PLAIN, with_derivatives(PLAIN[0], differentiable(PLAIN[0]))]
-MERGED = {form.name: joint.merged(routine(form)) for form in FORMS}
+MERGED = {form.name: fused.merged(routine(form)) for form in FORMS}
 JOINT = sorted({step.call.func.__name__ for r in MERGED.values() for step in r.steps
                 if isinstance(step, Several)})  # fmt: skip
 
@@ -28,7 +28,7 @@ JOINT = sorted({step.call.func.__name__ for r in MERGED.values() for step in r.s
 def program(name):
     """Arguments, steps and results of a routine, each as a function of the symbols in it."""
     found = inlined(named(name, ROUTINES), ROUTINES)
-    modules = [{n: partial(alone, n) for n in ROUTINES}, {"ProductError": lambda *_: 0}, "mpmath"]
+    modules = [{n: partial(alone, n) for n in ROUTINES}, {"TwoProdError": lambda *_: 0}, "mpmath"]
 
     def function(expr):
         needs = sorted(sp.sympify(expr).free_symbols, key=str)
@@ -80,7 +80,7 @@ def test_nothing_is_called_twice_with_the_same_arguments(name):
     asked = Counter()
     for step in found.steps:
         for expr in computed(step):
-            calls = expr.atoms(*joint.MERGED)
+            calls = expr.atoms(*fused.MERGED)
             asked.update(call.args for call in calls)
             if isinstance(step, Several):
                 asked[expr.args] += 1

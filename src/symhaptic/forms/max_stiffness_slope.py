@@ -13,7 +13,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Rational, cos, tan
 
-from symhaptic.forms import delayed
+from symhaptic.forms import fractional_delay
 from symhaptic.forms.entire import CosNext, SinNext
 from symhaptic.model import boundary
 from symhaptic.model.plant import Sampled
@@ -139,7 +139,7 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
     quartic = _polynomial(early(), square) / ((1 + square) * below**2)
     below = (1 + square) * (together**2 + apart**2 * square) ** 2
     parabola = _polynomial(undelayed(), square) / below
-    wall, without = delayed.wall()[0], boundary.wall(Sampled(n_1, n_0, a, e))[0].subs(d, 0)
+    wall, without = fractional_delay.wall()[0], boundary.wall(Sampled(n_1, n_0, a, e))[0].subs(d, 0)
     return (
         ((rise / factor).xreplace(late), wall.diff(theta)),
         ((tan(theta / 2) * quartic).xreplace(late), wall.subs(l, 0).diff(theta)),

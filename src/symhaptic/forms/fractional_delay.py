@@ -14,8 +14,8 @@ import sympy as sp
 from sympy import Expr, Rational, exp
 
 from symhaptic.forms.entire import Creep, Decay, Fade, Lag, S
-from symhaptic.forms.entire_device import Apart, Fall, Rise
-from symhaptic.forms.response import KickLow, LateApart, closed
+from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1
+from symhaptic.forms.response import FractionalNumeratorGap, KickLow, closed
 from symhaptic.forms.slopes import Kick
 from symhaptic.model import boundary, fractional, plant
 from symhaptic.model.fractional import Late
@@ -30,7 +30,7 @@ HALF = Rational(1, 2)
 def rise(parts: Parts, time: Expr) -> Expr:
     """n_1 of a period ``time`` times as long, in units of the squared period."""
     if parts.stiffness and parts.damping:
-        return Rise(gamma * time**2, delta * time)
+        return PlantN1(gamma * time**2, delta * time)
     if parts.damping:
         return Creep(delta * time)
     return S(-gamma * time**2 / 4) ** 2 / 2 if parts.stiffness else HALF
@@ -39,7 +39,7 @@ def rise(parts: Parts, time: Expr) -> Expr:
 def fall(parts: Parts, time: Expr) -> Expr:
     """n_0 of such a period."""
     if parts.stiffness and parts.damping:
-        return Fall(gamma * time**2, delta * time)
+        return PlantN0(gamma * time**2, delta * time)
     return Fade(delta * time) if parts.damping else rise(parts, time)
 
 
@@ -75,7 +75,7 @@ def brief(parts: Parts, time: Expr) -> Brief:
     low = sp.S.Zero
     if parts.stiffness and parts.damping:
         given = gamma * time**2, delta * time
-        apart, kick, low = delta * time * Apart(*given), Kick(*given), KickLow(*given)
+        apart, kick, low = delta * time * NumeratorGap(*given), Kick(*given), KickLow(*given)
     elif parts.damping:
         apart, kick = delta * time * Lag(delta * time), Decay(delta * time)
     else:
@@ -95,7 +95,7 @@ def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
     slowed = damper * last.kick + spring * last.rise
     turned = slowed * first.fall - first.loss * last.fall + spring * first.rise * last.rise
     kicks = first.kick / (1 - epsilon), first.kick_low, last.kick / epsilon, last.kick_low
-    return LateApart(epsilon, *kicks, first.apart, last.apart, turned)
+    return FractionalNumeratorGap(epsilon, *kicks, first.apart, last.apart, turned)
 
 
 def _shortened(parts: Parts, time: Expr) -> Brief:

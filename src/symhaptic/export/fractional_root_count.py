@@ -1,6 +1,6 @@
 r"""Roots outside the unit circle behind a delay that is no whole number of periods.
 
-As in symhaptic.export.counting, but with a cubic in :math:`y=4\sin^2(\theta/2)`; chapter
+As in symhaptic.export.root_count, but with a cubic in :math:`y=4\sin^2(\theta/2)`; chapter
 s6b_fractional_stability.  The cubic is expanded about y = 0, about the device's own frequency and
 about y = 4; between these points it is cut where it has an extremum or an inflection, and on each
 piece Newton's method goes to the root from the end from which it never overshoots.
@@ -14,11 +14,11 @@ import sympy as sp
 from sympy import And, Expr, Max, Min, Or, sqrt
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.counting import _Wall, turns
+from symhaptic.export.root_count import _Wall, turns
 from symhaptic.export.routine import Routine, Steps, choose
-from symhaptic.forms.counted import LATE_ARGUMENTS
+from symhaptic.forms.root_count import FRACTIONAL_ARGUMENTS
 
-alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart = LATE_ARGUMENTS
+alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart = FRACTIONAL_ARGUMENTS
 slope, far, center, beyond = sp.symbols("slope far center beyond")
 k0, k1, k2, k3 = TERMS = sp.symbols("k0 k1 k2 k3")
 low, high, at_low, at_high, zone = sp.symbols("low high at_low at_high zone")
@@ -81,7 +81,7 @@ def _leads(k: Terms) -> Boolean:
     return leads
 
 
-def late_roots() -> Routine:
+def fractional_roots() -> Routine:
     """The number of roots outside the unit circle."""
     do = Steps()
     v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
@@ -105,8 +105,8 @@ def late_roots() -> Routine:
     end = choose(v.far > 0, side, 0) - (d + 3)
     end = do("end", end + choose(apart > 0, choose(across >= 0, 1, -1), 0))
     total = do("total", found + choose(_leads(near), begin, 0))
-    return do.routine("LateRoots", "roots outside the unit circle, behind a fractional delay",
-                      LATE_ARGUMENTS, total - choose(_leads(far_), end, 0))  # fmt: skip
+    return do.routine("FractionalRoots", "roots outside the unit circle, behind a fractional delay",
+                      FRACTIONAL_ARGUMENTS, total - choose(_leads(far_), end, 0))  # fmt: skip
 
 
 def _inside(do: Steps, top: Expr, bottom: Expr) -> Expr:
@@ -185,5 +185,5 @@ def cubic_root() -> Routine:
                       (*TERMS, low, high, rise), y)  # fmt: skip
 
 
-ROUTINES = (late_roots, zone_turns, piece_turns, cubic_root)
+ROUTINES = (fractional_roots, zone_turns, piece_turns, cubic_root)
 PRECISE: tuple[Callable[[], Routine], ...] = ()

@@ -32,7 +32,7 @@ class Leaning:
     """Positive where it matters."""
 
 
-class Searched(Function):  # type: ignore[misc]
+class ImplicitFunction(Function):  # type: ignore[misc]
     """A function without a closed form."""
 
     meaning: str
@@ -52,7 +52,7 @@ def fraction(delay: mpf) -> tuple[mpf, mpf]:
     return whole, delay - whole
 
 
-class WholePart(Searched):
+class WholePart(ImplicitFunction):
     """floor(d)."""
 
     nargs = 1
@@ -60,7 +60,7 @@ class WholePart(Searched):
     exact = staticmethod(mpmath.floor)
 
 
-class LatePart(Searched):
+class FractionalPart(ImplicitFunction):
     """d - floor(d)."""
 
     nargs = 1
@@ -72,7 +72,7 @@ class LatePart(Searched):
         return d - mpmath.floor(d)
 
 
-class SomePart(Searched):
+class SomePart(ImplicitFunction):
     """The same, and 1/2 in place of 0: so a branch for fractions is defined for whole delays."""
 
     nargs = 1
@@ -137,7 +137,7 @@ def _peaks(values: list[mpf]) -> list[mpf]:
     return found
 
 
-class LargestNeed(Searched):
+class LargestRequiredDamping(ImplicitFunction):
     """The damping that a wall needs at its worst angle: (alpha, beta, d)."""
 
     nargs = 3
@@ -157,7 +157,16 @@ class LargestNeed(Searched):
         return largest(need(alpha, beta, d), mpmath.pi / (whole + 1), end)[0]
 
 
-class NeediestAngle(Searched):
+class LargestWholeRequiredDamping(LargestRequiredDamping):
+    """The same for whole delays alone."""
+
+    meaning = (
+        "the largest damping that the wall (alpha, beta) behind a whole delay d needs at any "
+        "angle, searched for; infinite for alpha < 0"
+    )
+
+
+class CriticalAngle(ImplicitFunction):
     """Where the need is largest: (alpha, beta, l, epsilon)."""
 
     nargs = 4
@@ -191,7 +200,7 @@ def _worst_at(theta: mpf, d: mpf) -> mpf:
     return mpmath.findroot(slope, (low, high), solver="anderson", verify=False)
 
 
-class Touching(Searched):
+class Touching(ImplicitFunction):
     """The wall that is worst at an angle: (theta, l, epsilon)."""
 
     nargs = 3
@@ -206,7 +215,7 @@ class Touching(Searched):
         return _worst_at(theta, whole + part)
 
 
-class PassiveAngle(Searched):
+class PassiveAngle(ImplicitFunction):
     """The worst angle of the stiffest passive wall: (l, epsilon)."""
 
     nargs = 2
@@ -227,7 +236,7 @@ class PassiveAngle(Searched):
         return mpmath.findroot(slope, ends, solver="anderson", verify=False)
 
 
-class Pushed(Searched):
+class Pushed(ImplicitFunction):
     """The second argument, and infinity where the first is negative."""
 
     nargs = 2
@@ -239,7 +248,7 @@ class Pushed(Searched):
         return mpf("inf") if alpha < 0 else value
 
 
-class Lead(Searched):
+class Lead(ImplicitFunction):
     """Negative where a passivity boundary has ended for sure: (theta, l, epsilon)."""
 
     nargs = 3
@@ -257,7 +266,7 @@ class Lead(Searched):
         return (1 - part) * early + part * late
 
 
-class Rated(Searched):
+class Rated(ImplicitFunction):
     """The second argument, and NaN where the first is negative."""
 
     nargs = 2

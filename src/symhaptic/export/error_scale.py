@@ -7,9 +7,18 @@ from typing import Any
 import numpy as np
 
 from symhaptic.forms.angle_slopes import ChordSlope, Ripple, SpreadSlope
-from symhaptic.forms.slopes import ApartDrop, Bend, Coast, Ebb, Echo, FallDrop, Kick, RiseDrop
+from symhaptic.forms.slopes import (
+    Bend,
+    Coast,
+    Ebb,
+    Echo,
+    Kick,
+    NumeratorGapDrop,
+    PlantN0Drop,
+    PlantN1Drop,
+)
 
-_DEVICE = (Kick, Coast, Ebb, Echo, RiseDrop, FallDrop, ApartDrop)
+_DEVICE = (Kick, Coast, Ebb, Echo, PlantN1Drop, PlantN0Drop, NumeratorGapDrop)
 
 
 def size(cls: Any, args: Any) -> Any:
@@ -42,10 +51,10 @@ def _of_device(cls: Any, gamma: Any, delta: Any) -> Any:
         swinging = echo + fall / stiff
         creeping = (2 + slow) * np.exp(-slow) / np.maximum(2 * root, 2.0) ** 2
         creeping = creeping / np.maximum(delta / 2 + root, 2.0)
-    elif cls is ApartDrop:
+    elif cls is NumeratorGapDrop:
         swinging = (1 / stiff / np.maximum(delta, 1.0) + echo) / stiff
     else:
-        swinging = ((1 if cls is RiseDrop else fall) / stiff + pair) / stiff
+        swinging = ((1 if cls is PlantN1Drop else fall) / stiff + pair) / stiff
     counts = (w < 0) & ((gamma >= 4) | (cls is Coast))
     return np.where(counts, swinging, np.where(w < 0, 0.0, creeping))
 

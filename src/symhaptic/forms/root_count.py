@@ -24,8 +24,8 @@ class WholeRoots(Function):  # type: ignore[misc]
     )
 
 
-class LateRoots(Function):  # type: ignore[misc]
-    """The same for a fractional delay, of arguments that :data:`LATE_ARGUMENTS` names."""
+class FractionalRoots(Function):  # type: ignore[misc]
+    """The same for a fractional delay, of arguments that :data:`FRACTIONAL_ARGUMENTS` names."""
 
     nargs = 10
     meaning = (
@@ -45,8 +45,8 @@ ARGUMENTS = sp.symbols("alpha beta d n1 n0 at_one at_minus_one loss together apa
 """Of WholeRoots: the wall, the whole delay, and the device with its values at 1 and -1."""
 
 
-LATE_ARGUMENTS = sp.symbols("alpha beta d m2 m0 at_one at_minus_one loss together apart")
-"""Of LateRoots: the wall, the whole periods, and the device behind the fraction."""
+FRACTIONAL_ARGUMENTS = sp.symbols("alpha beta d m2 m0 at_one at_minus_one loss together apart")
+"""Of FractionalRoots: the wall, the whole periods, and the device behind the fraction."""
 
 
 def outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
@@ -58,7 +58,7 @@ def outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
     return _outside((n1, n0), alpha, beta, delay + 1, at_one, loss, near)
 
 
-def late_outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
+def fractional_outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
     """The same behind a fractional delay."""
     alpha, beta, delay, m2, m0, at_one, _, loss, together, _ = numbers
     return _outside((m2, together - m2 - m0, m0), alpha, beta, delay + 2, at_one, loss, near)

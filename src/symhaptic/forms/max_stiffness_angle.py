@@ -10,14 +10,14 @@ import sympy as sp
 from mpmath import mpf
 from sympy import cacheit
 
-from symhaptic.forms import stiffest
-from symhaptic.forms.counted import late_outside
-from symhaptic.forms.searched import Leaning, Searched
+from symhaptic.forms import max_stiffness_slope
+from symhaptic.forms.implicit import ImplicitFunction, Leaning
+from symhaptic.forms.root_count import fractional_outside
 
-STIFFEST_SPRING = sp.Rational(98, 10)
+MAX_STIFFNESS_SPRING = sp.Rational(98, 10)
 """Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
 
-STIFFEST_ARGUMENTS = sp.symbols(
+MAX_STIFFNESS_ARGUMENTS = sp.symbols(
     "gamma delta d l part first last at_one at_minus_one loss together apart"
 )
 """The plant, the delay and its parts, and n1 and n0, or m2 and m0, with the values at 1 and -1."""
@@ -31,8 +31,8 @@ def _triples(values: Iterable[mpf]) -> Iterator[tuple[mpf, mpf, mpf]]:
     return ((x, y, z) for (x, y), (_, z) in pairwise(pairwise(values)))
 
 
-class StiffestAngle(Searched):
-    """The angle of the wall of largest stable stiffness, of :data:`STIFFEST_ARGUMENTS`."""
+class MaxStiffnessAngle(ImplicitFunction):
+    """The angle of the wall of largest stable stiffness, of :data:`MAX_STIFFNESS_ARGUMENTS`."""
 
     nargs = 12
     meaning = (
@@ -41,13 +41,20 @@ class StiffestAngle(Searched):
         "for gamma > 9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
     )
 
+    @property
+    def parts(self) -> tuple[sp.Expr, ...]:
+        """What it is of, as in :data:`MAX_STIFFNESS_ARGUMENTS`."""
+        return tuple(self.args)
+
     @cacheit  # type: ignore[untyped-decorator]
     def leaning(self) -> Leaning:
         """Below one period: the slope next to pi, negative where the angle has left pi."""
-        _, _, delay, _, part, _, last, *numbers = self.args
-        known = dict(zip(stiffest.EARLY, (*numbers, last if part else sp.S.Zero), strict=True))
-        slope = stiffest.end().xreplace(known)
-        return Leaning(slope, stiffest.leaning(self, known), (1 - delay, -slope))
+        _, _, delay, _, part, _, last, *numbers = self.parts
+        known = dict(
+            zip(max_stiffness_slope.EARLY, (*numbers, last if part else sp.S.Zero), strict=True)
+        )
+        slope = max_stiffness_slope.end().xreplace(known)
+        return Leaning(slope, max_stiffness_slope.leaning(self, known), (1 - delay, -slope))
 
     @staticmethod
     def exact(*numbers: mpf) -> mpf:
@@ -91,8 +98,38 @@ class StiffestAngle(Searched):
         if alpha <= -gamma:
             raise ArithmeticError("a device that no wall stops")
         inside = alpha - (alpha + gamma) / 10**6
-        if whole <= 12 and late_outside(
+        if whole <= 12 and fractional_outside(
             inside, beta, whole, m2, m0, at_one, mpf(0), loss, together, mpf(0)
         ):
             raise ArithmeticError("it does not border the region")
         return +theta
+
+
+class MaxStiffnessWholeAngle(MaxStiffnessAngle):
+    """The same for whole delays alone, which have no parts."""
+
+    nargs = 10
+    meaning = (
+        "the first angle at which the stiffness on the boundary is largest, searched for; NaN "
+        "where that does not border the stable region, for gamma > 9.8, and for "
+        "sqrt(gamma) (d + 1) > pi with d > 1"
+    )
+
+    @property
+    def parts(self) -> tuple[sp.Expr, ...]:
+        """The delay is its own whole part."""
+        return (*self.args[:3], self.args[2], sp.S.Zero, *self.args[3:])
+
+    @staticmethod
+    def exact(*numbers: mpf) -> mpf:
+        """As with parts."""
+        return MaxStiffnessAngle.exact(*numbers[:3], numbers[2], mpf(0), *numbers[3:])
+
+
+def of_whole(angle: MaxStiffnessAngle) -> MaxStiffnessAngle:
+    """The same where the fraction of the delay is 0."""
+    return (
+        angle
+        if angle.args[4:5] != (0,)
+        else MaxStiffnessWholeAngle(*angle.args[:3], *angle.args[5:])
+    )

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
+
 import sympy as sp
-from sympy import Expr, atan2, cos, floor, pi, sin, sqrt
+from sympy import Expr, Symbol, atan2, cos, floor, pi, sin, sqrt
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, difference, product, quotient
+from symhaptic.export.routine import Routine, Steps, choose, product, quotient, two_diff
 from symhaptic.export.search import crossing
-from symhaptic.forms import worst
+from symhaptic.forms import required_damping
 from symhaptic.forms.entire import CosNext, Sinc, SinNext
 from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta
 
 _WALL = (alpha, beta, l, epsilon)
+_WHOLE = (alpha, beta, l, psi)
 
 _FIRST = 4
 """Angles (l + 1) theta up to here hold the first zero of Lead, and no second one."""
@@ -30,7 +34,7 @@ def straight() -> Routine:
     kernel, kernel_low = quotient(do, top, near, top_low)
     one, one_low = product(do, stiffness, kernel, kernel_low)
     two, two_low = product(do, damping, do("along", CosNext(k, 2 * angle)))
-    total, lost = difference(do, one, two)
+    total, lost = two_diff(do, one, two)
     low = do("low", lost + one_low - two_low)
     return do.routine("Straight", "what straight motions need at a whole delay of k periods",
                       given, total + low)  # fmt: skip
@@ -44,39 +48,41 @@ def between() -> Routine:
     return do.routine("Between", "early + share (late - early)", given, early + share * more)
 
 
-def need() -> Routine:
+def damping_at() -> Routine:
     """The damping that the wall needs at an angle."""
     do = Steps()
-    early, late = do("early", worst.straight(l)), worst.straight(l + 1)
-    n = do("n", worst.between(early, late))
-    root = do("root", sqrt(n * n + worst.extra()))
-    return do.routine("Need", "the damping that the wall needs at the angle 2 psi",
-                      worst.ARGUMENTS, choose(_whole, early, (n + root) / 2))  # fmt: skip
+    early, late = do("early", required_damping.straight(l)), required_damping.straight(l + 1)
+    n = do("n", required_damping.between(early, late))
+    root = do("root", sqrt(n * n + required_damping.extra()))
+    return do.routine("DampingAt", "the damping that the wall needs at the angle 2 psi",
+                      required_damping.ARGUMENTS,
+                      choose(_whole, early, (n + root) / 2))  # fmt: skip
 
 
 def rising() -> Routine:
     """Whether that grows with the angle, at a fraction of a period."""
     do = Steps()
-    early, late = do.common(worst.steepness(l), worst.steepness(l + 1))
+    early, late = do.common(required_damping.steepness(l), required_damping.steepness(l + 1))
     early = do("early", early)
-    steep = do("steep", worst.between(early, late))
-    found = worst.rising(sp.Function("Need")(*worst.ARGUMENTS), steep)
-    return do.routine("Rising", "has the sign of the slope of Need, at a fraction",
-                      worst.ARGUMENTS, found)  # fmt: skip
+    steep = do("steep", required_damping.between(early, late))
+    found = required_damping.rising(sp.Function("DampingAt")(*required_damping.ARGUMENTS), steep)
+    return do.routine("Rising", "has the sign of the slope of DampingAt, at a fraction",
+                      required_damping.ARGUMENTS, found)  # fmt: skip
 
 
 def steepness() -> Routine:
     """Whether that grows with the angle; negative beyond the angle in phase."""
     do = Steps()
-    early = do("early", do.common(worst.steepness(l))[0])
-    rising = do("rising", sp.Function("Rising")(*worst.ARGUMENTS))
+    early = do("early", do.common(required_damping.steepness(l))[0])
+    rising = do("rising", sp.Function("Rising")(*required_damping.ARGUMENTS))
     double = 2 * psi
     delayed = atan2(epsilon * sin(double), 1 - epsilon + epsilon * cos(double))
     own = atan2(alpha * cos(psi), (alpha + 2 * beta) * sin(psi))
     phase = do("phase", (2 * (l + 1) * psi - pi) + delayed + own)
     fractional = choose(phase > 0, -sp.Abs(rising), rising)
-    return do.routine("Steepness", "has the sign of the slope of Need, up to the angle in phase",
-                      worst.ARGUMENTS, choose(_whole, early, fractional))  # fmt: skip
+    return do.routine("Steepness",
+                      "has the sign of the slope of DampingAt, up to the angle in phase",
+                      required_damping.ARGUMENTS, choose(_whole, early, fractional))  # fmt: skip
 
 
 def worst_angle(precision: Precision = DOUBLE) -> Routine:
@@ -84,49 +90,102 @@ def worst_angle(precision: Precision = DOUBLE) -> Routine:
     return _worst("WorstAngle", precision, precision.flat)
 
 
-def neediest_angle(precision: Precision = DOUBLE) -> Routine:
+def critical_angle(precision: Precision = DOUBLE) -> Routine:
     """The same to the last place, for derivatives of the need."""
-    return _worst("NeediestAngle", precision, precision.close)
+    return _worst("CriticalAngle", precision, precision.close)
 
 
 def _worst(name: str, precision: Precision, close: Expr) -> Routine:
     do = Steps()
+
+    def slope(stiffness: Expr, damping: Expr, whole: Expr, at: Expr) -> Expr:
+        return sp.Function("Steepness")(stiffness, damping, whole, epsilon, at)
+
+    psi = _neediest(do, slope, precision, close)
+    return do.routine(name, "half of the angle at which the wall needs most damping",
+                      _WALL, psi)  # fmt: skip
+
+
+def _neediest(do: Steps, slope: Callable[..., Expr], precision: Precision, close: Expr) -> Expr:
+    """Where the slope of what a wall of the size 1 needs changes its sign."""
     # beyond pi the sine is negative, which at half a period turns the phase
     most = sp.Rational(precision.below_pi)
     size = do("size", sp.Abs(alpha) + sp.Abs(beta))
     scale = do.nonzero(size)
     wall = do("stiffness", alpha / scale), do("damping", beta / scale)
-
-    def slope(inner: Steps, at: Expr) -> Expr:
-        return sp.Function("Steepness")(*wall, l, epsilon, at)
-
-    psi = crossing(do, slope, sp.S.Zero, most / (2 * (l + 1)), close)
-    return do.routine(name, "half of the angle at which the wall needs most damping",
-                      _WALL, psi)  # fmt: skip
+    end = most / (2 * (l + 1))
+    return crossing(do, lambda _, at: slope(*wall, l, at), sp.S.Zero, end, close)
 
 
-def largest_need() -> Routine:
+def largest_required_damping() -> Routine:
     """The damping that the wall needs, infinite if it pulls."""
     do = Steps()
     whole = do("whole", floor(d))
     part = do("part", d - whole)
     psi = do("psi", sp.Function("WorstAngle")(alpha, beta, whole, part))
-    found = sp.Function("Need")(alpha, beta, whole, part, psi)
-    return do.routine("LargestNeed", "the damping that the wall needs at its worst angle",
+    found = sp.Function("DampingAt")(alpha, beta, whole, part, psi)
+    return do.routine("LargestRequiredDamping",
+                      "the damping that the wall needs at its worst angle",
                       (alpha, beta, d), choose(alpha < 0, sp.oo, found))  # fmt: skip
+
+
+def whole_damping_at() -> Routine:
+    """Of a whole delay."""
+    return Steps().routine("WholeDampingAt", "the damping that the wall needs at the angle 2 psi",
+                           _WHOLE, required_damping.straight(l))  # fmt: skip
+
+
+def whole_steepness() -> Routine:
+    """Its sign counts."""
+    do = Steps()
+    return do.routine("WholeSteepness", "has the sign of the slope of WholeDampingAt", _WHOLE,
+                      do.common(required_damping.steepness(l))[0])  # fmt: skip
+
+
+def worst_whole_angle(precision: Precision = DOUBLE) -> Routine:
+    """The same as the worst angle."""
+    do = Steps()
+    psi = _neediest(do, lambda *at: sp.Function("WholeSteepness")(*at), precision, precision.flat)
+    return do.routine("WorstWholeAngle", "half of the angle at which the wall needs most damping",
+                      _WHOLE[:-1], psi)  # fmt: skip
+
+
+def largest_whole_required_damping() -> Routine:
+    """The damping that the wall needs behind a whole delay, infinite if it pulls."""
+    do = Steps()
+    psi = do("psi", sp.Function("WorstWholeAngle")(alpha, beta, d))
+    found = sp.Function("WholeDampingAt")(alpha, beta, d, psi)
+    return do.routine("LargestWholeRequiredDamping",
+                      "the damping that the wall needs at its worst angle",
+                      (alpha, beta, d), choose(alpha < 0, sp.oo, found))  # fmt: skip
+
+
+@cache
+def _turning() -> tuple[dict[Expr, Symbol], Expr]:
+    """The slope of the need of a wall of the size 1, made of waves that are the same for all."""
+    steep = required_damping.between(
+        required_damping.steepness(l), required_damping.steepness(l + 1)
+    )
+    rising = required_damping.rising(required_damping.required(), steep)
+    waves = sorted(rising.atoms(sp.Function), key=sp.default_sort_key)
+    named = {wave: Symbol(f"wave{i}" if i > 1 else "wave") for i, wave in enumerate(waves, 1)}
+    return named, rising.xreplace(named).xreplace(required_damping.of_size_one())
+
+
+def turning() -> Routine:
+    """It falls where the wall is worst at a smaller angle."""
+    do, (waves, rising) = Steps(), _turning()
+    return do.routine("Turning", "has the sign of minus the slope of what the wall phi needs",
+                      (phi, l, epsilon, *waves.values()), -do.common(rising)[0])  # fmt: skip
 
 
 def turn(precision: Precision = DOUBLE) -> Routine:
     """The wall that is worst at an angle, as an angle; pi/2 where there is none."""
     do = Steps()
-    steep = worst.between(worst.steepness(l), worst.steepness(l + 1))
-    rising = worst.rising(worst.need(), steep)
-    waves = sorted(rising.atoms(sp.Function), key=sp.default_sort_key)  # the same for every wall
-    rising = rising.xreplace({wave: do("wave", wave) for wave in waves})
-    rising = rising.xreplace(worst.of_size_one())
+    waves = [do("wave", wave) for wave in _turning()[0]]
 
-    def falls(inner: Steps, at: Expr) -> Expr:
-        return -inner.common(rising.xreplace({phi: at}))[0]
+    def falls(_: Steps, at: Expr) -> Expr:
+        return sp.Function("Turning")(at, l, epsilon, *waves)
 
     found = crossing(do, falls, 0 * psi, pi / 2, precision.close)
     return do.routine("Turn", "the wall whose worst angle is 2 psi, as an angle",
@@ -145,10 +204,10 @@ def passive_slope() -> Routine:
     """Of the wall whose worst angle it is."""
     do = Steps()
     turned = do("turned", sp.Function("Turn")(psi, l, epsilon))
-    one = worst.of_size_one()
+    one = required_damping.of_size_one()
     stiffness, damping = (do("wall", one[s].xreplace({phi: turned})) for s in (alpha, beta))
-    need = do("need", sp.Function("Need")(stiffness, damping, l, epsilon, psi))
-    found = worst.favours(need).xreplace({alpha: stiffness, beta: damping})
+    need = do("need", sp.Function("DampingAt")(stiffness, damping, l, epsilon, psi))
+    found = required_damping.favours(need).xreplace({alpha: stiffness, beta: damping})
     return do.routine("PassiveSlope", "whether another angle allows more stiffness, at a fraction",
                       (psi, l, epsilon), -found)  # fmt: skip
 
@@ -174,7 +233,7 @@ def lead() -> Routine:
     """Whether mere damping is not yet in phase with its delay: the sine of what it lacks."""
     do = Steps()
     early, late = do("early", SinNext(l, theta)), do("late", SinNext(l + 1, theta))
-    sine = do("sine", worst.between(early, late))
+    sine = do("sine", required_damping.between(early, late))
     return do.routine("Lead", "negative beyond the angle in phase with the delay",
                       (theta, l, epsilon), choose((l + 1) * theta < _FIRST, sine, -1))  # fmt: skip
 
@@ -192,9 +251,11 @@ def whole_part() -> Routine:
     return Steps().routine("WholePart", "whole periods of a delay", (d,), floor(d))
 
 
-def late_part() -> Routine:
+def fractional_part() -> Routine:
     """The rest of them."""
-    return Steps().routine("LatePart", "the fraction of a period in a delay", (d,), d - floor(d))
+    return Steps().routine(
+        "FractionalPart", "the fraction of a period in a delay", (d,), d - floor(d)
+    )
 
 
 def some_part() -> Routine:
@@ -205,10 +266,9 @@ def some_part() -> Routine:
                       choose(sp.Eq(part, 0), sp.S.Half, part))  # fmt: skip
 
 
-ROUTINES = (straight,
-    between,
-    passive_slope,
-    whole_part, late_part, some_part, need, rising, steepness, largest_need, touching, pushed,
-    lead, rated,
+ROUTINES = (
+    straight, between, passive_slope, whole_part, fractional_part, some_part, damping_at, rising,
+    steepness, largest_required_damping, touching, pushed, lead, rated, whole_damping_at,
+    whole_steepness, largest_whole_required_damping, turning,
 )  # fmt: skip
-PRECISE = (worst_angle, neediest_angle, turn, passive_angle)
+PRECISE = (worst_angle, worst_whole_angle, critical_angle, turn, passive_angle)

@@ -28,7 +28,7 @@ import sympy as sp
 from sympy import Expr, Symbol, cos, sin
 
 from symhaptic.forms.entire import Chord, CosNext, Sinc
-from symhaptic.forms.response import Careful, closed
+from symhaptic.forms.response import Compensated, closed
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta
 
@@ -52,7 +52,7 @@ def between(early: Expr, late: Expr, share: Expr = epsilon) -> Expr:
     return early + share * (late - early)
 
 
-class Straight(Careful):
+class Straight(Compensated):
     """The need of straight motions as a function, whose products are not rounded one by one."""
 
     nargs = 4
@@ -65,7 +65,7 @@ class Straight(Careful):
         return straight(k).xreplace({alpha: stiffness, beta: damping, psi: angle})
 
 
-class Between(Careful):
+class Between(Compensated):
     """The mean as a function, so that what is needed at the later delay stays one number."""
 
     nargs = 3
@@ -78,7 +78,7 @@ class Between(Careful):
         return between(early, late, share)
 
 
-def careful() -> Expr:
+def compensated() -> Expr:
     """What straight motions need between whole delays, of these two."""
     both = (Straight(alpha, beta, k, psi) for k in (l, l + 1))
     return Between(epsilon, *both)
@@ -95,7 +95,7 @@ def rising(need: Expr, steep: Expr) -> Expr:
     return need * steep + 2 * epsilon * (1 - epsilon) * beta * (alpha + beta) * Sinc(2 * psi)
 
 
-def need(straight_needs: Expr | None = None) -> Expr:
+def required(straight_needs: Expr | None = None) -> Expr:
     """The damping that all motions need at an angle, at a fraction of a period."""
     n = between(straight(l), straight(l + 1)) if straight_needs is None else straight_needs
     return (n + sp.sqrt(n * n + extra())) / 2
@@ -116,7 +116,7 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
     n, steep = (between(f(l), f(l + 1)) for f in (straight, steepness))
     return (
         (straight(l), whole),
-        (closed(careful()), between(whole, later)),
+        (closed(compensated()), between(whole, later)),
         (psi * steepness(l), whole.diff(psi)),
         (delta**2 - delta * n - extra() / 4, margin),
         (psi * rising(delta, steep), -margin.diff(psi)),

@@ -1,0 +1,199 @@
+"""The same functions in C for a device in SI units, and a controller that uses them."""
+
+from __future__ import annotations
+
+from symhaptic.export.cmake import STRICT
+from symhaptic.export.module import Library
+from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.wrapping import wrapped
+from symhaptic.forms.stable import Form
+from symhaptic.notation import SYMBOLS
+
+_DEVICE = {"gamma": "k", "delta": "b", "d": "t_d"}
+"""Arguments that belong to the device, beside its mass and its sampling period."""
+
+_GIVEN = {"alpha": "K", "beta": "B", "theta": "omega"}
+"""The others, and what they are in SI units."""
+
+_ARGUMENTS = {
+    "alpha": "K*of.T*of.T/of.m",
+    "beta": "B*of.T/of.m",
+    "theta": "omega*of.T",
+    "gamma": "of.k*of.T*of.T/of.m",
+    "delta": "of.b*of.T/of.m",
+    "d": "{name}_periods(of)",
+}
+
+_RESULTS = {
+    "alpha": ("K", "of.m/(of.T*of.T)"),
+    "beta": ("B", "of.m/of.T"),
+    "theta": ("omega", "1/of.T"),
+    "margin": ("b", "of.m/of.T"),
+    "stable": ("", ""),
+    "roots": ("", ""),
+}
+"""What each is in SI units, and what it has to be multiplied by."""
+
+
+def header(library: Library, real: str, precision: Precision) -> dict[str, str]:
+    """NAME_si.h, and example.c of a whole device whose limit and whose test of a wall are there.
+
+    What has another result, such as a derivative, is left out; no file if all have.
+    """
+    forms = [form for form in library.forms if {n for n, _ in form.results} <= _RESULTS.keys()]
+    if not forms:
+        return {}
+    name = library.name
+    parts = {_DEVICE[s.name] for f in forms for s in f.arguments if s.name in _DEVICE}
+    members: list[str] = [n for n in ("m", "b", "k", "T", "t_d") if n in {"m", "T", *parts}]
+    files = {f"{name}_si.h": _header(name, forms, members, precision, real)}
+    if len(members) == 5 and {"max_stable_stiffness", "is_stable"} <= {f.name for f in forms}:
+        device = ", ".join(f".{n} = {_PHANTOM[n]}{_suffix(precision)}" for n in members)
+        words = {"name": name, "real": real, "device": device, "f": _suffix(precision)}
+        files["example.c"] = _EXAMPLE % words
+    return files
+
+
+_PHANTOM = {"m": "0.072", "b": "0.005", "k": "0.0", "T": "0.001", "t_d": "0.001"}
+
+
+def _suffix(precision: Precision) -> str:
+    return "" if precision is DOUBLE else "f"
+
+
+def _header(
+    name: str, forms: list[Form], members: list[str], precision: Precision, real: str
+) -> str:
+    fields = [(n, f"/* {SYMBOLS[n].meaning} [{SYMBOLS[n].unit}] */") for n in members]
+    lines = [f"    {real} {n}; {about}" for n, about in fields]
+    functions = [line for form in forms for line in [*_function(name, form, real), ""]]
+    words = {
+        "name": name, "guard": f"{name.upper()}_SI_H", "real": real, "f": _suffix(precision),
+        "strict": STRICT, "members": "\n".join(lines), "functions": "\n".join(wrapped(functions)),
+        "last": "DBL_EPSILON" if precision is DOUBLE else "FLT_EPSILON",
+    }  # fmt: skip
+    words["delay"] = _DELAY % words if "t_d" in members else ""
+    return _HEADER % words
+
+
+def _function(name: str, form: Form, real: str) -> list[str]:
+    given = [_GIVEN[s.name] for s in form.arguments if s.name in _GIVEN]
+    found = [(n, *_RESULTS[n]) for n, _ in form.results]
+    about = [f"As {name}_{form.name}: {form.title}."]
+    about += [f"{n}: {SYMBOLS[n].meaning} [{SYMBOLS[n].unit}]" for n in given]
+    args = [f"const {real} {n}" for n in given] + [f"const {name}_device device"]
+    called = [_ARGUMENTS[s.name].format(name=name) for s in form.arguments]
+    kind = "bool" if form.truth else real
+    if len(found) > 1:
+        kind = "void"
+        args += [f"{real} *const {si}_out" for _, si, _ in found]
+        about += [f"{si}_out: {SYMBOLS[si].meaning} [{SYMBOLS[si].unit}]" for _, si, _ in found]
+        called += [f"{si}_out" for _, si, _ in found]
+    lines = ["/*", *(f" * {line}" for line in about), " */"]
+    lines += [f"static inline {kind} {name}_si_{form.name}({', '.join(args)}) {{"]
+    lines += [f"    const {name}_device of = {name}_device_checked(device);"]
+    call = f"{name}_{form.name}({', '.join(called)})"
+    if len(found) > 1:
+        lines += [f"    {call};"]
+        lines += [f"    *{si}_out *= {factor};" for _, si, factor in found]
+    else:
+        factor = found[0][2]
+        lines += [f"    return {call}*({factor});" if factor else f"    return {call};"]
+    return [*lines, "}"]
+
+
+_HEADER = """\
+#ifndef %(guard)s
+#define %(guard)s
+
+#include <float.h>
+#include <math.h>
+
+#include "%(name)s.h"
+
+%(strict)s
+/* A device behind a delay, in SI units. */
+typedef struct {
+%(members)s
+} %(name)s_device;
+
+/* Without a positive mass or sampling period there is no device: all is outside of the domain. */
+static inline %(name)s_device %(name)s_device_checked(%(name)s_device device) {
+    if (!(device.m > 0)) device.m = NAN;
+    if (!(device.T > 0)) device.T = NAN;
+    return device;
+}
+
+%(delay)s%(functions)s
+#endif
+"""
+
+_DELAY = """\
+/*
+ * The delay in sampling periods: whole where it misses a whole number by no more than decimals
+ * do when they are rounded, so that 0.0003 s are three periods of 0.0001 s.
+ */
+static inline %(real)s %(name)s_periods(const %(name)s_device device) {
+    const %(real)s d = device.t_d/device.T, whole = floor%(f)s(d + 0.5%(f)s);
+    return fabs%(f)s(d - whole) <= 2*%(last)s*whole ? whole : d;
+}
+
+"""
+
+_EXAMPLE = """\
+/*
+ * A virtual wall in a loop of 1 kHz. Its limit is asked once, before the loop; what is built stays
+ * well below it. A finger that pushes with 1 N, and a device that moves in steps of a microsecond,
+ * stand for the encoder and the motor: replace read_position() and write_force() by yours.
+ */
+#include <stdio.h>
+
+#include "%(name)s_si.h"
+
+static const %(name)s_device device = {%(device)s};
+
+static %(real)s position, speed;
+
+static %(real)s read_position(void) {
+    return position;
+}
+
+/* Holds a force for one sampling period. */
+static void write_force(const %(real)s force) {
+    const %(real)s finger = 1.0%(f)s, step = device.T/1000;
+    int i;
+    for (i = 0; i < 1000; ++i) {
+        speed += (finger + force - device.b*speed - device.k*position)/device.m*step;
+        position += speed*step;
+    }
+}
+
+/* The farthest that the device has been in the last tenth of a second. */
+static %(real)s pushed_into(const %(real)s K, const %(real)s B, const int periods) {
+    %(real)s last = 0, late = 0, farthest = 0;
+    int i;
+    position = speed = 0;
+    for (i = 0; i < periods; ++i) {
+        const %(real)s now = read_position();
+        const %(real)s force = -K*now - B*(now - last)/device.T;
+        write_force(late); /* which is one period late */
+        late = force;
+        last = now;
+        if (i >= periods - 100) farthest = fmax%(f)s(farthest, fabs%(f)s(now));
+    }
+    return farthest;
+}
+
+int main(void) {
+    %(real)s K, B, omega, below, above;
+    %(name)s_si_max_stable_stiffness(device, &K, &B, &omega);
+    printf("K < %%g N/m, at B = %%g Ns/m; beyond, it rings at %%g 1/s\\n", (double)K, (double)B,
+           (double)omega);
+    if (!%(name)s_si_is_stable(K/2, B/2, device)) return 1;
+    below = pushed_into(K/2, B/2, 2000);
+    above = pushed_into(K*1.2%(f)s, B, 2000);
+    printf("after 2 s: %%g m into half of it, and %%g m into a fifth more\\n", (double)below,
+           (double)above);
+    return !(below < 0.01%(f)s && !(above < 1));
+}
+"""
